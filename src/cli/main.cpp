@@ -1,0 +1,86 @@
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/build_info.hpp"
+#include "cli/run_command.hpp"
+#include "record/record_error.hpp"
+#include "scene/error.hpp"
+#include "suspension/numerics_refused.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+std::string version_text() {
+  const BuildInfo info = build_info();
+  std::string text = "stokes ";
+  text += info.version;
+  text += " (git " + std::string(info.git_hash) + ", " + std::string(info.compiler) + ", " +
+          std::string(info.build_type) + ", " + std::string(info.flags) + ")";
+  return text;
+}
+
+void add_scene_options(CLI::App& command, RunOptions& options) {
+  command.add_option("scene", options.scene, "scene file (TOML)")->required();
+  command.add_option("--out", options.out, "directory of the results [out/<name of the scene>]");
+  command
+      .add_option("--set", options.overrides, "replace a value of the scene, as in time.dt=0.01")
+      ->allow_extra_args(false);
+  command.add_option("--threads", options.threads, "number of threads [all processors]")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--overwrite", options.overwrite, "replace a run in the directory");
+  command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
+int run_program(int argc, char** argv) {
+  // A limit on file sizes then shows as an error of the write, like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App app{"Rigid bodies and walls in two-dimensional Stokes flow"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  RunOptions options;
+  CLI::App& run = *app.add_subcommand("run", "move a scene from t = 0 to its end");
+  add_scene_options(run, options);
+  CLI::Option* resume =
+      run.add_flag("--resume", options.resume, "go on from the directory's last checkpoint");
+  resume->excludes("--overwrite");
+  run.add_flag("--dry-run", options.dry_run, "check the scene and print the plan, nothing else");
+  CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
+  add_scene_options(solve, options);
+  solve.add_flag("--dry-run", options.dry_run, "check the scene and print the plan, nothing else");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_done : exit_bad_usage;
+  }
+  options.once = solve.parsed();
+  try {
+    return run_scene(options);
+  } catch (const SceneError& error) {
+    std::cerr << "stokes: " << error.what() << '\n';
+    return exit_bad_usage;
+  } catch (const NumericsRefused& error) {
+    std::cerr << "stokes: refused: " << error.what() << '\n';
+    return exit_refused;
+  } catch (const RecordError& error) {
+    std::cerr << "stokes: " << error.what() << '\n';
+    return exit_io;
+  }
+}
+
+}  // namespace
+
+}  // namespace stokesbook
+
+int main(int argc, char** argv) {
+  try {
+    return stokesbook::run_program(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "stokes: out of memory\n";
+    return stokesbook::exit_refused;
+  }
+}

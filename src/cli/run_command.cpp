@@ -1,0 +1,179 @@
+#include "cli/run_command.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include <omp.h>
+
+#include "cli/build_info.hpp"
+#include "cli/progress.hpp"
+#include "record/record_error.hpp"
+#include "record/run_directory.hpp"
+#include "scene/error.hpp"
+#include "scene/parse.hpp"
+#include "scene/write.hpp"
+#include "suspension/describe.hpp"
+#include "suspension/fill.hpp"
+#include "suspension/simulation.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+Scene load_scene(const RunOptions& options) {
+  const Scene scene = read_scene(options.scene, options.overrides);
+  if (!options.once && !scene.time) {
+    throw SceneError(options.scene.string() +
+                     ": stokes run needs [time] with t_final and dt; stokes solve does without");
+  }
+  try {
+    return with_fills_placed(scene);
+  } catch (const std::invalid_argument& error) {
+    throw SceneError(options.scene.string() + ": " + error.what());
+  }
+}
+
+std::string machine_name() {
+  std::ifstream cpus("/proc/cpuinfo");
+  for (std::string line; std::getline(cpus, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
+  const auto asks_for = [&](OutputFormat format) {
+    const auto& formats = scene.output.formats;
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  };
+  RunContents contents{scene.title,
+                       to_toml(scene),
+                       {},
+                       {},
+                       asks_for(OutputFormat::csv),
+                       asks_for(OutputFormat::vtk),
+                       asks_for(OutputFormat::svg)};
+  for (std::size_t k = 0; k < solver.references().size(); ++k) {
+    const Curve& curve = solver.references()[k]->curve;
+    auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
+    outlines.push_back({curve.x, curve.side == Side::fluid_inside});
+  }
+  return contents;
+}
+
+RunInfo run_info(const std::vector<std::string>& plan) {
+  const BuildInfo build = build_info();
+  RunInfo info;
+  info.version = build.version;
+  info.git_hash = build.git_hash;
+  info.compiler = build.compiler;
+  info.flags = build.flags;
+  info.machine = machine_name();
+  info.threads = omp_get_max_threads();
+  info.plan = plan;
+  return info;
+}
+
+struct OpenedRun {
+  RunDirectory directory;
+  std::optional<Checkpoint> checkpoint;  // where a resumed run goes on
+};
+
+// A run that was killed before its first checkpoint is resumed from the start.
+OpenedRun open_directory(const std::filesystem::path& out, const RunContents& contents,
+                         const RunOptions& options) {
+  const bool has_checkpoint = std::filesystem::exists(out / "checkpoint");
+  if (options.resume && has_checkpoint) {
+    ResumedRun resumed = RunDirectory::resume(out, contents);
+    return {std::move(resumed.directory), std::move(resumed.checkpoint)};
+  }
+  std::error_code ignored;
+  if (!has_checkpoint && std::filesystem::equivalent(options.scene, out / "scene.toml", ignored)) {
+    throw RecordError(
+        out / "scene.toml",
+        "is the scene itself, which the resolved scene would replace; give another --out");
+  }
+  const bool replace = options.resume || options.overwrite;
+  return {
+      RunDirectory::create(out, contents, replace ? ExistingRun::overwrite : ExistingRun::refuse),
+      {}};
+}
+
+void print_motions(const Frame& frame) {
+  std::printf("%6s %24s %24s %24s\n", "body", "ux", "uy", "omega");
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    const BodyState& body = frame.bodies[k];
+    std::printf("%6zu %24.15g %24.15g %24.15g\n", k, body.velocity.real(), body.velocity.imag(),
+                body.omega);
+  }
+}
+
+}  // namespace
+
+int run_scene(const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  const Scene scene = load_scene(options);
+  const SuspensionSolver solver(scene);
+  const std::vector<std::string> plan = describe(solver);
+  if (!options.quiet) {
+    if (!scene.title.empty()) std::printf("%s\n", scene.title.c_str());
+    for (const std::string& line : plan) std::printf("  %s\n", line.c_str());
+    std::fflush(stdout);
+  }
+  if (options.dry_run) {
+    solver.refuse_unresolved(solver.initial_configuration());
+    return exit_done;
+  }
+
+  const std::filesystem::path out =
+      options.out.empty() ? std::filesystem::path("out") / options.scene.stem() : options.out;
+  const RunContents contents = contents_of(scene, solver);
+  OpenedRun opened = open_directory(out, contents, options);
+  RunDirectory& directory = opened.directory;
+  const std::optional<Checkpoint>& checkpoint = opened.checkpoint;
+  directory.write_text("scene.toml", contents.scene);
+
+  Progress progress(checkpoint ? checkpoint->t : 0.0, scene.time ? scene.time->t_final : 0.0,
+                    options.quiet || options.once);
+  Simulation simulation(solver, {[&](const Frame& frame) {
+                                   directory.write_frame(frame);
+                                   if (options.once && !options.quiet) print_motions(frame);
+                                 },
+                                 [&](const StepInfo& step) {
+                                   directory.write_step(step);
+                                   progress.step(step);
+                                 },
+                                 [&](const Checkpoint& reached) { directory.save(reached); }});
+  if (checkpoint) simulation.resume(*checkpoint);
+
+  RunInfo info = run_info(plan);
+  const auto finish = [&](int status, const std::string& message) {
+    progress.finish();
+    info.totals = simulation.totals();
+    info.exit_status = status;
+    info.message = message;
+    info.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    directory.write_text("run.json", to_json(info));
+  };
+  try {
+    options.once ? simulation.solve_once() : simulation.run();
+  } catch (const NumericsRefused& refusal) {
+    finish(exit_refused, refusal.what());
+    throw;
+  }
+  finish(exit_done, "done");
+  if (!options.quiet) {
+    std::printf("%lld steps, %lld solves, %lld GMRES iterations, %.1f s; results in %s\n",
+                info.totals.steps, info.totals.solves, info.totals.gmres_iterations,
+                info.wall_seconds, out.c_str());
+  }
+  return exit_done;
+}
+
+}  // namespace stokesbook

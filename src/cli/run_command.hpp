@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stokesbook {
+
+/// @name Exit codes
+/// @{
+inline constexpr int exit_done = 0;
+inline constexpr int exit_bad_usage = 1;  ///< command line or scene
+inline constexpr int exit_refused = 2;  ///< the numerics declined; what was computed so far is kept
+inline constexpr int exit_io = 3;
+/// @}
+
+/// What the command line asks of `stokes run` and `stokes solve`.
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path out;  ///< empty: out/ and the name of the scene
+  std::vector<std::string> overrides;
+  int threads = 0;    ///< 0: all processors
+  bool once = false;  ///< stokes solve
+  bool dry_run = false;
+  bool resume = false;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/// Runs a scene and records it; returns the exit code.
+///
+/// @throws SceneError, NumericsRefused, RecordError
+int run_scene(const RunOptions& options);
+
+}  // namespace stokesbook

@@ -1,0 +1,179 @@
+#include "closure/bordered_system.hpp"
+
+#include <numbers>
+#include <utility>
+
+#include "double_layer/double_layer.hpp"
+#include "double_layer/kernels.hpp"
+#include "double_layer/stresslet_sum.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Double layer with jump, -1/2 + D, of all components on all.
+MatrixXd layer_matrix(const StokesProblem& problem, const std::vector<Index>& offsets) {
+  const Index n = offsets.back();
+  MatrixXd matrix(2 * n, 2 * n);
+  ComplexVector unit = ComplexVector::Zero(n);
+  std::vector<Curve> curves;
+  for (const Component& component : problem.components) curves.push_back(component.curve);
+  const StressletSum sum(curves, KernelStorage::stored);
+  for (Index column = 0; column < 2 * n; ++column) {
+    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
+    ComplexVector velocity = sum(unit) - 0.5 * unit;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      velocity.segment(offsets[k], curves[k].size()) +=
+          diagonal_velocity(curves[k], unit.segment(offsets[k], curves[k].size()));
+    }
+    matrix.col(column) = interleaved(velocity);
+    unit[column / 2] = 0.0;
+  }
+  return matrix;
+}
+
+// The three rigid motions of a component, velocity along 1, along 2, and turn, at its own nodes.
+ComplexVector rigid_mode(const Component& component, int mode) {
+  if (mode < 2) {
+    return ComplexVector::Constant(component.curve.size(), mode == 0 ? Complex{1.0} : imaginary);
+  }
+  return imaginary * (component.curve.x.array() - component.centre).matrix();
+}
+
+// Velocity at all nodes of a unit force along 1, along 2, or a unit torque at a component's centre.
+ComplexVector unit_load_velocity(const StokesProblem& problem, const Component& component, int mode,
+                                 double gauge) {
+  ComplexVector velocity(node_offsets(problem).back());
+  Index i = 0;
+  for (const Component& target : problem.components) {
+    for (Index j = 0; j < target.curve.size(); ++j, ++i) {
+      const Complex r = target.curve.x[j] - component.centre;
+      velocity[i] =
+          mode < 2 ? stokeslet(r, mode == 0 ? Complex{1.0} : imaginary, problem.viscosity, gauge)
+                   : rotlet(r, 1.0, problem.viscosity);
+    }
+  }
+  return velocity;
+}
+
+// Scales of the border's columns and rows, by mode (velocity or turn).
+struct BorderScales {
+  double motion[3];  // unknown = motion * (U, omega)
+  double load[3];    // unknown = (F, L) / load
+  double row[3];     // row = row * integral
+};
+
+BorderScales border_scales(const Component& component, ClosureForm form, double viscosity) {
+  if (form == ClosureForm::draft_bordered) return {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+  const RigidModes modes(component.curve, component.centre);
+  const double a = modes.gyration_radius(), length = perimeter(component.curve);
+  const double load = 4.0 * std::numbers::pi * viscosity;
+  return {{1, 1, a}, {load, load, load * a}, {1 / length, 1 / length, 1 / (length * a)}};
+}
+
+double stokeslet_gauge(const StokesProblem& problem, const Component& component, ClosureForm form) {
+  if (problem.gauge_length) return *problem.gauge_length;
+  if (form == ClosureForm::draft_bordered) return 1.0;
+  return std::sqrt(std::numbers::e) *
+         RigidModes(component.curve, component.centre).gyration_radius();
+}
+
+DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Index>& offsets) {
+  const Closure closure(problem);
+  const Index n = offsets.back();
+  const MatrixXd layer = layer_matrix(problem, offsets);
+  MatrixXd matrix(2 * n, 2 * n);
+  ComplexVector unit = ComplexVector::Zero(n);
+  for (Index column = 0; column < 2 * n; ++column) {
+    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
+    const ComplexVector rest = closure.without_rigid_part(unit);
+    const ComplexVector added = closure.velocity(unit);
+    matrix.col(column) = layer * interleaved(rest) + interleaved(added);
+    unit[column / 2] = 0.0;
+  }
+  const ComplexVector rhs = closure.right_hand_side();
+  return {matrix, interleaved(rhs)};
+}
+
+DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
+                              const std::vector<Index>& offsets) {
+  const Index n = offsets.back();
+  Index inner = 0;
+  for (const Component& component : problem.components) {
+    inner += component.kind == ComponentKind::enclosing_wall ? 0 : 1;
+  }
+  DenseSystem system{MatrixXd::Zero(2 * n + 3 * inner, 2 * n + 3 * inner),
+                     VectorXd::Zero(2 * n + 3 * inner)};
+  system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem, offsets);
+  Index border = 2 * n;
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    const Index first = 2 * offsets[k], size = 2 * component.curve.size();
+    if (component.kind != ComponentKind::free_body) {
+      system.rhs.segment(first, size) += interleaved(component.velocity);
+    }
+    if (component.kind == ComponentKind::enclosing_wall) continue;
+    const BorderScales scales = border_scales(component, form, problem.viscosity);
+    const double gauge = stokeslet_gauge(problem, component, form);
+    const VectorXd w = weights(component.curve);
+    for (int mode = 0; mode < 3; ++mode, ++border) {
+      const ComplexVector rigid = rigid_mode(component, mode);
+      const ComplexVector weighted = rigid.cwiseProduct(w);
+      const ComplexVector load = unit_load_velocity(problem, component, mode, gauge);
+      system.matrix.row(border).segment(first, size) =
+          scales.row[mode] * interleaved(weighted).transpose();
+      if (component.kind == ComponentKind::free_body) {
+        const double given[3] = {component.force.real(), component.force.imag(), component.torque};
+        system.matrix.col(border).segment(first, size) = -interleaved(rigid) / scales.motion[mode];
+        system.rhs.head(2 * n) -= given[mode] * interleaved(load);
+        if (form == ClosureForm::draft_bordered) system.rhs[border] = given[mode];
+      } else {
+        system.matrix.col(border).head(2 * n) = scales.load[mode] * interleaved(load);
+        system.matrix(border, border) = form == ClosureForm::draft_bordered ? -1.0 : 1.0;
+      }
+    }
+  }
+  if (problem.background.size() > 0) system.rhs.head(2 * n) -= interleaved(problem.background);
+  return system;
+}
+
+}  // namespace
+
+DenseSystem assemble(const StokesProblem& problem, ClosureForm form) {
+  const std::vector<Index> offsets = node_offsets(problem);
+  return form == ClosureForm::reduced ? assemble_reduced(problem, offsets)
+                                      : assemble_bordered(problem, form, offsets);
+}
+
+Completion complete_dense(const StokesProblem& problem, ClosureForm form,
+                          const VectorXd& solution) {
+  const Index n = node_offsets(problem).back();
+  const Closure closure(problem);
+  const ComplexVector density = deinterleaved(solution.head(2 * n));
+  Completion result = closure.complete(density);
+  if (form == ClosureForm::reduced) return result;
+  Index border = 2 * n;
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    if (component.kind == ComponentKind::enclosing_wall) continue;
+    const BorderScales scales = border_scales(component, form, problem.viscosity);
+    const auto value = [&](int mode, const double* scale) {
+      return solution[border + mode] * scale[mode];
+    };
+    if (component.kind == ComponentKind::free_body) {
+      result.motions[k] = {
+          {solution[border] / scales.motion[0], solution[border + 1] / scales.motion[1]},
+          solution[border + 2] / scales.motion[2]};
+    } else {
+      result.loads[k] = {{value(0, scales.load), value(1, scales.load)}, value(2, scales.load)};
+    }
+    border += 3;
+  }
+  return with_balance(problem, std::move(result));
+}
+
+}  // namespace stokesbook

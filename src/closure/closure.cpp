@@ -1,0 +1,218 @@
+#include "closure/closure.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "double_layer/kernels.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+std::vector<Index> node_offsets(const StokesProblem& problem) {
+  std::vector<Index> offsets{0};
+  for (const Component& component : problem.components) {
+    offsets.push_back(offsets.back() + component.curve.size());
+  }
+  return offsets;
+}
+
+bool is_bounded(const StokesProblem& problem) {
+  for (const Component& component : problem.components) {
+    if (component.kind == ComponentKind::enclosing_wall) return true;
+  }
+  return false;
+}
+
+Complex total_given_force(const StokesProblem& problem) {
+  Complex total{};
+  for (const Component& component : problem.components) {
+    if (component.kind == ComponentKind::free_body) total += component.force;
+  }
+  return total;
+}
+
+Completion with_balance(const StokesProblem& problem, Completion completion) {
+  std::vector<Load>& loads = completion.loads;
+  for (std::size_t wall = 0; wall < loads.size(); ++wall) {
+    if (problem.components[wall].kind != ComponentKind::enclosing_wall) continue;
+    loads[wall] = {};
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      if (k == wall) continue;
+      const Complex arm = problem.components[k].centre - problem.components[wall].centre;
+      loads[wall].force -= loads[k].force;
+      loads[wall].torque -= loads[k].torque + cross(arm, loads[k].force);
+    }
+  }
+  return completion;
+}
+
+namespace {
+
+bool is_prescribed(const Component& component) {
+  return component.kind == ComponentKind::prescribed;
+}
+
+// Rounding of the sum may leave a trace of forces that balance.
+bool has_net_force(const StokesProblem& problem) {
+  double scale = 0.0;
+  for (const Component& component : problem.components) scale += std::abs(component.force);
+  return std::abs(total_given_force(problem)) > 1e-12 * scale;
+}
+
+}  // namespace
+
+Closure::Closure(const StokesProblem& problem)
+    : problem_(problem), offsets_(node_offsets(problem)) {
+  const bool bounded = is_bounded(problem);
+  nodes_.resize(offsets_.back());
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    nodes_.segment(offsets_[k], component.curve.size()) = component.curve.x;
+    modes_.emplace_back();
+    gauges_.push_back(1.0);
+    if (component.kind == ComponentKind::enclosing_wall) continue;
+    modes_.back().emplace(component.curve, component.centre);
+    // The gauge that makes the own block of a circle equal {-1, -1/2}; it cancels in a bounded
+    // fluid and where the total force is zero.
+    gauges_.back() = std::sqrt(std::numbers::e) * modes_.back()->gyration_radius();
+    if (!bounded && problem.gauge_length) gauges_.back() = *problem.gauge_length;
+    prescribed_count_ += is_prescribed(component) ? 1 : 0;
+  }
+  free_uniform_velocity_ = !bounded && !problem.gauge_length && prescribed_count_ > 0;
+  if (!bounded && !problem.gauge_length && prescribed_count_ == 0 && has_net_force(problem)) {
+    throw std::invalid_argument("a net force in unbounded flow needs a gauge length");
+  }
+}
+
+std::vector<RigidMotion> Closure::rigid_parts(const ComplexVector& density) const {
+  std::vector<RigidMotion> rigid(modes_.size());
+  for (std::size_t k = 0; k < modes_.size(); ++k) {
+    if (modes_[k]) {
+      rigid[k] = modes_[k]->project(density.segment(offsets_[k], offsets_[k + 1] - offsets_[k]));
+    }
+  }
+  return rigid;
+}
+
+ComplexVector Closure::without_rigid_part(const ComplexVector& density) const {
+  const std::vector<RigidMotion> rigid = rigid_parts(density);
+  ComplexVector rest = density;
+  for (std::size_t k = 0; k < modes_.size(); ++k) {
+    if (modes_[k]) {
+      rest.segment(offsets_[k], offsets_[k + 1] - offsets_[k]) -= modes_[k]->at_nodes(rigid[k]);
+    }
+  }
+  return rest;
+}
+
+Complex Closure::mean_prescribed(const std::vector<RigidMotion>& rigid) const {
+  Complex mean{};
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    if (is_prescribed(problem_.components[k])) mean += rigid[k].velocity;
+  }
+  return mean / static_cast<double>(prescribed_count_);
+}
+
+std::vector<Load> Closure::prescribed_loads(const std::vector<RigidMotion>& rigid,
+                                            bool with_data) const {
+  const double scale = -4.0 * std::numbers::pi * problem_.viscosity;
+  Complex mean{}, share{};
+  if (free_uniform_velocity_) {
+    mean = mean_prescribed(rigid);
+    share = total_given_force(problem_) / static_cast<double>(prescribed_count_);
+  }
+  std::vector<Load> loads(rigid.size());
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    if (!is_prescribed(problem_.components[k])) continue;
+    const double radius = modes_[k]->gyration_radius();
+    loads[k] = {scale * (rigid[k].velocity - mean), scale * radius * radius * rigid[k].omega};
+    if (with_data) loads[k].force -= share;
+  }
+  return loads;
+}
+
+Complex Closure::gauge_velocity(const std::vector<Load>& loads) const {
+  Complex velocity{};
+  if (!free_uniform_velocity_) return velocity;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    velocity += std::log(gauges_[k]) * loads[k].force;
+  }
+  return velocity / (4.0 * std::numbers::pi * problem_.viscosity);
+}
+
+ComplexVector Closure::singularities_at(const ComplexVector& targets,
+                                        const std::vector<Load>& loads) const {
+  ComplexVector velocity = ComplexVector::Zero(targets.size());
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Load& load = loads[k];
+    if (!modes_[k] || (load.force == Complex{} && load.torque == 0.0)) continue;
+    const Complex centre = problem_.components[k].centre;
+    for (Index i = 0; i < targets.size(); ++i) {
+      const Complex r = targets[i] - centre;
+      velocity[i] += stokeslet(r, load.force, problem_.viscosity, gauges_[k]) +
+                     rotlet(r, load.torque, problem_.viscosity);
+    }
+  }
+  return velocity;
+}
+
+ComplexVector Closure::velocity(const ComplexVector& density) const {
+  const std::vector<RigidMotion> rigid = rigid_parts(density);
+  ComplexVector velocity = singularities_at(nodes_, prescribed_loads(rigid, false));
+  if (free_uniform_velocity_) velocity.array() -= mean_prescribed(rigid);
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    if (problem_.components[k].kind == ComponentKind::free_body) {
+      velocity.segment(offsets_[k], offsets_[k + 1] - offsets_[k]) -= modes_[k]->at_nodes(rigid[k]);
+    }
+  }
+  return velocity;
+}
+
+ComplexVector Closure::right_hand_side() const {
+  // The loads that do not depend on the density: those given, and their shares on prescribed
+  // components.
+  std::vector<Load> loads = prescribed_loads(std::vector<RigidMotion>(modes_.size()), true);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Component& component = problem_.components[k];
+    if (component.kind == ComponentKind::free_body) loads[k] = {component.force, component.torque};
+  }
+  ComplexVector rhs = -singularities_at(nodes_, loads);
+  if (problem_.background.size() > 0) rhs -= problem_.background;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Component& component = problem_.components[k];
+    if (component.kind != ComponentKind::free_body) {
+      rhs.segment(offsets_[k], component.curve.size()) += component.velocity;
+    }
+  }
+  return rhs;
+}
+
+Completion Closure::complete(const ComplexVector& density) const {
+  const std::vector<RigidMotion> rigid = rigid_parts(density);
+  Completion result;
+  result.loads = prescribed_loads(rigid, true);
+  result.motions.resize(rigid.size());
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    const Component& component = problem_.components[k];
+    if (component.kind == ComponentKind::free_body) {
+      result.motions[k] = rigid[k];
+      result.loads[k] = {component.force, component.torque};
+    }
+  }
+  if (free_uniform_velocity_) {
+    result.uniform_velocity = gauge_velocity(result.loads) - mean_prescribed(rigid);
+  }
+  return with_balance(problem_, std::move(result));
+}
+
+ComplexVector Closure::singular_velocity(const Completion& completion,
+                                         const ComplexVector& targets) const {
+  const ComplexVector velocity = singularities_at(targets, completion.loads);
+  const Complex uniform = completion.uniform_velocity - gauge_velocity(completion.loads);
+  return (velocity.array() + uniform).matrix();
+}
+
+}  // namespace stokesbook

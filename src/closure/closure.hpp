@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "closure/problem.hpp"
+#include "closure/rigid_modes.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup closure
+/// @{
+
+/// Force and torque of a component on the fluid.
+struct Load {
+  Complex force;        ///< force / length
+  double torque = 0.0;  ///< about the component's centre, counter-clockwise
+};
+
+/// Everything that a density says about one problem.
+struct Completion {
+  std::vector<RigidMotion> motions;  ///< of free bodies; zero for other components
+  std::vector<Load> loads;           ///< of every component, the enclosing wall included
+  Complex uniform_velocity;          ///< velocity of the fluid at infinity beside the background
+};
+
+/// Sets the load of an enclosing wall: stress is divergence-free, so the wall holds what all others
+/// push.
+Completion with_balance(const StokesProblem& problem, Completion completion);
+
+/// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
+///
+/// With the projection P onto rigid motions, \f$ U_k, \omega_k = P\eta \f$ on free bodies;
+/// \f$ F_w = -4\pi\mu\, U[P\eta],\ L_w = -4\pi\mu\, a_w^2\, \omega[P\eta] \f$ on prescribed
+/// components, with Stokeslets of gauge \f$ \ell_w = \sqrt{e}\, a_w \f$. The system for x on
+/// component k is
+/// \f[ (-\tfrac12 + D)(I-P)\eta - [k\ \mathrm{free}]\,P\eta + \sum_w (S_w F_w + R_w L_w) + N_0\eta
+///     + u_c = g_k - u_\infty - \sum_p (S_p F_p + R_p L_p), \f]
+/// pure second kind: on a circle every eigenvalue is -1/2 or -1. \f$ D P \eta = \frac12 P\eta \f$
+/// on the own curve and 0 in the fluid, exactly; leaving it out removes its quadrature error.
+///
+/// Unbounded fluid with prescribed components and no gauge length: the total force is zero and a
+/// uniform velocity u_c is free. Both hold by construction, with the mean \f$ \bar U \f$ of U[P
+/// eta] over the prescribed components:
+/// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. Reported is the
+/// velocity at infinity, which the Stokeslets' different gauges share in:
+/// \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
+/// @par Accuracy  @ref claim_03_1
+class Closure {
+ public:
+  /// @throws std::invalid_argument when an unbounded problem has a net force and no gauge length
+  explicit Closure(const StokesProblem& problem);
+
+  /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
+  ComplexVector without_rigid_part(const ComplexVector& density) const;
+
+  /// Evaluates what the closure adds at the nodes: \f$ -P\eta \f$ on free bodies, singularities and
+  /// uniform velocity of the prescribed components everywhere. Linear in the density.
+  ComplexVector velocity(const ComplexVector& density) const;
+
+  /// Assembles the right-hand side of the system.
+  ComplexVector right_hand_side() const;
+
+  /// Extracts motions and loads from a solution.
+  Completion complete(const ComplexVector& density) const;
+
+  /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
+  ///
+  /// @param  targets  points in the fluid, length
+  /// @return          velocities without background and double layer, length / time
+  ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
+
+ private:
+  std::vector<Load> prescribed_loads(const std::vector<RigidMotion>& rigid, bool with_data) const;
+  std::vector<RigidMotion> rigid_parts(const ComplexVector& density) const;
+  Complex mean_prescribed(const std::vector<RigidMotion>& rigid) const;
+  // What Stokeslets of different gauges leave at infinity when the forces balance; part of u_c.
+  Complex gauge_velocity(const std::vector<Load>& loads) const;
+  ComplexVector singularities_at(const ComplexVector& targets,
+                                 const std::vector<Load>& loads) const;
+
+  StokesProblem problem_;
+  std::vector<Eigen::Index> offsets_;
+  std::vector<std::optional<RigidModes>> modes_;  // none for an enclosing wall
+  std::vector<double> gauges_;                    // Stokeslet gauge of each component
+  ComplexVector nodes_;
+  Eigen::Index prescribed_count_ = 0;
+  bool free_uniform_velocity_ = false;
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup closure
+/// @{
+
+/// What is given on a component of the boundary, and what comes out.
+enum class ComponentKind {
+  free_body,       ///< force and torque given; velocity and omega come out
+  prescribed,      ///< velocity given at the nodes; force and torque come out (inner walls, held
+                   ///< bodies)
+  enclosing_wall,  ///< velocity given at the nodes; it surrounds the fluid
+};
+
+/// One closed curve of the boundary with its data.
+struct Component {
+  ComponentKind kind = ComponentKind::free_body;
+  Curve curve;             ///< placed nodes; side fits the kind
+  Complex centre;          ///< c, inside the curve: forces act here, torques are about it
+  Complex force;           ///< on the fluid, force / length (free bodies)
+  double torque = 0.0;     ///< on the fluid about the centre, force (free bodies)
+  ComplexVector velocity;  ///< at the nodes, length / time (prescribed and enclosing_wall)
+};
+
+/// A boundary value problem of Stokes flow around rigid bodies and walls, at one instant.
+struct StokesProblem {
+  std::vector<Component> components;  ///< densities are ordered by component, then node
+  double viscosity = 1.0;
+  ComplexVector background;            ///< undisturbed velocity at all nodes; empty: none
+  std::optional<double> gauge_length;  ///< unbounded fluid: Stokeslets are -log(r / gauge_length)
+};
+
+/// Position of each component's first node in the vector of all nodes; one more entry holds the
+/// total.
+std::vector<Eigen::Index> node_offsets(const StokesProblem& problem);
+
+/// True when a wall encloses the fluid.
+bool is_bounded(const StokesProblem& problem);
+
+/// Sum of the forces given on free bodies, force / length.
+Complex total_given_force(const StokesProblem& problem);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup closure
+/// @{
+
+/// Velocity \f$ U + \omega (x - c)^\perp \f$ of a rigid body about a centre c.
+struct RigidMotion {
+  Complex velocity;    ///< U, length / time
+  double omega = 0.0;  ///< counter-clockwise, 1 / time
+};
+
+/// The rigid motions on one curve, and the projection P onto them.
+///
+/// With the mean \f$ \langle f\rangle = \frac{1}{|\Gamma|}\int_\Gamma f\,ds \f$ and the boundary's
+/// centroid \f$ b = \langle x\rangle \f$:
+/// \f[ U_b = \langle\eta\rangle,\quad \omega = \langle\eta\cdot(x-b)^\perp\rangle / a^2,\quad
+///     a^2 = \langle|x-b|^2\rangle. \f]
+class RigidModes {
+ public:
+  /// @param  curve   nodes
+  /// @param  centre  c, the point about which motions are reported, length
+  RigidModes(const Curve& curve, Complex centre);
+
+  /// Projects a density: the rigid motion about the centre that is nearest in the mean square.
+  RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
+
+  /// Evaluates a rigid motion at the nodes.
+  ComplexVector at_nodes(const RigidMotion& motion) const;
+
+  /// a, the root mean square distance of the curve from its centroid, length.
+  double gyration_radius() const { return gyration_radius_; }
+
+ private:
+  Eigen::VectorXd mean_weights_;  // w_j / |Gamma|
+  ComplexVector turn_;            // (x - b)^perp
+  Complex offset_;                // c - b
+  double gyration_radius_;
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup double_layer
+/// @{
+
+/// Applies the diagonal of the double layer on its own curve: the limit of the kernel times the
+/// weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
+///
+/// @param  curve    nodes
+/// @param  density  at the nodes, length / time
+/// @return          velocities at the nodes, length / time
+ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
+
+/// Assembles the double layer of a curve on itself, \f$ D[\eta](x_i) \f$ by the trapezoid rule.
+///
+/// The principal value: the limit from the fluid is \f$ -\frac12\eta + D\eta \f$.
+/// @param  curve  N nodes
+/// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
+/// @par Accuracy  geometric in N for analytic curves and densities
+/// @par Cost      N^2 kernel evaluations
+Eigen::MatrixXd double_layer_matrix(const Curve& curve);
+
+/// Measures how well a curve's nodes resolve its own double layer: the residual of
+/// \f$ (\frac{s}{2} + D) v = 0 \f$ over the rigid motions v, in the Fourier modes |k| <= 4 that
+/// motions and loads depend on, relative to max |v|.
+///
+/// The kernel's modes beyond N alias onto low ones; the tail of a density does not show that, this
+/// does.
+/// @param  curve  N nodes, N >= 10
+/// @return        relative error, dimensionless; geometric in N
+/// @par Cost      N^2 kernel evaluations
+double rigid_motion_residual(const Curve& curve);
+
+/// Views plane vectors as a real vector (x_0, y_0, x_1, y_1, ...): the same memory.
+inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
+  return {reinterpret_cast<const double*>(v.data()), 2 * v.size()};
+}
+
+/// Views a real vector (x_0, y_0, x_1, y_1, ...) as plane vectors: the same memory.
+inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eigen::VectorXd>& v) {
+  return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};
+}
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,141 @@
+#include "double_layer/stresslet_sum.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "double_layer/double_layer.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// Sources that fit the first-level cache while a block of targets passes over them.
+constexpr Index block_size = 512;
+
+// Targets a thread takes at a time.
+constexpr Index chunk_size = 64;
+
+// Stands for the squared distance of a pair that is left out: its term underflows next to any
+// other, and the product with another squared distance does not overflow for lengths below 1e70.
+constexpr double masked_distance2 = 1e150;
+
+struct SourceBlock {
+  const double *x, *y, *nx, *ny, *ex, *ey, *skip2;
+  Index size;
+};
+
+// Adds the block's velocities at two targets; the two share one division, which is what limits the
+// loop.
+void add_velocities(const SourceBlock& s, Complex target_0, Complex target_1, Complex& sum_0,
+                    Complex& sum_1) {
+  const double x0 = target_0.real(), y0 = target_0.imag();
+  const double x1 = target_1.real(), y1 = target_1.imag();
+  // Copies that no store can alias: through the struct the compiler would gather.
+  const double *x = s.x, *y = s.y, *nx = s.nx, *ny = s.ny, *ex = s.ex, *ey = s.ey;
+  const double* skip2 = s.skip2;
+  const Index size = s.size;
+  double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;
+#pragma omp simd reduction(+ : u0, v0, u1, v1)
+  for (Index j = 0; j < size; ++j) {
+    const double dx0 = x0 - x[j], dy0 = y0 - y[j];
+    const double dx1 = x1 - x[j], dy1 = y1 - y[j];
+    const double distance2_0 = dx0 * dx0 + dy0 * dy0;
+    const double distance2_1 = dx1 * dx1 + dy1 * dy1;
+    const double rho2_0 = distance2_0 > skip2[j] ? distance2_0 : masked_distance2;
+    const double rho2_1 = distance2_1 > skip2[j] ? distance2_1 : masked_distance2;
+    const double inverse = 1.0 / (rho2_0 * rho2_1);
+    const double inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
+    const double c0 =
+        (dx0 * nx[j] + dy0 * ny[j]) * (dx0 * ex[j] + dy0 * ey[j]) * (inverse_0 * inverse_0);
+    const double c1 =
+        (dx1 * nx[j] + dy1 * ny[j]) * (dx1 * ex[j] + dy1 * ey[j]) * (inverse_1 * inverse_1);
+    u0 += c0 * dx0;
+    v0 += c0 * dy0;
+    u1 += c1 * dx1;
+    v1 += c1 * dy1;
+  }
+  sum_0 += Complex{u0, v0};
+  sum_1 += Complex{u1, v1};
+}
+
+}  // namespace
+
+StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage storage) {
+  Index n = 0;
+  for (const Curve& curve : curves) {
+    n += curve.size();
+  }
+  for (Eigen::VectorXd* array : {&x_, &y_, &nx_, &ny_, &skip2_}) {
+    array->resize(n);
+  }
+  Index first = 0;
+  for (const Curve& curve : curves) {
+    const Index m = curve.size();
+    const Eigen::VectorXd w = weights(curve);
+    const ComplexVector weighted_normal = std::numbers::inv_pi * normals(curve).cwiseProduct(w);
+    x_.segment(first, m) = curve.x.real();
+    y_.segment(first, m) = curve.x.imag();
+    nx_.segment(first, m) = weighted_normal.real();
+    ny_.segment(first, m) = weighted_normal.imag();
+    skip2_.segment(first, m) = 0.25 * w.array().square();
+    first += m;
+  }
+  if (storage == KernelStorage::stored) {
+    matrix_.resize(2 * n, 2 * n);
+#pragma omp parallel for schedule(static)
+    for (Index j = 0; j < n; ++j) {
+      for (Index i = 0; i < n; ++i) {
+        const Eigen::Vector2d r{x_[i] - x_[j], y_[i] - y_[j]};
+        const double rho2 = r.squaredNorm();
+        const double factor =
+            rho2 > skip2_[j] ? (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2) : 0.0;
+        matrix_.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
+      }
+    }
+  }
+}
+
+ComplexVector StressletSum::operator()(const ComplexVector& density) const {
+  if (matrix_.size() > 0) {
+    return deinterleaved(matrix_ * interleaved(density));
+  }
+  ComplexVector targets(size());
+  targets.real() = x_;
+  targets.imag() = y_;
+  return (*this)(targets, density);
+}
+
+ComplexVector StressletSum::operator()(const ComplexVector& targets,
+                                       const ComplexVector& density) const {
+  const Eigen::VectorXd ex = density.real(), ey = density.imag();
+  const Index m = targets.size(), n = size();
+  ComplexVector velocity = ComplexVector::Zero(m);
+  // A thread owns its targets and sums their sources in order: the same bits for any number of
+  // threads.
+#pragma omp parallel for schedule(static)
+  for (Index chunk = 0; chunk < m; chunk += chunk_size) {
+    const Index last = std::min(chunk + chunk_size, m);
+    for (Index first = 0; first < n; first += block_size) {
+      const SourceBlock sources{
+          &x_[first], &y_[first], &nx_[first],    &ny_[first],
+          &ex[first], &ey[first], &skip2_[first], std::min(block_size, n - first)};
+      for (Index i = chunk; i + 1 < last; i += 2) {
+        add_velocities(sources, targets[i], targets[i + 1], velocity[i], velocity[i + 1]);
+      }
+      if ((last - chunk) % 2 != 0) {
+        Complex unused{};
+        add_velocities(sources, targets[last - 1], targets[last - 1], velocity[last - 1], unused);
+      }
+    }
+  }
+  return velocity;
+}
+
+KernelStorage StressletSum::automatic_storage(Index n_nodes) {
+  constexpr Index break_even = 192;
+  return n_nodes <= break_even ? KernelStorage::stored : KernelStorage::streamed;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup double_layer
+/// @{
+
+/// Where a sum over all pairs of nodes keeps its kernel.
+enum class KernelStorage {
+  streamed,  ///< evaluated anew in every application
+  stored     ///< as a dense matrix, 32 bytes a pair
+};
+
+/// The trapezoid sum of the double layer over all nodes of several curves: planned once, applied
+/// many times.
+///
+/// \f$ u(x_i) = \sum_j \frac{w_j}{\pi} \frac{(r\cdot n_j)(r\cdot\eta_j)}{\rho^4} r,\ r = x_i - y_j \f$,
+/// over the pairs with \f$ \rho > w_j/2 \f$. The others are left out: a node's own singular term,
+/// whose limit is diagonal_velocity(), and nodes of other curves so close that a near correction,
+/// which subtracts this sum again, would cancel catastrophically.
+/// @par Accuracy  of the rule: geometric in the distance over the node spacing; see near_singular
+/// for near targets
+/// @par Cost      one kernel evaluation a pair; results do not depend on the number of threads
+class StressletSum {
+ public:
+  /// Plans the sum over all nodes of the curves, in order.
+  explicit StressletSum(const std::vector<Curve>& curves,
+                        KernelStorage storage = KernelStorage::streamed);
+
+  /// Evaluates the sum at the sources themselves.
+  ///
+  /// @param  density  at all nodes, in the curves' order, length / time
+  /// @return          velocities at the same nodes, length / time
+  ComplexVector operator()(const ComplexVector& density) const;
+
+  /// Evaluates the sum elsewhere, without storing a matrix.
+  ///
+  /// @param  targets  points, length
+  /// @param  density  at all nodes, in the curves' order, length / time
+  /// @return          velocities at the targets, length / time
+  ComplexVector operator()(const ComplexVector& targets, const ComplexVector& density) const;
+
+  /// Number of nodes.
+  Eigen::Index size() const { return x_.size(); }
+
+  /// Chooses by the measured break-even: stored where the matrix stays in the fast cache.
+  ///
+  /// @param  n_nodes  number of nodes in the sum
+  static KernelStorage automatic_storage(Eigen::Index n_nodes);
+
+ private:
+  Eigen::VectorXd x_, y_;    // nodes
+  Eigen::VectorXd nx_, ny_;  // normal times weight over pi
+  Eigen::VectorXd skip2_;    // squared half weight
+  Eigen::MatrixXd matrix_;   // empty unless stored
+};
+
+/// @}
+
+}  // namespace stokesbook

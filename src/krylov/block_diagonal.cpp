@@ -1,0 +1,100 @@
+#include "krylov/block_diagonal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/LU>
+
+#include "closure/closure.hpp"
+#include "double_layer/double_layer.hpp"
+#include "null_space/null_space.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd self_block(const Component& component, std::optional<double> gauge) {
+  const Index n = component.curve.size();
+  const MatrixXd layer =
+      double_layer_matrix(component.curve) - 0.5 * MatrixXd::Identity(2 * n, 2 * n);
+  if (component.kind == ComponentKind::enclosing_wall) {
+    return layer + null_space_matrix(component.curve);
+  }
+  // Alone in a fluid of that gauge, the component's closure acts as it does on itself among others.
+  const RigidModes modes(component.curve, component.centre);
+  const double own_gauge = std::sqrt(std::numbers::e) * modes.gyration_radius();
+  StokesProblem alone{{component}, 1.0, {}, gauge.value_or(own_gauge)};
+  alone.components[0].velocity = ComplexVector::Zero(n);
+  const Closure closure(alone);
+  MatrixXd block(2 * n, 2 * n);
+  ComplexVector unit = ComplexVector::Zero(n);
+  for (Index column = 0; column < 2 * n; ++column) {
+    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
+    const ComplexVector rest = closure.without_rigid_part(unit);
+    const ComplexVector added = closure.velocity(unit);
+    block.col(column) = layer * interleaved(rest) + interleaved(added);
+    unit[column / 2] = 0.0;
+  }
+  return block;
+}
+
+MatrixXd invert_block(const MatrixXd& block) {
+  const Eigen::PartialPivLU<MatrixXd> lu(block);
+  const double rcond = lu.rcond();
+  if (!(rcond > 1e-14)) {
+    throw std::domain_error("a diagonal block is singular (reciprocal condition number " +
+                            std::to_string(rcond) + ")");
+  }
+  return lu.inverse();
+}
+
+BlockDiagonalPreconditioner::BlockDiagonalPreconditioner(std::vector<Member> members)
+    : members_(std::move(members)) {
+  std::map<const MatrixXd*, std::size_t> group_of;
+  Index first = 0;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const auto [entry, is_new] = group_of.try_emplace(members_[k].inverse.get(), users_.size());
+    if (is_new) users_.emplace_back();
+    users_[entry->second].push_back(k);
+    offsets_.push_back(first);
+    first += members_[k].inverse->rows() / 2;
+  }
+}
+
+VectorXd BlockDiagonalPreconditioner::operator()(const VectorXd& v) const {
+  VectorXd result(v.size());
+  // Blocks are few and differ in size; threads share the columns of one block.
+  constexpr Index columns_at_once = 16;
+  for (const std::vector<std::size_t>& users : users_) {
+    const MatrixXd& inverse = *members_[users.front()].inverse;
+    const Index rows = inverse.rows();
+    const auto count = static_cast<Index>(users.size());
+#pragma omp parallel for schedule(static)
+    for (Index first = 0; first < count; first += columns_at_once) {
+      const Index columns = std::min(columns_at_once, count - first);
+      MatrixXd turned(rows, columns);
+      for (Index c = 0; c < columns; ++c) {
+        const std::size_t k = users[static_cast<std::size_t>(first + c)];
+        const ComplexVector own = std::polar(1.0, -members_[k].orientation) *
+                                  deinterleaved(v.segment(2 * offsets_[k], rows));
+        turned.col(c) = interleaved(own);
+      }
+      const MatrixXd solved = inverse * turned;
+      for (Index c = 0; c < columns; ++c) {
+        const std::size_t k = users[static_cast<std::size_t>(first + c)];
+        const ComplexVector back =
+            std::polar(1.0, members_[k].orientation) * deinterleaved(solved.col(c));
+        result.segment(2 * offsets_[k], rows) = interleaved(back);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "closure/problem.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup krylov
+/// @{
+
+/// Assembles a component's own block of the reduced system (with N_0 on an enclosing wall), 2N x
+/// 2N, interleaved.
+///
+/// The block turns with the component: \f$ A = Q \hat A Q^T \f$ with the rotation Q of every node
+/// vector, and does not depend on its size.
+/// @param  component    curve in any frame, centre in the same
+/// @param  gauge        Stokeslet gauge length of a prescribed component; none: its own,
+///   \f$ \sqrt e\, a \f$
+Eigen::MatrixXd self_block(const Component& component, std::optional<double> gauge = {});
+
+/// The inverse of the diagonal blocks: solves every component alone.
+///
+/// Blocks are inverted once per distinct reference (shape, node count, kind) and shared by all
+/// components of it; each application turns a component's vector into the reference frame and back.
+class BlockDiagonalPreconditioner {
+ public:
+  /// One component: its reference's inverse self block, 2N x 2N, and how it is turned.
+  struct Member {
+    std::shared_ptr<const Eigen::MatrixXd> inverse;
+    double orientation = 0.0;  ///< radians, counter-clockwise, against the reference
+  };
+
+  /// @param  members  components in the order of the densities
+  explicit BlockDiagonalPreconditioner(std::vector<Member> members);
+
+  /// Applies the inverse blocks to an interleaved vector of all nodes.
+  ///
+  /// @par Cost  4 N^2 multiplications a component, as matrix products over all components of a
+  /// block
+  Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
+
+ private:
+  std::vector<Member> members_;
+  std::vector<Eigen::Index> offsets_;            // first node of each member
+  std::vector<std::vector<std::size_t>> users_;  // members that share a block
+};
+
+/// Inverts a self block by LU factorisation.
+///
+/// @throws std::domain_error when the block is numerically singular
+Eigen::MatrixXd invert_block(const Eigen::MatrixXd& block);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,117 @@
+#include "krylov/gmres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Jacobi>
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+void require_finite(const VectorXd& v, const char* what, int iteration) {
+  if (!v.allFinite()) {
+    throw std::domain_error(std::string("GMRES met a number that is not finite in ") + what +
+                            " at iteration " + std::to_string(iteration));
+  }
+}
+
+// The least-squares problem min |beta e_1 - H y|, kept triangular by Givens rotations.
+class HessenbergLeastSquares {
+ public:
+  explicit HessenbergLeastSquares(double beta) : rhs_{beta} {}
+
+  // Takes column k of H (k + 2 entries); returns the new residual norm.
+  double append(VectorXd column) {
+    const auto k = static_cast<Index>(rotations_.size());
+    for (Index i = 0; i < k; ++i) {
+      column.applyOnTheLeft(i, i + 1, rotations_[static_cast<std::size_t>(i)].adjoint());
+    }
+    Eigen::JacobiRotation<double> rotation;
+    rotation.makeGivens(column[k], column[k + 1]);
+    column.applyOnTheLeft(k, k + 1, rotation.adjoint());
+    rotations_.push_back(rotation);
+    columns_.push_back(column.head(k + 1));
+    Eigen::Vector2d last{rhs_.back(), 0.0};
+    last.applyOnTheLeft(0, 1, rotation.adjoint());
+    rhs_.back() = last[0];
+    rhs_.push_back(last[1]);
+    return std::abs(last[1]);
+  }
+
+  VectorXd solve() const {
+    const auto k = static_cast<Index>(columns_.size());
+    VectorXd y(k);
+    for (Index i = k - 1; i >= 0; --i) {
+      double sum = rhs_[static_cast<std::size_t>(i)];
+      for (Index j = i + 1; j < k; ++j) sum -= columns_[static_cast<std::size_t>(j)][i] * y[j];
+      y[i] = sum / columns_[static_cast<std::size_t>(i)][i];
+    }
+    return y;
+  }
+
+ private:
+  std::vector<Eigen::JacobiRotation<double>> rotations_;
+  std::vector<VectorXd> columns_;
+  std::vector<double> rhs_;
+};
+
+}  // namespace
+
+GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const VectorXd& b,
+                  const GmresOptions& options) {
+  require_finite(b, "the right-hand side", 0);
+  GmresResult result;
+  const double norm = b.norm();
+  result.history.push_back(norm > 0.0 ? 1.0 : 0.0);
+  result.solution = VectorXd::Zero(b.size());
+  result.converged = norm == 0.0;
+  if (result.converged) return result;
+
+  const auto preconditioned = [&](const VectorXd& v) { return precondition ? precondition(v) : v; };
+  const Index most = std::min<Index>(options.max_iterations, b.size());
+  // Grown by columns as needed: most solves take far fewer than the most allowed.
+  MatrixXd basis(b.size(), std::min<Index>(most, 31) + 1);
+  basis.col(0) = b / norm;
+  HessenbergLeastSquares least_squares(norm);
+  for (Index k = 0; k < most; ++k) {
+    VectorXd w = apply(preconditioned(basis.col(k)));
+    require_finite(w, "the operator", static_cast<int>(k + 1));
+    VectorXd column = VectorXd::Zero(k + 2);
+    for (int pass = 0; pass < 2; ++pass) {
+      const VectorXd overlap = basis.leftCols(k + 1).transpose() * w;
+      w.noalias() -= basis.leftCols(k + 1) * overlap;
+      column.head(k + 1) += overlap;
+    }
+    column[k + 1] = w.norm();
+    result.history.push_back(least_squares.append(column) / norm);
+    ++result.iterations;
+    result.converged = result.history.back() <= options.tolerance;
+    if (result.converged) break;
+    if (k + 2 > basis.cols()) {
+      basis.conservativeResize(Eigen::NoChange, std::min(2 * basis.cols(), most + 1));
+    }
+    basis.col(k + 1) = w / column[k + 1];
+  }
+  const VectorXd y = least_squares.solve();
+  result.solution = preconditioned(basis.leftCols(y.size()) * y);
+  result.residual = (b - apply(result.solution)).norm() / norm;
+  // Rounding alone parts the two residuals by less. On a singular operator the recurrence's vanishes.
+  if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {
+    std::ostringstream message;
+    message << "GMRES broke down: its residual is " << result.history.back()
+            << ", that of its solution " << result.residual
+            << "; the operator is singular to rounding";
+    throw std::domain_error(message.str());
+  }
+  return result;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace stokesbook {
+
+/// @addtogroup krylov
+/// @{
+
+/// A linear map of real vectors.
+using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// When to stop.
+struct GmresOptions {
+  double tolerance = 1e-10;  ///< of the residual's 2-norm, relative to the right-hand side
+  int max_iterations = 500;  ///< size of the Krylov space; there is no restart
+};
+
+/// Solution and history.
+struct GmresResult {
+  Eigen::VectorXd solution;
+  int iterations = 0;      ///< dimension of the Krylov space
+  bool converged = false;  ///< the recurrence's residual met the tolerance
+  double residual = 0.0;   ///< true relative residual |b - A x| / |b|
+  std::vector<double>
+      history;  ///< relative residual by the recurrence, before and after each iteration
+};
+
+/// Solves A x = b by GMRES without restart, preconditioned from the right:
+/// \f$ A M^{-1} y = b,\ x = M^{-1} y \f$.
+///
+/// Right preconditioning leaves the residual that of A x = b. The basis is orthogonalised twice
+/// (classical Gram-Schmidt, whose two matrix-vector products are fast and exact enough when
+/// repeated), so that counts do not suffer from lost orthogonality at 1e-12. Eigen's GMRES
+/// (unsupported module) was not used: it has no residual history, restarts by default, and
+/// preconditions from the left, so that its tolerance would depend on the preconditioner.
+/// @param  apply         x -> A x
+/// @param  precondition  r -> M^{-1} r; empty: none
+/// @param  b             right-hand side, finite
+/// @param  options       when to stop
+/// @throws std::domain_error when A x is not finite, or when the solution does not have the residual that
+///                           the recurrence converged to, as A is singular to rounding
+/// @par Cost  iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of memory
+/// for k iterations
+/// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856
+GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
+                  const GmresOptions& options);
+
+/// @}
+
+}  // namespace stokesbook

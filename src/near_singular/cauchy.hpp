@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "double_layer/stresslet_sum.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup near_singular
+/// @{
+
+/// Node values of the functions that carry a double layer's velocity to any distance from its
+/// curve.
+///
+/// One column a density. \f$ \phi \f$ is the first Goursat function, \f$ \phi' = d\phi/dz \f$, and
+/// U the velocity's limit from the fluid, all at the nodes.
+struct CauchyData {
+  Eigen::MatrixXcd limit;  ///< U, length / time
+  Eigen::MatrixXcd phi;    ///< length / time
+  Eigen::MatrixXcd dphi;   ///< 1 / time
+};
+
+/// The spectral close evaluation of one curve's double layer: Cauchy integrals on the curve,
+/// compensated barycentric interpolation off it. Everything is in the curve's own frame, so that
+/// all bodies of one shape share it.
+///
+/// With \f$ D[\eta] = \phi - z\overline{\phi'} - \overline{\psi} \f$ and
+/// \f$ \chi = \psi + \bar t\phi' = \overline{\phi - U} \f$ on the curve,
+/// \f[ U(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]},\quad
+///     w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
+///     \Delta = \sum_j W_j + [s=-1]. \f]
+/// @par Accuracy  1e-13 relative at any distance, once the density is resolved
+/// @par Not for   targets on the other side of the curve
+/// @sa source: @cite helsing2008; shared sums as in the chapter
+class CauchyCurve {
+ public:
+  /// Prepares the matrices of one curve in its own frame. Cost: O(N^3) multiplications, 64 N^2
+  /// bytes.
+  explicit CauchyCurve(const Curve& reference);
+
+  /// Computes the node values for densities given in the curve's frame, one a column.
+  ///
+  /// @param  densities  N x k, length / time
+  /// @par Cost          12 N^2 k real multiplications
+  CauchyData data(const Eigen::MatrixXcd& densities) const;
+
+  /// Evaluates the velocity at a target on the fluid's side, at any distance or on a node.
+  ///
+  /// @param  data    from data()
+  /// @param  column  which density
+  /// @param  target  z, in the curve's frame, length
+  /// @return         velocity in the curve's frame, length / time
+  /// @par Cost       30 N operations and N divisions
+  Complex velocity(const CauchyData& data, Eigen::Index column, Complex target) const;
+
+  /// Evaluates what the masked trapezoid rule gives instead, see StressletSum.
+  ///
+  /// @param  density  at the nodes, in the curve's frame, length / time
+  /// @param  targets  in the curve's frame, length
+  ComplexVector trapezoid_velocity(const ComplexVector& density,
+                                   const ComplexVector& targets) const {
+    return trapezoid_(targets, density);
+  }
+
+  /// Tells on which side of the curve a point of its frame lies: true in the fluid,
+  /// \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
+  bool in_fluid(Complex point) const;
+
+  /// The nodes.
+  const Curve& curve() const { return curve_; }
+
+ private:
+  Curve curve_;
+  StressletSum trapezoid_;
+  ComplexVector cauchy_weights_;  // s t'_j h / (2 pi i)
+  Eigen::MatrixXcd phi_;          // density -> phi
+  Eigen::MatrixXcd dphi_;         // density -> phi'
+  Eigen::MatrixXd limit_;         // -1/2 + D, interleaved
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "closure/problem.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup null_space
+/// @{
+
+/// Applies the null-space fix of an enclosing wall to its own density,
+/// \f$ N_0\eta(x) = -\frac{1}{|\Gamma_0|}\, n(x) \int_{\Gamma_0} n\cdot\eta\,ds \f$.
+///
+/// Double layers carry no net flux through the boundary:
+/// \f$ \int_{\partial\Omega} n\cdot(-\frac12+D)\eta\,ds = 0 \f$, so \f$ -\frac12 + D \f$ misses one
+/// dimension of boundary data: it is singular, with the left null vector \f$ n\,ds \f$. N_0 puts that
+/// eigenvalue at -1 whatever the length of the wall, and moves no other.
+/// @param  wall     the enclosing wall
+/// @param  density  at its nodes, length / time
+/// @return          velocities at its nodes, length / time
+ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);
+
+/// Assembles the matrix of null_space_velocity(), 2N x 2N, interleaved.
+Eigen::MatrixXd null_space_matrix(const Curve& wall);
+
+/// Computes the net flux of the prescribed velocities out of the fluid,
+/// \f$ Q = \int_{\partial\Omega} g\cdot n\,ds \f$.
+///
+/// Rigid bodies carry none. An incompressible fluid needs Q = 0 where a wall encloses it; otherwise
+/// the system solves for \f$ g - nQ/|\Gamma_0| \f$ on the wall without a sign of trouble.
+/// @return  flux, length^2 / time
+double net_flux(const StokesProblem& problem);
+
+/// Computes the size that net_flux() is to be compared with, \f$ \int_{\partial\Omega} |g|\,ds \f$,
+/// length^2 / time.
+double flux_scale(const StokesProblem& problem);
+
+/// @}
+
+}  // namespace stokesbook

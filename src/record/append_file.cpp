@@ -1,0 +1,79 @@
+#include "record/append_file.hpp"
+
+#include <cerrno>
+#include <string>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "record/record_error.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+std::error_code last_error() {
+  return {errno, std::generic_category()};
+}
+
+}  // namespace
+
+AppendFile::AppendFile(const std::filesystem::path& path, int flags)
+    : path_(path),
+      descriptor_(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags, 0666)) {
+  if (descriptor_ < 0) throw RecordError(path, "opening", last_error());
+}
+
+AppendFile::AppendFile(AppendFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_) {}
+
+AppendFile::~AppendFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+AppendFile AppendFile::create(const std::filesystem::path& path) {
+  return {path, O_CREAT | O_EXCL};
+}
+
+AppendFile AppendFile::reopen(const std::filesystem::path& path, std::uintmax_t size) {
+  AppendFile file(path, 0);
+  struct stat status {};
+  if (::fstat(file.descriptor_, &status) != 0) throw RecordError(path, "reading", last_error());
+  const auto found = static_cast<std::uintmax_t>(status.st_size);
+  if (found < size) {
+    throw RecordError(path, "has " + std::to_string(found) + " bytes, should have at least " +
+                                std::to_string(size));
+  }
+  file.size_ = size;
+  if (found > size && !file.cut_back()) throw RecordError(path, "cutting back", last_error());
+  return file;
+}
+
+void AppendFile::append(std::string_view record) {
+  std::string_view rest = record;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written >= 0) {
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      const std::error_code cause = last_error();
+      cut_back();
+      throw RecordError(path_, "writing", cause);
+    }
+  }
+  size_ += record.size();
+}
+
+void AppendFile::sync() {
+  if (::fsync(descriptor_) != 0) throw RecordError(path_, "writing to disk", last_error());
+}
+
+bool AppendFile::cut_back() {
+  return ::ftruncate(descriptor_, static_cast<off_t>(size_)) == 0;
+}
+
+}  // namespace stokesbook

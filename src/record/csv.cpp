@@ -1,0 +1,44 @@
+#include "record/csv.hpp"
+
+#include "record/number_text.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+/// Appends numbers with commas between them and ends the line.
+void append_row(std::string& text, auto... numbers) {
+  ((append_number(text, numbers), text += ','), ...);
+  text.back() = '\n';
+}
+
+}  // namespace
+
+std::string trajectory_rows(const Frame& frame) {
+  std::string rows;
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    const BodyState& body = frame.bodies[k];
+    append_row(rows, frame.t, k, body.position.real(), body.position.imag(), body.orientation,
+               body.velocity.real(), body.velocity.imag(), body.omega, body.force.real(),
+               body.force.imag(), body.torque);
+  }
+  return rows;
+}
+
+std::string wall_rows(const Frame& frame) {
+  std::string rows;
+  for (std::size_t k = 0; k < frame.walls.size(); ++k) {
+    const WallLoad& wall = frame.walls[k];
+    append_row(rows, frame.t, k, wall.force.real(), wall.force.imag(), wall.torque);
+  }
+  return rows;
+}
+
+std::string step_row(const StepInfo& step) {
+  std::string row;
+  append_row(row, step.t, step.dt, step.gmres_iterations, step.matvecs, step.ncp_iterations,
+             step.contacts, step.min_gap, step.residual, step.error_estimate, step.seconds);
+  return row;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,26 @@
+#include "record/number_text.hpp"
+
+#include <array>
+
+namespace stokesbook {
+
+namespace {
+
+std::string general(double x, int digits) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x,
+                                 std::chars_format::general, digits);
+  return {buffer.data(), end.ptr};
+}
+
+}  // namespace
+
+void append_number(std::string& text, double x) {
+  text += general(x, 17);
+}
+
+std::string short_number(double x, int digits) {
+  return general(x, digits);
+}
+
+}  // namespace stokesbook

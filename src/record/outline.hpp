@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "record/run_data.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// A closed curve in its own frame, as it is drawn.
+struct Outline {
+  ComplexVector points;   ///< in order along the curve, the last not a repetition of the first
+  bool encloses = false;  ///< true: the fluid lies inside (outer wall)
+};
+
+/// Returns the points of an outline in the laboratory frame, \f$ c + e^{i\theta} x \f$.
+ComplexVector placed(const Outline& outline, Complex position, double orientation);
+
+/// Checks that every body and wall of a frame has its outline.
+/// @throws std::invalid_argument when the numbers differ
+void require_outlines(const Frame& frame, const std::vector<Outline>& bodies,
+                      const std::vector<Outline>& walls);
+
+/// @}
+
+}  // namespace stokesbook

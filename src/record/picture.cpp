@@ -1,0 +1,208 @@
+#include "record/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "record/colour_map.hpp"
+#include "record/number_text.hpp"
+#include "record/svg.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+/// @name Layout, pixels
+/// @{
+constexpr double margin = 14.0;
+constexpr double header = 54.0;         ///< title and time, above the drawing
+constexpr double bar_column = 84.0;     ///< colour bar and its numbers, right of the drawing
+constexpr double bar_height = 150.0;    ///< also the least height of a drawing
+constexpr double longest_aspect = 1.4;  ///< height / width of a drawing that fills its column
+/// @}
+
+/// Bodies let some ground through, and the colour bar with them: arrows must show on dark colours.
+const std::string veil = "fill-opacity=\"0.85\"";
+
+/// The smallest upright rectangle about points.
+struct Box {
+  Complex low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Complex high = -low;
+
+  void include(Complex point) {
+    low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
+    high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
+  }
+  void include(const ComplexVector& curve) {
+    for (const Complex point : curve) include(point);
+  }
+};
+
+/// A configuration laid out: what is where in the scene, and how the scene becomes pixels.
+struct Layout {
+  std::vector<ComplexVector> bodies;
+  std::vector<ComplexVector> walls;
+  std::vector<Complex> arrow_tips;
+  double top_speed = 0.0;
+  Box box;
+  double scale = 1.0;  ///< pixels a length
+  Complex drawn;       ///< width and height of the drawing, pixels
+
+  Complex pixel(Complex point) const {
+    const Complex top_left{box.low.real(), box.high.imag()};
+    const double lowered = std::max(0.0, 0.5 * (bar_height - drawn.imag()));
+    return Complex(margin, header + lowered) + scale * std::conj(point - top_left);
+  }
+  double height() const { return std::max(drawn.imag(), bar_height); }
+  /// Speed as a fraction of the top speed.
+  double brightness(const BodyState& body) const {
+    return top_speed > 0.0 ? std::abs(body.velocity) / top_speed : 0.0;
+  }
+};
+
+/// The longest arrow shows beside its body and in the whole picture, but stays clear of the
+/// neighbours.
+double longest_arrow(const std::vector<Outline>& bodies, const Box& box) {
+  double radii = 0.0;
+  for (const Outline& body : bodies) radii += body.points.cwiseAbs().maxCoeff();
+  return std::max(2.0 * radii / static_cast<double>(bodies.size()),
+                  0.03 * std::abs(box.high - box.low));
+}
+
+/// Returns the tips of the arrows of velocity, for which the largest speed must not be zero.
+std::vector<Complex> arrow_tips(const Frame& frame, double top_speed, double longest) {
+  std::vector<Complex> tips;
+  for (const BodyState& body : frame.bodies) {
+    tips.push_back(body.position + longest * body.velocity / top_speed);
+  }
+  return tips;
+}
+
+Layout lay_out(const Frame& frame, const std::vector<Outline>& bodies,
+               const std::vector<Outline>& walls, double width) {
+  Layout layout;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const BodyState& body = frame.bodies[k];
+    layout.bodies.push_back(placed(bodies[k], body.position, body.orientation));
+    layout.box.include(layout.bodies.back());
+    layout.top_speed = std::max(layout.top_speed, std::abs(body.velocity));
+  }
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const WallLoad& wall = frame.walls[k];
+    layout.walls.push_back(placed(walls[k], wall.position, wall.orientation));
+    layout.box.include(layout.walls.back());
+  }
+  if (layout.top_speed > 0.0) {
+    layout.arrow_tips = arrow_tips(frame, layout.top_speed, longest_arrow(bodies, layout.box));
+    for (const Complex tip : layout.arrow_tips) layout.box.include(tip);
+  }
+  const Complex size = layout.box.high - layout.box.low;
+  const double column = width - 2.0 * margin - bar_column;
+  layout.scale = std::min(column / size.real(), longest_aspect * column / size.imag());
+  layout.drawn = layout.scale * size;
+  return layout;
+}
+
+ComplexVector pixels(const ComplexVector& curve, const Layout& layout) {
+  return curve.unaryExpr([&](Complex point) { return layout.pixel(point); });
+}
+
+std::string draw_walls(const Layout& layout, const std::vector<Outline>& walls) {
+  std::string text = "<g stroke=\"currentColor\" stroke-width=\"1.5\" fill=\"currentColor\">\n";
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    text += svg::path(svg::polygon(pixels(layout.walls[k], layout)),
+                      walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
+  }
+  return text + "</g>\n";
+}
+
+std::string draw_bodies(const Layout& layout, const Frame& frame) {
+  std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    text += svg::path(svg::polygon(pixels(layout.bodies[k], layout)),
+                      "fill=\"" + viridis_colour(layout.brightness(frame.bodies[k])) + '"');
+  }
+  return text + "</g>\n";
+}
+
+/// Returns the distance from the centre to the curve along direction 1, to the nearest of its
+/// points.
+double reach(const Outline& outline) {
+  return std::abs(*std::ranges::min_element(
+      outline.points, {}, [](Complex point) { return std::abs(std::arg(point)); }));
+}
+
+/// Marks direction 1 inside each body, dark on light colours and light on dark ones.
+std::string draw_ticks(const Layout& layout, const Frame& frame,
+                       const std::vector<Outline>& bodies) {
+  std::string on_light;
+  std::string on_dark;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const BodyState& body = frame.bodies[k];
+    const Complex arm = std::polar(reach(bodies[k]), body.orientation);
+    (layout.brightness(body) > 0.6 ? on_light : on_dark) +=
+        svg::line(layout.pixel(body.position + 0.5 * arm), layout.pixel(body.position + 0.9 * arm));
+  }
+  const std::string round = "stroke-linecap=\"round\" stroke=";
+  return svg::path(on_light, round + "\"#000\"") + svg::path(on_dark, round + "\"#fff\"");
+}
+
+std::string draw_arrows(const Layout& layout, const Frame& frame) {
+  std::string data;
+  for (std::size_t k = 0; k < layout.arrow_tips.size(); ++k) {
+    const Complex tail = layout.pixel(frame.bodies[k].position);
+    const Complex tip = layout.pixel(layout.arrow_tips[k]);
+    const double length = std::abs(tip - tail);
+    if (length < 1.0) continue;
+    const Complex barb = (tail - tip) * std::min(0.35, 6.0 / length);
+    const Complex turn = std::polar(1.0, 0.45);
+    data += svg::line(tail, tip) + svg::line(tip + barb * turn, tip) +
+            svg::line(tip, tip + barb * std::conj(turn));
+  }
+  return svg::path(data, "fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\"");
+}
+
+/// Draws the colours of speeds, zero below, with numbers.
+std::string draw_bar(const Layout& layout) {
+  constexpr double bar_width = 12.0;
+  const double left = margin + layout.drawn.real() + 26.0;
+  std::string text =
+      "<linearGradient id=\"stokesbook-speed\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
+  for (std::size_t k = 0; k < viridis.size(); ++k) {
+    const double fraction = static_cast<double>(k) / (viridis.size() - 1);
+    text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
+            viridis_colour(fraction) + "\"/>\n";
+  }
+  text += "</linearGradient>\n<rect" + svg::attribute("x", left) + svg::attribute("y", header) +
+          svg::attribute("width", bar_width) + svg::attribute("height", bar_height) +
+          " rx=\"2\" fill=\"url(#stokesbook-speed)\" " + veil + "/>\n";
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    const Complex place(left + bar_width + 6.0, header + (1.0 - fraction) * bar_height);
+    text += svg::label(place, short_number(fraction * layout.top_speed), "dy=\"0.35em\"");
+  }
+  return text + svg::label({left, header - 14.0}, "speed |U|");
+}
+
+}  // namespace
+
+std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
+                               const std::vector<Outline>& walls, const PictureOptions& options) {
+  require_outlines(frame, bodies, walls);
+  if (bodies.empty() && walls.empty()) {
+    throw std::invalid_argument("draw_configuration: neither bodies nor walls to draw");
+  }
+  const Layout layout = lay_out(frame, bodies, walls, options.width);
+  const double title_width = 9.0 * static_cast<double>(options.title.size());
+  const double width = std::max(layout.drawn.real() + bar_column,
+                                std::min(title_width, options.width - 2.0 * margin));
+  const Complex size(width + 2.0 * margin, header + layout.height() + margin);
+  const std::string bar = layout.top_speed > 0.0 ? draw_bar(layout) : "";
+  return svg::open(size, options.title) +
+         svg::label({margin, 20.0}, options.title, "font-weight=\"600\" font-size=\"15\"") +
+         svg::label({margin, 38.0}, "t = " + short_number(frame.t, 6), "fill-opacity=\"0.75\"") +
+         draw_walls(layout, walls) + draw_bodies(layout, frame) +
+         draw_ticks(layout, frame, bodies) + draw_arrows(layout, frame) + bar + "</svg>\n";
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "record/outline.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// How a picture looks.
+struct PictureOptions {
+  std::string title;
+  double width = 760.0;  ///< of the whole picture, pixels
+};
+
+/// Draws a configuration as SVG, to be shown on its own or inside a page, on light or dark ground.
+///
+/// Bodies are filled by speed |U| (viridis, with a colour bar); a tick on each marks its direction
+/// 1, arrows its velocity. Walls are outlines; y points upwards.
+/// @param  bodies  outlines in the order of frame.bodies
+/// @param  walls   outlines in the order of frame.walls
+/// @throws std::invalid_argument when the numbers of outlines and states differ, or there is
+/// nothing to
+///         draw
+std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
+                               const std::vector<Outline>& walls, const PictureOptions& options);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// A file could not be read or written; the message names the file and the reason.
+struct RecordError : std::runtime_error {
+  RecordError(const std::filesystem::path& path, const std::string& reason)
+      : std::runtime_error(path.string() + ": " + reason) {}
+
+  RecordError(const std::filesystem::path& path, const std::string& action, std::error_code cause)
+      : RecordError(path, action + " failed: " + cause.message()) {}
+};
+
+/// @}
+
+}  // namespace stokesbook

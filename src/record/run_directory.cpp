@@ -1,0 +1,157 @@
+#include "record/run_directory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "record/atomic_file.hpp"
+#include "record/csv.hpp"
+#include "record/picture.hpp"
+#include "record/record_error.hpp"
+#include "record/vtk.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* checkpoint_name = "checkpoint";
+constexpr const char* trajectory_name = "trajectory.csv";
+constexpr const char* walls_name = "walls.csv";
+constexpr const char* steps_name = "steps.csv";
+constexpr const char* collection_name = "bodies.pvd";
+constexpr const char* picture_name = "configuration.svg";
+constexpr const char* info_name = "run.json";
+
+/// Returns the headers of a run's tables by file name.
+std::map<std::string, std::string_view> headers(const RunContents& contents) {
+  std::map<std::string, std::string_view> result{{steps_name, steps_header}};
+  if (contents.csv) result[trajectory_name] = trajectory_header;
+  if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
+  return result;
+}
+
+bool belongs_to_run(const std::string& name) {
+  constexpr std::array names{checkpoint_name, trajectory_name, walls_name, steps_name,
+                             collection_name, picture_name,    info_name};
+  return std::ranges::find(names, name) != names.end() || frame_of_vtp(name);
+}
+
+/// Removes the files whose name is picked, with what a kill may have left of their successors.
+template <class Pick>
+void remove_files(const fs::path& directory, Pick pick) {
+  std::error_code error;
+  std::vector<fs::path> picked;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path name = entry->path().filename();
+    if (pick(is_partial(name) ? name.stem().string() : name.string())) picked.push_back(name);
+  }
+  if (error) throw RecordError(directory, "listing", error);
+  for (const fs::path& name : picked) {
+    fs::remove(directory / name, error);
+    if (error) throw RecordError(directory / name, "removing", error);
+  }
+}
+
+void require_no_run(const fs::path& directory) {
+  for (const char* name : {checkpoint_name, info_name, trajectory_name}) {
+    std::error_code unreadable;
+    if (fs::exists(directory / name, unreadable)) {
+      throw RecordError(directory, "holds a run already (" + std::string(name) +
+                                       "): give --resume, --overwrite or another directory");
+    }
+  }
+}
+
+}  // namespace
+
+RunDirectory::RunDirectory(const fs::path& path, RunContents contents)
+    : path_(path), contents_(std::move(contents)) {}
+
+RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
+                                  ExistingRun existing) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw RecordError(path, "making the directory", error);
+  if (existing == ExistingRun::refuse) {
+    require_no_run(path);
+  } else {
+    remove_files(path, belongs_to_run);
+  }
+  RunDirectory directory(path, std::move(contents));
+  for (const auto& [name, header] : headers(directory.contents_)) {
+    directory.tables_.emplace(name, AppendFile::create(path / name));
+    directory.append(name, header);
+  }
+  return directory;
+}
+
+ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
+  SavedRun saved = read_saved_run(path / checkpoint_name);
+  if (saved.scene != fingerprint(contents.scene)) {
+    throw RecordError(path / checkpoint_name, "was written by a run of another scene");
+  }
+  RunDirectory directory(path, std::move(contents));
+  for (const auto& [name, size] : saved.table_sizes) {
+    directory.tables_.emplace(name, AppendFile::reopen(path / name, size));
+  }
+  directory.frame_times_ = std::move(saved.frame_times);
+  // The collection is cut first, so that it never names a missing file.
+  if (directory.contents_.vtk) {
+    directory.replace(collection_name, collection_pvd(directory.frame_times_));
+  }
+  remove_files(path, [&](const std::string& name) {
+    const std::optional<std::size_t> frame = frame_of_vtp(name);
+    return frame && *frame >= directory.frame_count();
+  });
+  return {std::move(directory), std::move(saved.checkpoint)};
+}
+
+void RunDirectory::write_frame(const Frame& frame) {
+  require_outlines(frame, contents_.bodies, contents_.walls);
+  append(trajectory_name, trajectory_rows(frame));
+  append(walls_name, wall_rows(frame));
+  if (contents_.vtk) {
+    replace(vtp_name(frame_count()), configuration_vtp(frame, contents_.bodies, contents_.walls));
+  }
+  frame_times_.push_back(frame.t);
+  if (contents_.vtk) replace(collection_name, collection_pvd(frame_times_));
+  if (contents_.svg) {
+    replace(picture_name, draw_configuration(frame, contents_.bodies, contents_.walls,
+                                             {.title = contents_.title}));
+  }
+}
+
+void RunDirectory::write_step(const StepInfo& step) {
+  append(steps_name, step_row(step));
+}
+
+void RunDirectory::save(const Checkpoint& checkpoint) {
+  SavedRun saved{fingerprint(contents_.scene), {}, frame_times_, checkpoint};
+  for (auto& [name, table] : tables_) {
+    table.sync();
+    saved.table_sizes[name] = table.size();
+  }
+  for (const std::string& name : unsynced_) sync_file(path_ / name);
+  unsynced_.clear();
+  sync_names(path_);
+  write_text(checkpoint_name, to_text(saved));
+}
+
+void RunDirectory::write_text(const std::string& name, std::string_view text) const {
+  write_atomically(path_ / name, text, SafeFrom::power_cut);
+}
+
+void RunDirectory::replace(const std::string& name, std::string_view text) {
+  write_atomically(path_ / name, text, SafeFrom::kill);
+  unsynced_.insert(name);
+}
+
+void RunDirectory::append(const std::string& name, std::string_view rows) {
+  const auto table = tables_.find(name);
+  if (table != tables_.end()) table->second.append(rows);
+}
+
+}  // namespace stokesbook

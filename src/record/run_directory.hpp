@@ -1,0 +1,103 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/append_file.hpp"
+#include "record/checkpoint.hpp"
+#include "record/outline.hpp"
+#include "record/run_data.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// What a run is about and which files it writes beside steps.csv and checkpoint.
+struct RunContents {
+  std::string title;            ///< of the picture
+  std::string scene;            ///< resolved scene text: a run resumes with the same only
+  std::vector<Outline> bodies;  ///< in the order of Frame::bodies
+  std::vector<Outline> walls;   ///< in the order of Frame::walls
+  bool csv = true;              ///< trajectory.csv, and walls.csv when there are walls
+  bool vtk = false;             ///< bodies.pvd and one .vtp a frame
+  bool svg = false;             ///< configuration.svg of the latest frame
+};
+
+/// What happens to a run that a directory holds already.
+enum class ExistingRun { refuse, overwrite };
+
+struct ResumedRun;
+
+/// The files of one run, written so that a kill at any moment leaves a run that can be resumed.
+///
+/// Tables grow by whole lines; all other files are replaced as a whole. save() brings all of them
+/// to the disk, and then replaces the checkpoint, which holds the lengths of the tables and the
+/// times of the frames; resume() cuts both back, so that what follows is written as if nothing had
+/// happened.
+class RunDirectory {
+ public:
+  /// Makes the directory, if need be, and the tables with their headers.
+  ///
+  /// Overwriting removes the files that a run writes and no others. An old scene.toml stays until
+  /// write_text replaces it: the new run may have been started from it.
+  /// @throws RecordError when the directory cannot be written, or holds a run (checkpoint, run.json
+  ///         or trajectory.csv) that is not to be overwritten
+  static RunDirectory create(const std::filesystem::path& path, RunContents contents,
+                             ExistingRun existing);
+
+  /// Goes back to the last checkpoint: tables and frames written after it are dropped.
+  /// @throws RecordError when there is no whole checkpoint, or it is of another scene
+  static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
+
+  /// Adds a written time to all files asked for.
+  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents
+  /// @throws RecordError when the disk does not take it; what was written before stays valid
+  void write_frame(const Frame& frame);
+
+  /// Adds a row to steps.csv.
+  /// @throws RecordError when the disk does not take it
+  void write_step(const StepInfo& step);
+
+  /// Makes all that was written so far, and the checkpoint, permanent.
+  /// @throws RecordError when the disk does not take it; the last checkpoint then stays
+  /// @par Cost  a wait for the disk, some milliseconds, for each table and each other file written
+  ///            since the last call
+  void save(const Checkpoint& checkpoint);
+
+  /// Replaces a file by text, as a whole and at once safe from a power cut.
+  /// @throws RecordError when the disk does not take it
+  void write_text(const std::string& name, std::string_view text) const;
+
+  /// Returns the number of frames written so far.
+  std::size_t frame_count() const { return frame_times_.size(); }
+
+ private:
+  RunDirectory(const std::filesystem::path& path, RunContents contents);
+
+  /// Adds rows to a table, if this run has it.
+  void append(const std::string& table, std::string_view rows);
+
+  /// Replaces a file of a frame, safe from a power cut after the next save() only.
+  void replace(const std::string& name, std::string_view text);
+
+  std::filesystem::path path_;
+  RunContents contents_;
+  std::map<std::string, AppendFile> tables_;  ///< by file name
+  std::vector<double> frame_times_;
+  std::set<std::string> unsynced_;  ///< names of files written since the last save()
+};
+
+/// A run opened at its last checkpoint.
+struct ResumedRun {
+  RunDirectory directory;
+  Checkpoint checkpoint;
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,76 @@
+#include "record/svg.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace stokesbook::svg {
+
+namespace {
+
+std::string pair(Complex point) {
+  return number(point.real()) + ' ' + number(point.imag());
+}
+
+/// Control characters have no place in XML, not even escaped.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else {
+      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+/// The colour is a class's, so that a page which shows the picture inline can set its own.
+constexpr const char* page_style =
+    "<style>.stokesbook-picture{color:#1f2328;font:13px system-ui,sans-serif}"
+    "@media(prefers-color-scheme:dark){.stokesbook-picture{color:#d5dbe1}}</style>\n";
+
+}  // namespace
+
+std::string number(double x) {
+  // The shortest text of a multiple of 0.01 has at most two decimals; + 0 turns -0 into 0.
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.begin(), buffer.end(), std::round(100.0 * x) / 100.0 + 0.0);
+  return {buffer.begin(), end.ptr};
+}
+
+std::string attribute(const std::string& name, double x) {
+  return ' ' + name + "=\"" + number(x) + '"';
+}
+
+std::string line(Complex from, Complex to) {
+  return 'M' + pair(from) + 'L' + pair(to);
+}
+
+std::string polygon(const ComplexVector& points) {
+  std::string data;
+  for (const Complex point : points) {
+    data += data.empty() ? 'M' : ' ';
+    data += pair(point);
+  }
+  return data + 'Z';
+}
+
+std::string path(const std::string& data, const std::string& style) {
+  return data.empty() ? "" : "<path " + style + " d=\"" + data + "\"/>\n";
+}
+
+std::string label(Complex start, const std::string& text, const std::string& style) {
+  return "<text" + attribute("x", start.real()) + attribute("y", start.imag()) +
+         " fill=\"currentColor\" " + style + '>' + escaped(text) + "</text>\n";
+}
+
+std::string open(Complex size, const std::string& title) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"stokesbook-picture\" role=\"img\"" +
+         attribute("width", size.real()) + attribute("height", size.imag()) + " viewBox=\"0 0 " +
+         pair(size) + "\">\n<title>" + escaped(title) + "</title>\n" + page_style;
+}
+
+}  // namespace stokesbook::svg

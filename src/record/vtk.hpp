@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/outline.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// Draws a configuration as VTK PolyData (XML, ASCII): one cell a wall and body.
+///
+/// Enclosing walls are closed polylines and come first, as VTK orders cells; then one polygon a
+/// body and inner wall, concave or not. Cell data: `id` (index of the body, or -1 - index of the
+/// wall), `velocity` and `omega` (0 for walls), `theta`, `force` and `torque` (by the body or wall
+/// on the fluid).
+/// @param  bodies  outlines in the order of frame.bodies
+/// @param  walls   outlines in the order of frame.walls
+/// @throws std::invalid_argument when the numbers of outlines and states differ
+std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bodies,
+                              const std::vector<Outline>& walls);
+
+/// Returns the name of the file with the configuration of a frame, `bodies_000042.vtp`.
+std::string vtp_name(std::size_t frame);
+
+/// Returns the number of the frame of such a file, or nothing for other names.
+std::optional<std::size_t> frame_of_vtp(const std::string& name);
+
+/// Ties the files of all frames to their times, as a ParaView collection.
+std::string collection_pvd(std::span<const double> frame_times);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,17 @@
+#include "scene/csv_file.hpp"
+
+#include <optional>
+
+#include "scene/text_file.hpp"
+
+namespace stokesbook::scene_text {
+
+CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
+                       std::initializer_list<std::string_view> headers) {
+  const std::filesystem::path path = directory / read(name, csv_file_name);
+  const std::optional<std::string> text = text_of(path);
+  if (!text) fail(name, "there is no file to read at " + path.string());
+  return parse_csv(*text, path.string(), headers);
+}
+
+}  // namespace stokesbook::scene_text

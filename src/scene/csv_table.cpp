@@ -1,0 +1,96 @@
+#include "scene/csv_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "scene/error.hpp"
+
+namespace stokesbook::scene_text {
+
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end != std::string_view::npos) text.remove_prefix(end + 1);
+  }
+  return parts;
+}
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view space = " \t\r";
+  text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
+  return text.substr(0, text.find_last_not_of(space) + 1);
+}
+
+std::string join(std::initializer_list<std::string_view> headers) {
+  std::string text;
+  for (const std::string_view header : headers) {
+    if (!text.empty()) text += " or ";
+    text += header;
+  }
+  return text;
+}
+
+double parse_number(std::string_view field, std::string_view column, const std::string& where) {
+  double value = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [stop, status] = std::from_chars(field.data(), end, value);
+  if (status != std::errc{} || stop != end || !std::isfinite(value)) {
+    throw SceneError(where + ": " + std::string(column) + " = " + std::string(field) +
+                     ": must be a finite number");
+  }
+  return value;
+}
+
+CsvRow parse_row(std::string_view line, const std::string& header, const std::string& where) {
+  const std::vector<std::string_view> columns = split(header, ',');
+  const std::vector<std::string_view> fields = split(line, ',');
+  if (fields.size() != columns.size()) {
+    throw SceneError(where + ": must hold " + std::to_string(columns.size()) + " values (" +
+                     header + "), not " + std::to_string(fields.size()));
+  }
+  CsvRow row{where, {}};
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    row.values.push_back(parse_number(trim(fields[k]), columns[k], where));
+  }
+  return row;
+}
+
+std::string without_spaces(std::string_view line) {
+  std::string text(line);
+  std::erase(text, ' ');
+  return text;
+}
+
+}  // namespace
+
+CsvTable parse_csv(std::string_view text, const std::string& file_name,
+                   std::initializer_list<std::string_view> headers) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write it
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  CsvTable table;
+  std::size_t line_number = 0;
+  for (const std::string_view raw : split(text, '\n')) {
+    const std::string where = file_name + ":" + std::to_string(++line_number);
+    const std::string_view line = trim(raw.substr(0, raw.find('#')));
+    if (line.empty()) continue;
+    if (!table.header.empty()) {
+      table.rows.push_back(parse_row(line, table.header, where));
+      continue;
+    }
+    table.header = without_spaces(line);
+    if (std::ranges::find(headers, table.header) == headers.end()) {
+      throw SceneError(where + ": header = " + std::string(line) + ": must be " + join(headers));
+    }
+  }
+  if (table.rows.empty()) {
+    throw SceneError(file_name + ": must hold rows of numbers below the header " + join(headers));
+  }
+  return table;
+}
+
+}  // namespace stokesbook::scene_text

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace stokesbook {
+
+/// @addtogroup scene
+/// @{
+
+/// A scene that cannot be used. The message says where, what and what would be right:
+/// `couette.toml:12:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try 32)`.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,63 @@
+#include "scene/override.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "scene/error.hpp"
+
+namespace stokesbook::scene_text {
+
+namespace {
+
+Node& entry(Node& parent, std::string_view key, const std::string& where) {
+  std::vector<Node>& entries = std::get<Table>(parent.value).entries;
+  const auto found = std::ranges::find(entries, key, &Node::key);
+  if (found != entries.end()) return *found;
+  return entries.emplace_back(
+      Node{std::string(key), child_path(parent.path, key), where, where, {}, Table{}});
+}
+
+Node& element(Node& parent, std::string_view index, const std::string& where) {
+  Array& elements = std::get<Array>(parent.value);
+  std::size_t k = 0;
+  const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), k);
+  if (status != std::errc{} || end != index.data() + index.size() || k >= elements.size()) {
+    throw SceneError(where + ": " + parent.path + " has " + std::to_string(elements.size()) +
+                     " elements, counted from 0; '" + std::string(index) + "' is none of them");
+  }
+  return elements[k];
+}
+
+Node& child(Node& parent, std::string_view name, const std::string& where) {
+  if (std::holds_alternative<Table>(parent.value)) return entry(parent, name, where);
+  if (std::holds_alternative<Array>(parent.value)) return element(parent, name, where);
+  throw SceneError(where + ": " + parent.path + " = " + parent.text + ": has no '" +
+                   std::string(name) + "' in it");
+}
+
+}  // namespace
+
+Node with_override(Node document, std::string_view setting) {
+  const std::size_t equals = setting.find('=');
+  std::string_view path = setting.substr(0, equals);
+  path = path.substr(0, path.find_last_not_of(' ') + 1);  // as in time.dt = 0.01
+  const std::string where = "--set " + std::string(path);
+  if (path.empty() || equals == std::string_view::npos) {
+    throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");
+  }
+  Node* target = &document;
+  for (bool last = false; !last;) {
+    const std::size_t dot = path.find('.');
+    target = &child(*target, path.substr(0, dot), where);
+    last = dot == std::string_view::npos;
+    if (!last) path.remove_prefix(dot + 1);
+  }
+  Node value = parse_value(setting.substr(equals + 1), target->path, where);
+  value.key = target->key;
+  *target = std::move(value);
+  return document;
+}
+
+}  // namespace stokesbook::scene_text

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "scene/document.hpp"
+
+namespace stokesbook::scene_text {
+
+/// Returns the document with one value set from the command line.
+///
+/// @param  document  before
+/// @param  setting   `time.dt=0.01` or `bodies.0.n_nodes=64`: path, `=`, value in TOML's syntax;
+///                   tables that are missing on the way are added
+/// @throws SceneError when the setting has another form or its path leads nowhere
+Node with_override(Node document, std::string_view setting);
+
+}  // namespace stokesbook::scene_text

@@ -1,0 +1,73 @@
+#include "scene/parse.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "scene/override.hpp"
+#include "scene/sections.hpp"
+#include "scene/text_file.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+using namespace scene_text;
+
+constexpr Requirement<std::string> any_text{"text"};
+constexpr Requirement<std::int64_t> seed{"an integer >= 0",
+                                         [](const std::int64_t& k) { return k >= 0; }};
+
+double read_viscosity(const TableReader& root, double unless_given) {
+  const Node* fluid = root.find("fluid");
+  if (fluid == nullptr) return unless_given;
+  return TableReader(*fluid, {"viscosity"})
+      .get("viscosity", positive_number)
+      .value_or(unless_given);
+}
+
+Scene read_root(const Node& node, const std::filesystem::path& directory) {
+  const TableReader root(node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists",
+                                "fill", "solver", "time", "contact", "output"});
+  root.refuse({"contact"}, "not available yet");
+  Scene scene;
+  scene.title = root.get("title", any_text).value_or("");
+  scene.seed = static_cast<std::uint64_t>(root.get("seed", seed).value_or(0));
+  scene.viscosity = read_viscosity(root, scene.viscosity);
+  scene.walls = read_walls(root, directory);
+  const bool enclosed = std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
+  FlowSection flow = read_flow(root, enclosed);
+  scene.flow = flow.flow;
+  scene.gauge_length = flow.gauge_length;
+  scene.reverse_at = std::move(flow.reverse_at);
+  scene.bodies = read_bodies(root, directory);
+  std::ranges::move(read_body_lists(root, directory), std::back_inserter(scene.bodies));
+  scene.fills = read_fills(root, directory, enclosed);
+  scene.solver = read_solver(root);
+  scene.time = read_time(root);
+  scene.output = read_output(root);
+  if (scene.walls.empty() && scene.bodies.empty() && scene.fills.empty()) {
+    fail(node, "a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ...");
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  const std::optional<std::string> text = text_of(path);
+  if (!text) throw SceneError(path.string() + ": there is no file to read");
+  return parse_scene(*text, path.string(), path.parent_path(), overrides);
+}
+
+Scene parse_scene(std::string_view text, std::string_view file_name,
+                  const std::filesystem::path& directory, std::span<const std::string> overrides) {
+  Node document = parse_document(text, file_name);
+  for (const std::string& setting : overrides) {
+    document = with_override(std::move(document), setting);
+  }
+  return read_root(document, directory);
+}
+
+}  // namespace stokesbook

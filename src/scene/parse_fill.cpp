@@ -1,0 +1,62 @@
+#include <string>
+
+#include "scene/sections.hpp"
+
+namespace stokesbook::scene_text {
+
+namespace {
+
+using Box = std::array<double, 4>;
+
+constexpr Requirement<double> fraction{"a number > 0 and < 1",
+                                       [](const double& x) { return x > 0.0 && x < 1.0; }};
+constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return x >= 0.0; }};
+constexpr Requirement<Box> corners{
+    "[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax",
+    [](const Box& box) { return box[0] < box[2] && box[1] < box[3]; }};
+
+/// Returns the box, or nothing for all of the fluid.
+std::optional<Box> read_region(const TableReader& fill, bool enclosed) {
+  const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
+  const std::string expected =
+      enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" needs an outer wall)";
+  const Node* given = fill.find("region");
+  if (given == nullptr && enclosed) return std::nullopt;
+  const Node& region = fill.at("region", expected);
+  if (std::holds_alternative<Table>(region.value)) {
+    return TableReader(region, {"box"}).require("box", corners);
+  }
+  if (value_as<std::string>(region, expected) != "fluid" || !enclosed) {
+    fail(region, "must be " + expected);
+  }
+  return std::nullopt;
+}
+
+Fill read_fill(const Node& node, const std::filesystem::path& directory, bool enclosed) {
+  const TableReader table(node,
+                          {"shape", "area_fraction", "count", "region", "clearance", "n_nodes"});
+  Fill fill;
+  fill.shape = read_shape(table, directory);
+  fill.area_fraction = table.get("area_fraction", fraction);
+  fill.count = table.get("count", positive_integer);
+  if (fill.area_fraction.has_value() == fill.count.has_value()) {
+    fail(node, "must hold area_fraction or count, and not both");
+  }
+  fill.box = read_region(table, enclosed);
+  fill.clearance = table.get("clearance", gap).value_or(fill.clearance);
+  fill.n_nodes = table.require("n_nodes", node_count);
+  return fill;
+}
+
+}  // namespace
+
+std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::path& directory,
+                             bool enclosed) {
+  std::vector<Fill> fills;
+  for (const Node& node : root.tables("fill")) {
+    fills.push_back(read_fill(node, directory, enclosed));
+  }
+  return fills;
+}
+
+}  // namespace stokesbook::scene_text

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/document.hpp"
+#include "scene/words.hpp"
+#include "trapezoid/plane.hpp"
+
+namespace stokesbook::scene_text {
+
+/// Throws the SceneError `where: path = value: problem`, where the value stands.
+[[noreturn]] void fail(const Node& node, const std::string& problem);
+
+/// The same where the key stands, for a key that should not be there at all.
+[[noreturn]] void fail_at_key(const Node& node, const std::string& problem);
+
+/// Throws the SceneError "must be `expected`, not a string", or whatever the type of the value is.
+[[noreturn]] void fail_type(const Node& node, std::string_view expected);
+
+/// Returns a value as T, one of those below. Integers will do for double, which must be finite; a
+/// Complex is [x, y], a matrix is a list of its rows.
+///
+/// @param  node      the value
+/// @param  expected  completes "must be ..."
+/// @throws SceneError when the value has another type, saying which
+template <class T>
+T value_as(const Node& node, std::string_view expected);
+template <>
+bool value_as(const Node& node, std::string_view expected);
+template <>
+int value_as(const Node& node, std::string_view expected);
+template <>
+std::int64_t value_as(const Node& node, std::string_view expected);
+template <>
+double value_as(const Node& node, std::string_view expected);
+template <>
+std::string value_as(const Node& node, std::string_view expected);
+template <>
+Complex value_as(const Node& node, std::string_view expected);
+template <>
+Eigen::Matrix2d value_as(const Node& node, std::string_view expected);
+template <>
+std::array<double, 4> value_as(const Node& node, std::string_view expected);
+template <>
+std::vector<double> value_as(const Node& node, std::string_view expected);
+
+/// Returns the elements of an array.
+///
+/// @throws SceneError when the value is no array
+const Array& elements_of(const Node& node, std::string_view expected);
+
+/// @name Rules
+/// What a value must be, said once: `read(node, rule)` converts and checks it or throws a
+/// SceneError, `describe(rule)` completes "must be ...".
+/// @{
+
+/// A value of type T for which a condition holds.
+template <class T>
+struct Requirement {
+  std::string_view expected;
+  bool (*holds)(const T&) = [](const T&) { return true; };
+};
+
+template <class T>
+T read(const Node& node, const Requirement<T>& rule) {
+  T value = value_as<T>(node, rule.expected);
+  if (!rule.holds(value)) fail(node, "must be " + std::string(rule.expected));
+  return value;
+}
+
+template <class T>
+std::string describe(const Requirement<T>& rule) {
+  return std::string(rule.expected);
+}
+
+/// Lists the words, without those of later releases.
+template <class T, std::size_t N>
+std::string list_of(const Words<T, N>& words) {
+  std::string names;
+  for (const Word<T>& word : words) {
+    if (!word.meaning) continue;
+    if (!names.empty()) names += ", ";
+    names += word.name;
+  }
+  return names;
+}
+
+/// A word that stands for a T.
+template <class T, std::size_t N>
+std::string describe(const Words<T, N>& words) {
+  return "one of " + list_of(words);
+}
+
+template <class T, std::size_t N>
+T read(const Node& node, const Words<T, N>& words) {
+  const std::string expected = describe(words);
+  const std::string name = value_as<std::string>(node, expected);
+  for (const Word<T>& word : words) {
+    if (word.name != name) continue;
+    if (!word.meaning) fail(node, "not available yet: must be " + expected);
+    return *word.meaning;
+  }
+  fail(node, "must be " + expected);
+}
+
+/// Number of collocation nodes of a curve.
+struct NodeCount {};
+inline constexpr NodeCount node_count;
+int read(const Node& node, NodeCount rule);
+std::string describe(NodeCount rule);
+
+inline constexpr Requirement<bool> any_flag{"true or false"};
+inline constexpr Requirement<double> any_number{"a number"};
+inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
+inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
+    "two rows of two numbers [[a, b], [c, d]]"};
+inline constexpr Requirement<double> positive_number{"a number > 0",
+                                                     [](const double& x) { return x > 0.0; }};
+inline constexpr Requirement<int> positive_integer{"an integer >= 1",
+                                                   [](const int& k) { return k >= 1; }};
+/// @}
+
+}  // namespace stokesbook::scene_text

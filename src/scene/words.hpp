@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "scene/scene.hpp"
+
+/// The words of the scene file that stand for enumerators.
+namespace stokesbook::scene_text {
+
+/// A word of the scene file.
+template <class T>
+struct Word {
+  std::string_view name;
+  std::optional<T> meaning;  ///< none: a later release will have it
+};
+
+/// All the words that may stand in one place.
+template <class T, std::size_t N>
+using Words = std::array<Word<T>, N>;
+
+/// Meaning of a word that a later release will have.
+inline constexpr std::nullopt_t not_yet = std::nullopt;
+
+/// Returns the word for an enumerator; each has one.
+template <class T, std::size_t N>
+std::string_view name_of(T meaning, const Words<T, N>& words) {
+  return std::ranges::find(words, std::optional(meaning), &Word<T>::meaning)->name;
+}
+
+inline constexpr Words<WallRole, 2> wall_roles{{
+    {"outer", WallRole::outer},
+    {"inner", WallRole::inner},
+}};
+
+inline constexpr Words<Summation, 3> summations{{
+    {"auto", Summation::automatic},
+    {"direct", Summation::direct},
+    {"fmm", not_yet},
+}};
+
+inline constexpr Words<NearSingular, 4> near_singular_schemes{{
+    {"auto", NearSingular::automatic},
+    {"cauchy", NearSingular::cauchy},
+    {"interpolation", not_yet},
+    {"off", NearSingular::off},
+}};
+
+inline constexpr Words<PreconditionerKind, 3> preconditioners{{
+    {"auto", PreconditionerKind::automatic},
+    {"none", PreconditionerKind::none},
+    {"block_diagonal", PreconditionerKind::block_diagonal},
+}};
+
+inline constexpr Words<SteppingMethod, 6> stepping_methods{{
+    {"euler", SteppingMethod::euler},
+    {"adams_bashforth2", SteppingMethod::adams_bashforth2},
+    {"rk4", SteppingMethod::rk4},
+    {"heun", not_yet},
+    {"bogacki_shampine", not_yet},
+    {"dormand_prince", not_yet},
+}};
+
+inline constexpr Words<OutputFormat, 3> output_formats{{
+    {"csv", OutputFormat::csv},
+    {"vtk", OutputFormat::vtk},
+    {"svg", OutputFormat::svg},
+}};
+
+}  // namespace stokesbook::scene_text

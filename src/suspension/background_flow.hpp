@@ -1,0 +1,20 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "trapezoid/plane.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Evaluates an undisturbed flow at points of the plane.
+///
+/// @param  flow    kind and strength
+/// @param  points  length
+/// @return         velocities, length / time
+ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
+
+/// @}
+
+}  // namespace stokesbook

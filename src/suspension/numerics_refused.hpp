@@ -1,0 +1,19 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// The numerics decline to give an answer they cannot stand behind; the message names bodies,
+/// values and what to change.
+class NumericsRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// @}
+
+}  // namespace stokesbook

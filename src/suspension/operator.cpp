@@ -1,0 +1,65 @@
+#include "suspension/operator.hpp"
+
+#include "double_layer/double_layer.hpp"
+#include "null_space/null_space.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+std::vector<Curve> curves_of(const StokesProblem& problem) {
+  std::vector<Curve> curves;
+  for (const Component& component : problem.components) curves.push_back(component.curve);
+  return curves;
+}
+
+}  // namespace
+
+SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
+                                       const std::vector<PlacedCauchyCurve>& placed,
+                                       const Plan& plan)
+    : curves_(curves_of(problem)),
+      offsets_(node_offsets(problem)),
+      closure_(problem),
+      sum_(curves_, plan.storage) {
+  ComplexVector nodes(offsets_.back());
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    nodes.segment(offsets_[k], curves_[k].size()) = curves_[k].x;
+    if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
+  }
+  if (!placed.empty()) near_.emplace(placed, nodes, Targets::own_nodes, plan.near_tolerance);
+}
+
+ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
+  const ComplexVector rest = closure_.without_rigid_part(density);
+  ComplexVector velocity = sum_(rest) - 0.5 * rest + closure_.velocity(density);
+  if (near_) velocity += (*near_)(rest);
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    velocity.segment(offsets_[k], curves_[k].size()) +=
+        diagonal_velocity(curves_[k], rest.segment(offsets_[k], curves_[k].size()));
+  }
+  if (enclosing_wall_) {
+    const Curve& wall = curves_[*enclosing_wall_];
+    const Index first = offsets_[*enclosing_wall_];
+    velocity.segment(first, wall.size()) +=
+        null_space_velocity(wall, rest.segment(first, wall.size()));
+  }
+  return velocity;
+}
+
+ComplexVector SuspensionOperator::velocity(const ComplexVector& density,
+                                           const ComplexVector& points,
+                                           const std::vector<PlacedCauchyCurve>& placed,
+                                           double tolerance) const {
+  const ComplexVector rest = closure_.without_rigid_part(density);
+  ComplexVector velocity =
+      sum_(points, rest) + closure_.singular_velocity(closure_.complete(density), points);
+  if (!placed.empty()) {
+    velocity += NearCorrection(placed, points, Targets::points, tolerance)(rest);
+  }
+  return velocity;
+}
+
+}  // namespace stokesbook

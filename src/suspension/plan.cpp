@@ -1,0 +1,139 @@
+#include "suspension/plan.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace stokesbook {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string count(std::size_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+// What the scene is made of.
+struct Census {
+  std::size_t free = 0, held = 0, inner = 0, outer = 0, circles = 0, components = 0;
+  bool loaded = false;
+  Eigen::Index nodes = 0;
+};
+
+Census take_census(const Scene& scene) {
+  Census census;
+  const auto add = [&](const Shape& shape, int n_nodes) {
+    ++census.components;
+    census.nodes += n_nodes;
+    if (std::holds_alternative<Circle>(shape)) ++census.circles;
+  };
+  for (const Body& body : scene.bodies) {
+    add(body.shape, body.n_nodes);
+    ++(body.held ? census.held : census.free);
+    census.loaded = census.loaded || body.force != Complex{} || body.torque != 0.0;
+  }
+  for (const Wall& wall : scene.walls) {
+    add(wall.shape, wall.n_nodes);
+    ++(wall.role == WallRole::outer ? census.outer : census.inner);
+  }
+  return census;
+}
+
+Plan::Line problem_line(const Census& census, const Scene& scene) {
+  const std::size_t prescribed = census.held + census.inner;
+  std::string decision = census.outer > 0 ? "bounded" : "unbounded";
+  decision += census.free == 0                 ? " resistance problem"
+              : prescribed + census.outer == 0 ? " mobility problem"
+                                               : " mixed problem";
+  std::string reason = count(census.free, "free body", "free bodies") + ", " +
+                       count(census.held, "held body", "held bodies") + ", " +
+                       count(census.inner, "inner wall", "inner walls") + ", " +
+                       (census.outer > 0 ? "one" : "no") + " enclosing wall";
+  if (scene.viscosity != 1.0) reason += ", viscosity " + number(scene.viscosity);
+  return {"problem", decision, reason};
+}
+
+Plan::Line far_field_line(const Census& census, const Scene& scene) {
+  if (census.outer > 0) return {"far field", "none", "the fluid ends at the enclosing wall"};
+  if (scene.gauge_length) {
+    return {"far field", "Stokeslets of gauge length " + number(*scene.gauge_length),
+            "flow.gauge_length is given"};
+  }
+  if (census.held + census.inner > 0) {
+    return {
+        "far field", "zero net force, free uniform velocity",
+        "unbounded fluid with prescribed velocities and no flow.gauge_length (Stokes' paradox)"};
+  }
+  return {"far field", "decaying disturbance", "free bodies in unbounded fluid, no net force"};
+}
+
+Plan::Line singularity_line(const Census& census) {
+  if (census.held + census.inner > 0) {
+    return {"singularities", "Stokeslets and rotlets in the density's functionals",
+            "forces and torques of inner walls and held bodies are unknown"};
+  }
+  if (census.loaded) {
+    return {"singularities", "given Stokeslets and rotlets", "loads on bodies"};
+  }
+  return {"singularities", "none", "no loads, no inner walls, no held bodies"};
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene) {
+  const Census census = take_census(scene);
+  const double tolerance = scene.solver.tolerance;
+  Plan plan;
+  plan.n_nodes = census.nodes;
+  plan.null_space_fix = census.outer > 0;
+  plan.near_correction = scene.solver.near_singular != NearSingular::off && census.components > 1;
+  // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
+  const bool only_circles = census.circles == census.components;
+  plan.block_diagonal =
+      scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
+      (scene.solver.preconditioner == PreconditionerKind::automatic && !only_circles);
+  plan.storage = StressletSum::automatic_storage(census.nodes);
+  // A hundredth of the tolerance leaves room for the condition number; no sum is better than
+  // rounding.
+  plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
+  plan.near_tolerance = std::max(1e-15, 0.01 * tolerance);
+
+  plan.lines.push_back(problem_line(census, scene));
+  plan.lines.push_back(far_field_line(census, scene));
+  plan.lines.push_back({"unknowns", std::to_string(2 * census.nodes),
+                        std::to_string(census.nodes) + " nodes; motions and loads are functionals "
+                                                       "of the density (reduced closure)"});
+  plan.lines.push_back(singularity_line(census));
+  plan.lines.push_back(plan.null_space_fix
+                           ? Plan::Line{"N_0", "yes", "an enclosing wall has a null space"}
+                           : Plan::Line{"N_0", "no", "no enclosing wall"});
+  plan.lines.push_back(
+      {"summation",
+       plan.storage == KernelStorage::stored ? "direct, stored matrix" : "direct, streamed",
+       plan.storage == KernelStorage::stored
+           ? "few nodes: the matrix stays in the cache"
+           : "evaluating the kernel beats reading a stored matrix"});
+  const std::string near_reason =
+      scene.solver.near_singular == NearSingular::off ? "solver.near_singular = \"off\""
+      : census.components == 1                        ? "a single component"
+                               : "Cauchy scheme where the trapezoid rule errs by more than " +
+                                     number(plan.near_tolerance);
+  plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
+  plan.lines.push_back(
+      {"preconditioner", plan.block_diagonal ? "block diagonal, from the right" : "none",
+       scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
+       : only_circles ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
+                      : "own blocks of slender and lobed shapes spread the spectrum"});
+  plan.lines.push_back({"GMRES", "to " + number(plan.gmres_tolerance) + ", without restart",
+                        scene.solver.gmres_tol
+                            ? "solver.gmres_tol"
+                            : "solver.tolerance = " + number(tolerance) + " / 100"});
+  plan.lines.push_back({"contact", "none", "no [contact]: an overlap stops the run"});
+  return plan;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "suspension/gaps.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Explains what is wrong with a geometry, or returns nothing when every shape and gap is resolved.
+///
+/// @param  scene          names the components and the tolerance
+/// @param  gaps           in ascending order
+/// @param  configuration  placements of all components
+/// @param  references     of each component
+/// @return             a message naming components, values and what to change
+std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
+                             const Configuration& configuration, const References& references);
+
+/// Explains that the density on a component is not resolved by its nodes.
+///
+/// @param  scene      names the component and the tolerance
+/// @param  component  bodies first, then walls
+/// @param  n_nodes    of the component
+/// @param  tail       its estimate, above the tolerance
+/// @param  gaps       in ascending order; names the neighbour that asks for nodes
+std::string density_refusal(const Scene& scene, std::size_t component, Eigen::Index n_nodes,
+                            const TailEstimate& tail, const std::vector<Gap>& gaps);
+
+/// Recommends a node count for which a shape resolves its own double layer to a tolerance.
+///
+/// @param  reference  the shape with its side
+/// @param  tolerance  of rigid_motion_residual()
+/// @param  at_least   where the search starts
+/// @return           multiple of 16 above at_least, or 0 when 4096 nodes are not enough
+int nodes_for_shape(const Reference& reference, double tolerance, int at_least);
+
+/// Formats a value for a message: three significant digits.
+std::string short_number(double value);
+
+/// @}
+
+}  // namespace stokesbook

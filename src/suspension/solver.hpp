@@ -1,0 +1,100 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "closure/closure.hpp"
+#include "krylov/gmres.hpp"
+#include "near_singular/near_correction.hpp"
+#include "scene/scene.hpp"
+#include "suspension/configuration.hpp"
+#include "suspension/gaps.hpp"
+#include "suspension/numerics_refused.hpp"
+#include "suspension/plan.hpp"
+#include "suspension/reference.hpp"
+#include "suspension/resolution.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// One quasi-static solution.
+struct Solution {
+  ComplexVector density;  ///< at all nodes, components in order, length / time
+  std::vector<RigidMotion>
+      motions;               ///< of every component about its position: solved on free bodies,
+                             ///< prescribed on held bodies and rigidly moving walls, else zero
+  std::vector<Load> loads;   ///< of every component on the fluid, about its position
+  Complex uniform_velocity;  ///< of the fluid at infinity beside the background
+  GmresResult gmres;
+  double velocity_scale = 0.0;  ///< largest velocity in the data, length / time
+  double error_estimate = 0.0;  ///< of velocities, relative to velocity_scale
+  std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
+};
+
+/// Solves a scene for any configuration of its components.
+///
+/// Scene -> geometry -> plan -> operator -> velocities; references are built once, everything else
+/// anew a configuration.
+/// @par Accuracy  scene.solver.tolerance, or the solve refuses
+class SuspensionSolver {
+ public:
+  /// Plans a scene without fills and prepares its references.
+  ///
+  /// @throws NumericsRefused  when a component's own block is singular (gauge length at a
+  /// degenerate scale)
+  explicit SuspensionSolver(const Scene& scene);
+
+  /// Returns the scene's placements at the start.
+  Configuration initial_configuration() const;
+
+  /// Solves for the motions of free bodies and the loads on all others.
+  ///
+  /// @param  drive  +1, or -1 where the scene has reversed its flow, walls and loads
+  /// @throws NumericsRefused  on overlap, net flux, net force without gauge, unresolved shapes,
+  /// gaps or densities,
+  ///                          no convergence, and numbers that are not finite
+  Solution solve(const Configuration& configuration, double drive = 1.0) const;
+
+  /// Checks the shapes and gaps of a configuration, without solving.
+  ///
+  /// @throws NumericsRefused  on overlap, unresolved shapes and unresolved gaps
+  void refuse_unresolved(const Configuration& configuration) const;
+
+  /// Evaluates the fluid's velocity in a solution.
+  ///
+  /// @param  points  in the fluid, at any distance from the boundary or on it, length
+  /// @return         velocities, length / time
+  ComplexVector velocity(const Configuration& configuration, const Solution& solution,
+                         const ComplexVector& points, double drive = 1.0) const;
+
+  /// Poses the boundary value problem of a configuration.
+  StokesProblem problem(const Configuration& configuration, double drive = 1.0) const;
+
+  /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
+  /// tolerance.
+  std::vector<int> recommended_nodes(const Configuration& configuration) const;
+
+  const Scene& scene() const { return scene_; }
+  const Plan& plan() const { return plan_; }
+
+  /// The shared reference of each component.
+  const References& references() const { return references_; }
+
+ private:
+  void refuse_bad_geometry(const Configuration& configuration, const std::vector<Gap>& gaps) const;
+  void refuse_bad_data(const StokesProblem& problem) const;
+  void estimate_error(Solution& solution, const StokesProblem& problem,
+                      const ComplexVector& rest) const;
+  std::vector<PlacedCauchyCurve> placed(const Configuration& configuration) const;
+  BlockDiagonalPreconditioner preconditioner(const Configuration& configuration) const;
+
+  Scene scene_;
+  Plan plan_;
+  References references_;
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,147 @@
+#include "trapezoid/fourier.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <gsl/gsl_fft_complex.h>
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+struct FourierPlan {
+  using Wavetable =
+      std::unique_ptr<gsl_fft_complex_wavetable, decltype(&gsl_fft_complex_wavetable_free)>;
+  using Workspace =
+      std::unique_ptr<gsl_fft_complex_workspace, decltype(&gsl_fft_complex_workspace_free)>;
+  explicit FourierPlan(std::size_t n)
+      : wavetable(gsl_fft_complex_wavetable_alloc(n), gsl_fft_complex_wavetable_free),
+        workspace(gsl_fft_complex_workspace_alloc(n), gsl_fft_complex_workspace_free) {}
+  Wavetable wavetable;
+  Workspace workspace;
+};
+
+// GSL takes interleaved real and imaginary parts, which is how std::complex is laid out.
+double* packed(ComplexVector& v) {
+  return reinterpret_cast<double*>(v.data());
+}
+
+void require_even(Index n) {
+  if (n < 2 || n % 2 != 0) {
+    throw std::invalid_argument("a Fourier grid needs an even number of nodes, got " +
+                                std::to_string(n));
+  }
+}
+
+}  // namespace
+
+ComplexVector fourier_coefficients(const ComplexVector& f) {
+  const auto n = static_cast<std::size_t>(f.size());
+  const FourierPlan plan(n);
+  ComplexVector c = f;
+  gsl_fft_complex_forward(packed(c), 1, n, plan.wavetable.get(), plan.workspace.get());
+  return c / static_cast<double>(n);
+}
+
+ComplexVector fourier_values(const ComplexVector& c) {
+  const auto n = static_cast<std::size_t>(c.size());
+  const FourierPlan plan(n);
+  ComplexVector f = c;
+  gsl_fft_complex_backward(packed(f), 1, n, plan.wavetable.get(), plan.workspace.get());
+  return f;
+}
+
+Index wave_number(Index i, Index n) {
+  return i < n - n / 2 ? i : i - n;
+}
+
+ComplexVector differentiate(const ComplexVector& f) {
+  require_even(f.size());
+  const Index n = f.size();
+  ComplexVector c = fourier_coefficients(f);
+  for (Index i = 0; i < n; ++i) {
+    c[i] *= i == n / 2 ? 0.0 : imaginary * static_cast<double>(wave_number(i, n));
+  }
+  return fourier_values(c);
+}
+
+Eigen::MatrixXd differentiation_matrix(Index n) {
+  require_even(n);
+  Eigen::MatrixXd matrix(n, n);
+  for (Index j = 0; j < n; ++j) {
+    for (Index k = 0; k < n; ++k) {
+      const Index lag = j - k;
+      const double half_angle =
+          std::numbers::pi * static_cast<double>(lag) / static_cast<double>(n);
+      matrix(j, k) = lag == 0 ? 0.0 : (lag % 2 == 0 ? 0.5 : -0.5) / std::tan(half_angle);
+    }
+  }
+  return matrix;
+}
+
+ComplexVector resample(const ComplexVector& f, Index m) {
+  require_even(m);
+  const Index n = f.size();
+  const ComplexVector c = fourier_coefficients(f);
+  ComplexVector resampled = ComplexVector::Zero(m);
+  const Index kept = std::min((n - 1) / 2, m / 2 - 1);
+  for (Index k = -kept; k <= kept; ++k) {
+    resampled[(k + m) % m] = c[(k + n) % n];
+  }
+  if (n % 2 == 0 && n <= m) {
+    // The highest mode of an even grid stands for a cosine: half of it for each sign of k.
+    resampled[n / 2] += 0.5 * c[n / 2];
+    resampled[m - n / 2] += 0.5 * c[n / 2];
+  }
+  return fourier_values(resampled);
+}
+
+double fourier_tail(const ComplexVector& f) {
+  require_even(f.size());
+  const Index n = f.size();
+  const Index first = n / 2 - std::max<Index>(2, n / 16);
+  const ComplexVector c = fourier_coefficients(f);
+  double tail = 0.0;
+  for (Index i = 0; i < n; ++i) {
+    if (std::abs(wave_number(i, n)) >= first) {
+      tail = std::max(tail, std::abs(c[i]));
+    }
+  }
+  return tail;
+}
+
+TrigonometricPolynomial::TrigonometricPolynomial(const ComplexVector& values) {
+  require_even(values.size());
+  const Index n = values.size();
+  const ComplexVector c = fourier_coefficients(values);
+  coefficients_.resize(n + 1);
+  for (Index k = -n / 2; k <= n / 2; ++k) {
+    coefficients_[k + n / 2] = c[(k + n) % n];
+  }
+  coefficients_[0] *= 0.5;
+  coefficients_[n] *= 0.5;
+}
+
+TrigonometricPolynomial::Jet TrigonometricPolynomial::operator()(double t) const {
+  const Index highest = coefficients_.size() / 2;
+  const Complex step = std::polar(1.0, t);
+  Complex phase = std::polar(1.0, -static_cast<double>(highest) * t);
+  Jet jet{};
+  for (Index i = 0; i < coefficients_.size(); ++i) {
+    const auto k = static_cast<double>(i - highest);
+    const Complex term = coefficients_[i] * phase;
+    jet.value += term;
+    jet.first += imaginary * k * term;
+    jet.second -= k * k * term;
+    phase *= step;
+  }
+  return jet;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "trapezoid/plane.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup trapezoid
+/// @{
+
+/// Circle about the origin.
+struct Circle {
+  double radius = 1.0;  ///< length, > 0
+  bool operator==(const Circle&) const = default;
+};
+
+/// Ellipse \f$ (a \cos t, b \sin t) \f$.
+struct Ellipse {
+  double a = 1.0;  ///< semi-axis along direction 1, length, > 0
+  double b = 1.0;  ///< semi-axis along direction 2, length, > 0
+  bool operator==(const Ellipse&) const = default;
+};
+
+/// Star \f$ r(t) = R (1 + A \cos(k t)) \f$.
+struct Star {
+  double radius = 1.0;     ///< R, length, > 0
+  double amplitude = 0.2;  ///< A, |A| < 1
+  int arms = 5;            ///< k >= 1
+  bool operator==(const Star&) const = default;
+};
+
+/// Superellipse \f$ |x/a|^p + |y/b|^p = 1 \f$ with an even integer p, for which the curve is
+/// analytic.
+struct Superellipse {
+  double a = 1.0;  ///< semi-axis along direction 1, length, > 0
+  double b = 1.0;  ///< semi-axis along direction 2, length, > 0
+  int power = 4;   ///< p, even, >= 2
+  bool operator==(const Superellipse&) const = default;
+};
+
+/// Closed curve through given points, equidistant in the parameter, joined by Fourier
+/// interpolation. The origin must lie inside: external forces act there.
+struct NodalCurve {
+  ComplexVector points;  ///< in order along the curve, either sense; at least 4
+  std::string file;      ///< where the points came from, for messages; may be empty
+  bool operator==(const NodalCurve& other) const {
+    return points.size() == other.points.size() && points == other.points;
+  }
+};
+
+/// A closed smooth curve in its own frame.
+using Shape = std::variant<Circle, Ellipse, Star, Superellipse, NodalCurve>;
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,250 @@
+"""The stokes program as its user meets it: exit codes, messages, plan, records, resume.
+
+Usage: test_cli.py PROGRAM SCENES [unittest arguments]
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy
+
+PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
+
+PAIR = """
+[flow]
+kind = "shear"
+rate = 1.0
+[[bodies]]
+shape = { kind = "circle", radius = 1.0 }
+position = [-2.0, 0.4]
+n_nodes = 48
+[[bodies]]
+shape = { kind = "ellipse", semi_axes = [1.0, 0.6] }
+position = [2.0, -0.4]
+n_nodes = 48
+[solver]
+tolerance = 1e-5
+[time]
+t_final = 1.0
+dt = 0.1
+method = "adams_bashforth2"
+[output]
+dt_write = 0.1
+formats = ["csv", "vtk", "svg"]
+"""
+
+
+def stokes(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, **options)
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def scene(self, text=PAIR, name="pair.toml"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def run_scene(self, *arguments, text=PAIR, code=0):
+        result = stokes("run", self.scene(text), *arguments, cwd=self.folder)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
+
+    def files(self, name):
+        """Every file of a run but those that hold wall times."""
+        folder = self.folder / name
+        return {
+            p.name: p.read_bytes()
+            for p in folder.iterdir()
+            if p.name not in ("run.json", "steps.csv", "checkpoint")
+        }
+
+
+class Usage(Program):
+    def test_help_and_version(self):
+        for arguments in (["--help"], ["run", "--help"], ["solve", "--help"]):
+            result = stokes(*arguments)
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("scene", result.stdout)
+        version = stokes("--version")
+        self.assertEqual(version.returncode, 0)
+        self.assertRegex(version.stdout, r"^stokes \d+\.\d+\.\d+ \(git .+, (GNU|Clang)")
+
+    def test_bad_usage(self):
+        for arguments in ([], ["walk"], ["run"], ["run", "a.toml", "--thread"],
+                          ["run", "a.toml", "--resume", "--overwrite"],
+                          ["run", "a.toml", "--threads", "0"]):
+            result = stokes(*arguments)
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertNotEqual(result.stderr, "")
+
+    def test_bad_scene(self):
+        result = self.run_scene(text=PAIR.replace("radius = 1.0", "radius = -1.0"), code=1)
+        self.assertIn("pair.toml:6", result.stderr)
+        self.assertIn("radius = -1", result.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_missing_scene(self):
+        result = stokes("run", self.folder / "none.toml")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("none.toml", result.stderr)
+
+    def test_run_needs_time(self):
+        text = PAIR[:PAIR.index("[time]")]
+        self.assertIn("[time]", self.run_scene(text=text, code=1).stderr)
+
+    def test_values_of_the_command_line(self):
+        self.run_scene("--out", "a", "--set", "time.t_final=0.2", "--set", "fluid.viscosity=2.0")
+        saved = (self.folder / "a" / "scene.toml").read_text()
+        self.assertRegex(saved, r"viscosity = 2\.0")
+        times = numpy.genfromtxt(self.folder / "a" / "trajectory.csv", names=True, delimiter=",")["t"]
+        self.assertEqual(times.max(), 0.2)
+        self.assertIn("--set", self.run_scene("--set", "time.tfinal=1", code=1).stderr)
+
+
+class Plan(Program):
+    def test_dry_run_prints_the_plan_and_writes_nothing(self):
+        result = self.run_scene("--dry-run")
+        for topic in ("problem", "unknowns", "N_0", "summation", "near correction",
+                      "preconditioner", "contact", "time", "components", "closest pair", "resolution"):
+            self.assertIn(topic, result.stdout)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["pair.toml"])
+
+    def test_dry_run_refuses_what_a_run_would(self):
+        text = PAIR.replace("-2.0, 0.4", "-0.01, 0.0").replace("2.0, -0.4", "2.0, 0.0")
+        result = self.run_scene("--dry-run", text=text, code=2)
+        self.assertIn("body 0 and body 1", result.stderr)
+        self.assertIn("n_nodes", result.stderr)
+        self.assertIn("too few", result.stdout)
+
+    def test_the_plan_has_what_the_scene_needs_only(self):
+        plan = stokes("run", SCENES / "couette.toml", "--dry-run").stdout
+        self.assertRegex(plan, r"N_0 +yes")
+        self.assertRegex(plan, r"singularities +Stokeslets and rotlets")
+        plan = stokes("run", SCENES / "jeffery.toml", "--dry-run").stdout
+        self.assertRegex(plan, r"N_0 +no")
+        self.assertRegex(plan, r"near correction +no")
+        self.assertRegex(plan, r"singularities +none")
+
+
+class Records(Program):
+    def test_tables_are_read_by_numpy(self):
+        self.run_scene()
+        folder = self.folder / "out" / "pair"
+        table = numpy.genfromtxt(folder / "trajectory.csv", names=True, delimiter=",")
+        self.assertEqual(table.dtype.names, tuple("t,body,x,y,theta,ux,uy,omega,fx,fy,torque".split(",")))
+        self.assertEqual(len(table), 2 * 11)
+        numpy.testing.assert_allclose(numpy.unique(table["t"]), numpy.arange(11) / 10, atol=1e-15)
+        steps = numpy.genfromtxt(folder / "steps.csv", names=True, delimiter=",")
+        self.assertEqual(len(steps), 10)
+        self.assertTrue((steps["error_estimate"] < 1e-5).all())
+        self.assertFalse((folder / "walls.csv").exists())
+        information = json.loads((folder / "run.json").read_text())
+        self.assertEqual(information["exit_status"], 0)
+        self.assertTrue(any("preconditioner" in line for line in information["plan"]))
+
+    def test_the_saved_scene_runs_again_to_the_same_result(self):
+        self.run_scene("--out", "a")
+        again = stokes("run", self.folder / "a" / "scene.toml", "--out", self.folder / "b")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(self.files("a"), self.files("b"))
+
+    def test_threads_do_not_change_a_bit(self):
+        for threads in (1, 2):
+            self.run_scene("--out", f"threads{threads}", "--threads", threads)
+        self.assertEqual(self.files("threads1"), self.files("threads2"))
+
+    def test_a_directory_with_a_run_is_kept(self):
+        self.run_scene("--set", "time.t_final=0.2")
+        before = self.files("out/pair")
+        refused = self.run_scene("--set", "time.t_final=0.2", code=3)
+        self.assertIn("--overwrite", refused.stderr)
+        self.assertEqual(self.files("out/pair"), before)
+        self.run_scene("--set", "time.t_final=0.1", "--overwrite")
+        self.assertNotEqual(self.files("out/pair"), before)
+
+    def test_a_killed_run_resumes_bit_for_bit(self):
+        self.run_scene("--out", "whole", "--set", "time.t_final=2.0")
+        command = [PROGRAM, "run", self.scene(), "--out", "killed", "--set", "time.t_final=2.0"]
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL)
+        while not (self.folder / "killed" / "checkpoint").exists():
+            time.sleep(0.001)
+        time.sleep(0.02)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--resume")
+        self.assertEqual(self.files("whole"), self.files("killed"))
+        columns = [0, 1, 2, 3, 6, 7, 8]  # all of steps.csv that is not a wall time
+        tables = [numpy.genfromtxt(self.folder / run / "steps.csv", delimiter=",", skip_header=1,
+                                   usecols=columns) for run in ("whole", "killed")]
+        numpy.testing.assert_array_equal(*tables)
+
+    def test_a_run_killed_before_its_first_checkpoint_resumes_from_the_start(self):
+        self.run_scene("--out", "whole", "--set", "time.t_final=0.2")
+        self.run_scene("--out", "killed", "--set", "time.t_final=0.2")
+        (self.folder / "killed" / "checkpoint").unlink()
+        self.run_scene("--out", "killed", "--set", "time.t_final=0.2", "--resume")
+        self.assertEqual(self.files("whole"), self.files("killed"))
+
+    def test_the_scene_is_not_written_over(self):
+        self.scene(name="scene.toml")
+        result = stokes("run", "scene.toml", "--out", ".", cwd=self.folder)
+        self.assertEqual(result.returncode, 3)
+        self.assertEqual((self.folder / "scene.toml").read_text(), PAIR)
+
+    def test_resume_needs_the_same_scene(self):
+        self.run_scene("--out", "a", "--set", "time.t_final=0.2")
+        other = self.run_scene("--out", "a", "--resume", "--set", "time.t_final=0.3", code=3)
+        self.assertIn("scene", other.stderr)
+
+    def test_a_refused_run_keeps_what_it_has(self):
+        text = PAIR.replace('kind = "shear"\nrate = 1.0', 'kind = "extensional"\nrate = -1.0')
+        text = text.replace("t_final = 1.0", "t_final = 20.0").replace("dt_write = 0.1", "dt_write = 0.05")
+        text = text.replace("-2.0, 0.4", "-2.0, 0.0").replace("2.0, -0.4", "2.0, 0.0")
+        refused = self.run_scene("--out", "a", text=text, code=2)
+        self.assertRegex(refused.stderr, r"refused: t = [0-9.]+: .*body 0")
+        table = numpy.genfromtxt(self.folder / "a" / "trajectory.csv", names=True, delimiter=",")
+        self.assertTrue(0.05 < table["t"].max() < 20.0)
+        information = json.loads((self.folder / "a" / "run.json").read_text())
+        self.assertEqual(information["exit_status"], 2)
+        self.assertIn("body 0", information["message"])
+
+    def test_unwritable_directory(self):
+        (self.folder / "file").write_text("")
+        result = self.run_scene("--out", "file/out", code=3)
+        self.assertIn("file/out", result.stderr)
+
+    def test_solve_prints_and_records_one_frame(self):
+        text = PAIR[:PAIR.index("[time]")]
+        result = stokes("solve", self.scene(text), "--out", "a", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        table = numpy.genfromtxt(self.folder / "a" / "trajectory.csv", names=True, delimiter=",")
+        self.assertEqual(len(table), 2)
+        self.assertIn(f"{table['omega'][1]:.10g}"[:9], result.stdout)
+
+
+class ShippedScenes(Program):
+    def test_every_scene_runs(self):
+        scenes = sorted(SCENES.glob("*.toml"))
+        self.assertGreaterEqual(len(scenes), 7)
+        for scene in scenes:
+            with self.subTest(scene=scene.name):
+                result = stokes("run", scene, "--out", self.folder / scene.stem, "--quiet",
+                                "--set", "time.t_final=0.2")
+                self.assertEqual(result.returncode, 0, result.stderr)
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,0 +1,83 @@
+// What the closure's scale does to the conditioning: the draft's border compares a velocity with a
+// force, so its condition number grows with the body's size in either direction; the scaled border
+// and the reduced form have condition number 2 on a circle of any size. Norms are mean squares
+// over the curve.
+
+#include <boost/test/unit_test.hpp>
+
+#include "problems.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The matrix between mean-square norms: node values count with the root of their share of the
+// length.
+double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
+  Eigen::MatrixXd matrix = assemble(problem, form).matrix;
+  Eigen::Index row = 0;
+  for (const Component& component : problem.components) {
+    const Eigen::VectorXd w = weights(component.curve);
+    for (Eigen::Index j = 0; j < w.size(); ++j) {
+      const double scale = std::sqrt(w[j] / w.sum());
+      matrix.middleRows(row, 2) *= scale;
+      matrix.middleCols(row, 2) /= scale;
+      row += 2;
+    }
+  }
+  return condition_number(matrix);
+}
+
+StokesProblem circle_problem(double radius) {
+  return {{free_body(Circle{radius}, 32, {{0.3, 0.1}})}, 1.0, {}, 1.0};
+}
+
+StokesProblem held_circle_problem(double radius, double mu) {
+  // In a gauge for which its own block is {-1, -1/2}.
+  const double gauge = std::sqrt(std::numbers::e) * radius;
+  return {{held_body(Circle{radius}, 32, {}, {1.0, 0.0})}, mu, {}, gauge};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(conditioning)
+
+// Blocks of the draft's matrix on a circle: 1/2 and 1 of -1/2 + D, and the borders {1, 2 pi a} of a
+// translation and {a, 2 pi a^2} of a turn.
+BOOST_AUTO_TEST_CASE(draft_depends_on_size) {
+  const auto condition = [](double a) {
+    return mean_square_condition(circle_problem(a), ClosureForm::draft_bordered);
+  };
+  BOOST_TEST(condition(1e-2) == 1.0 / (2 * pi * 1e-4), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(condition(1.0) == 4 * pi, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(condition(1e2) == 4 * pi * 1e4, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(scaled_and_reduced_do_not) {
+  for (const double a : {1e-6, 1e-2, 1.0, 1e2, 1e6}) {
+    for (const ClosureForm form : {ClosureForm::scaled_bordered, ClosureForm::reduced}) {
+      const double condition = mean_square_condition(circle_problem(a), form);
+      BOOST_TEST(condition == 2.0, boost::test_tools::tolerance(1e-9));
+    }
+  }
+}
+
+// On held bodies the viscosity enters the draft's border too.
+BOOST_AUTO_TEST_CASE(draft_depends_on_viscosity) {
+  const auto condition = [](double mu, ClosureForm form) {
+    return mean_square_condition(held_circle_problem(1.0, mu), form);
+  };
+  const double at_one = condition(1.0, ClosureForm::draft_bordered);
+  BOOST_TEST(condition(1e-3, ClosureForm::draft_bordered) > 2.0 * at_one);
+  BOOST_TEST(condition(1e3, ClosureForm::draft_bordered) > 10.0 * at_one);
+  for (const ClosureForm form : {ClosureForm::scaled_bordered, ClosureForm::reduced}) {
+    const double scaled = condition(1.0, form);
+    BOOST_TEST(condition(1e-3, form) == scaled, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(condition(1e3, form) == scaled, boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include "closure/bordered_system.hpp"
+#include "distance.hpp"
+#include "lopsided_curve.hpp"
+
+namespace stokesbook::test {
+
+inline constexpr std::array all_forms{ClosureForm::draft_bordered, ClosureForm::scaled_bordered,
+                                      ClosureForm::reduced};
+
+/// Where a component is.
+struct Pose {
+  Complex position;
+  double orientation = 0.0;
+};
+
+inline Component free_body(const Shape& shape, Eigen::Index n, const Pose& pose,
+                           const Load& load = {}) {
+  const Curve curve = place(sample(shape, n, Side::fluid_outside), pose.position, pose.orientation);
+  return {ComponentKind::free_body, curve, pose.position, load.force, load.torque, {}};
+}
+
+/// A held body or inner wall that moves rigidly.
+inline Component held_body(const Shape& shape, Eigen::Index n, const Pose& pose,
+                           const RigidMotion& motion) {
+  Component held = free_body(shape, n, pose);
+  held.kind = ComponentKind::prescribed;
+  held.velocity = RigidModes(held.curve, held.centre).at_nodes(motion);
+  return held;
+}
+
+inline ComplexVector all_nodes(const StokesProblem& problem) {
+  const std::vector<Eigen::Index> offsets = node_offsets(problem);
+  ComplexVector nodes(offsets.back());
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    nodes.segment(offsets[k], problem.components[k].curve.size()) = problem.components[k].curve.x;
+  }
+  return nodes;
+}
+
+inline Completion solve_dense(const StokesProblem& problem, ClosureForm form) {
+  const DenseSystem system = assemble(problem, form);
+  return complete_dense(problem, form, system.matrix.partialPivLu().solve(system.rhs));
+}
+
+inline Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
+  return Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
+}
+
+inline double condition_number(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXd values = singular_values(matrix);
+  return values.maxCoeff() / values.minCoeff();
+}
+
+}  // namespace stokesbook::test

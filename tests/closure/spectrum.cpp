@@ -1,0 +1,84 @@
+// Eigenvalues of the reduced operator -1/2 + D - P: those of the double layer on an ellipse, known
+// in closed form, with the null space of rigid motions moved to -1; on a circle nothing but -1 and
+// -1/2.
+
+#include <Eigen/Eigenvalues>
+#include <boost/test/unit_test.hpp>
+
+#include "problems.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+constexpr Eigen::Index n_nodes = 96;
+
+// Eigenvalues of the reduced matrix of one body, ascending; their imaginary parts must vanish.
+Eigen::VectorXd eigenvalues(const Component& body) {
+  const StokesProblem problem{{body}, 1.3, {}, {}};
+  const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
+  const Eigen::VectorXcd values = matrix.eigenvalues();
+  BOOST_TEST(values.imag().cwiseAbs().maxCoeff() < 1e-7);
+  Eigen::VectorXd real = values.real();
+  std::sort(real.begin(), real.end());
+  return real;
+}
+
+// -1/2 + lambda with lambda = (+-c_k +- sqrt(c_k^2 + 4 m^2k)) / 4, c_k = (1 - m^2) k m^(k-1), m =
+// (a - b)/(a + b). For k = 1 these are the normal, -1, the turn, 0, and two more.
+Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
+  const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
+  std::vector<double> values{-1.0, -1.0};  // the translations, moved from 0
+  for (int k = 1; k <= n_nodes / 2; ++k) {
+    const double c = (1 - m * m) * k * std::pow(m, k - 1);
+    const double root = std::sqrt(c * c + 4 * std::pow(m, 2 * k));
+    const bool turn = k == 1;
+    for (const double lambda : {c + root, c - root, -c + root, -c - root}) {
+      values.push_back(turn && lambda == c + root ? -1.0 : -0.5 + 0.25 * lambda);
+    }
+  }
+  values.resize(2 * n_nodes, -0.5);
+  std::sort(values.begin(), values.end());
+  return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * n_nodes);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(spectrum)
+
+BOOST_AUTO_TEST_CASE(circle) {
+  for (const double radius : {1e-3, 1.0, 1e3}) {
+    const Pose pose{{radius, 2 * radius}, 0.3};
+    const Eigen::VectorXd values = eigenvalues(free_body(Circle{radius}, 32, pose));
+    BOOST_TEST((values.head(4).array() + 1.0).abs().maxCoeff() < 1e-13);
+    BOOST_TEST((values.tail(60).array() + 0.5).abs().maxCoeff() < 1e-13);
+  }
+}
+
+// A held circle with Stokeslets of the gauge sqrt(e) a has the same spectrum, whatever the
+// viscosity.
+BOOST_AUTO_TEST_CASE(held_circle) {
+  const double radius = 0.6;
+  const Component body = held_body(Circle{radius}, 32, {{1, 2}}, {});
+  for (const double mu : {1.0, 1.3}) {
+    const StokesProblem problem{{body}, mu, {}, std::sqrt(std::numbers::e) * radius};
+    Eigen::VectorXd values = assemble(problem, ClosureForm::reduced).matrix.eigenvalues().real();
+    std::sort(values.begin(), values.end());
+    BOOST_TEST((values.head(4).array() + 1.0).abs().maxCoeff() < 1e-12);
+    BOOST_TEST((values.tail(60).array() + 0.5).abs().maxCoeff() < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ellipses) {
+  for (const Ellipse& ellipse : {Ellipse{2, 1}, Ellipse{3, 1}, Ellipse{0.06, 0.01}}) {
+    const Eigen::VectorXd values = eigenvalues(free_body(ellipse, n_nodes, {{1, -2}, 0.8}));
+    const Eigen::VectorXd exact = exact_eigenvalues(ellipse);
+    // The first eigenvalue beyond the grid aliases onto it.
+    const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
+    const double tolerance = 1e-12 + (1 - m * m) * 0.5 * n_nodes * std::pow(m, n_nodes / 2 - 1);
+    BOOST_TEST((values - exact).cwiseAbs().maxCoeff() < tolerance);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

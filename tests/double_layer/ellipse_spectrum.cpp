@@ -1,0 +1,117 @@
+// The double layer of an ellipse in closed form: its action on Fourier modes and its spectrum.
+//
+// With m = (a - b) / (a + b), c_k = (1 - m^2) k m^{k-1} and eta = sum eta_k e^{ikt}:
+// (D eta)_k = -(s/2) [ m^|k| eta_{-k} - c_k conj(eta_k) (k >= 1 only) ].
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <boost/test/unit_test.hpp>
+
+#include "double_layer/double_layer.hpp"
+#include "support/vectors.hpp"
+#include "trapezoid/fourier.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::largest;
+
+namespace {
+
+double coupling(double m, Index k) {
+  return (1.0 - m * m) * static_cast<double>(k) * std::pow(m, static_cast<double>(k - 1));
+}
+
+// Eigenvalues of D for s = +1: -1/2 twice, and lambda = (+-c_k +- sqrt(c_k^2 + 4 m^{2k})) / 4.
+std::vector<double> closed_form_spectrum(double m, Index modes) {
+  std::vector<double> spectrum = {-0.5, -0.5};
+  for (Index k = 1; k <= modes; ++k) {
+    const double c = coupling(m, k);
+    const double root = std::hypot(c, 2.0 * std::pow(m, static_cast<double>(k)));
+    for (double lambda : {c + root, c - root, -c + root, -c - root}) {
+      spectrum.push_back(0.25 * lambda);
+    }
+  }
+  return spectrum;
+}
+
+// The computed spectrum of D, largest modulus first.
+std::vector<double> computed_spectrum(double a, double b, Index n, Side side) {
+  const Eigen::MatrixXd layer = double_layer_matrix(sample(Ellipse{a, b}, n, side));
+  const Eigen::VectorXcd values = layer.eigenvalues();
+  BOOST_TEST(values.imag().cwiseAbs().maxCoeff() < 1e-7);
+  std::vector<double> spectrum(static_cast<std::size_t>(values.size()));
+  std::transform(values.begin(), values.end(), spectrum.begin(),
+                 [](Complex z) { return z.real(); });
+  return spectrum;
+}
+
+double distance_to(const std::vector<double>& spectrum, double lambda) {
+  double least = 1.0;
+  for (double value : spectrum) least = std::min(least, std::abs(value - lambda));
+  return least;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(action_on_fourier_modes) {
+  const double a = 1.5, b = 0.5, m = 0.5;
+  constexpr Index n = 128, highest = 20;
+  const ComplexVector modes = test::random_vector(2 * highest + 1, 1);
+  ComplexVector c = ComplexVector::Zero(n), expected = ComplexVector::Zero(n);
+  for (Index k = -highest; k <= highest; ++k) c[(k + n) % n] = modes[k + highest];
+  for (Side side : {Side::fluid_outside, Side::fluid_inside}) {
+    const Curve curve = sample(Ellipse{a, b}, n, side);
+    for (Index k = -highest; k <= highest; ++k) {
+      const double depth = std::pow(m, static_cast<double>(std::abs(k)));
+      Complex sum = depth * modes[highest - k];
+      if (k >= 1) sum -= coupling(m, k) * std::conj(modes[k + highest]);
+      expected[(k + n) % n] = -0.5 * curve.sign() * sum;
+    }
+    const ComplexVector density = fourier_values(c);
+    const Eigen::VectorXd velocity = double_layer_matrix(curve) * interleaved(density);
+    BOOST_TEST(largest(fourier_coefficients(deinterleaved(velocity)) - expected) < 3e-15);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(closed_form_of_the_whole_spectrum) {
+  // Every eigenvalue above 1e-3 is met with its multiplicity: sorted lists agree.
+  for (double aspect : {1.0, 2.0, 3.0, 6.0}) {
+    std::vector<double> computed = computed_spectrum(aspect, 1.0, 192, Side::fluid_inside);
+    std::vector<double> exact = closed_form_spectrum((aspect - 1.0) / (aspect + 1.0), 60);
+    for (auto* spectrum : {&computed, &exact}) {
+      std::erase_if(*spectrum, [](double lambda) { return std::abs(lambda) < 1e-3; });
+      std::sort(spectrum->begin(), spectrum->end());
+    }
+    BOOST_REQUIRE_EQUAL(computed.size(), exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      BOOST_TEST(std::abs(computed[i] - exact[i]) < 1e-13);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(reference_numbers_c8) {
+  const std::vector<double> two = computed_spectrum(2.0, 1.0, 96, Side::fluid_inside);
+  const std::vector<double> six = computed_spectrum(0.6, 0.1, 192, Side::fluid_inside);
+  for (double sign : {-1.0, 1.0}) {
+    for (double lambda : {0.5, 0.30637043972810243, 0.010074143431806133, 0.1504278819558826,
+                          0.0022797338077344546}) {
+      BOOST_TEST(distance_to(two, sign * lambda) < 1e-13);
+    }
+    for (double lambda : {0.5, 0.25510204081632653, 0.48424336988225867, 0.13438914247701085}) {
+      BOOST_TEST(distance_to(six, sign * lambda) < 1e-13);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_circle_has_three_rigid_modes_and_one_normal_one) {
+  std::vector<double> spectrum = computed_spectrum(0.7, 0.7, 32, Side::fluid_outside);
+  std::sort(spectrum.begin(), spectrum.end());
+  BOOST_TEST(std::abs(spectrum.front() + 0.5) < 1e-14);
+  BOOST_TEST(std::abs(spectrum[1]) < 1e-14);
+  BOOST_TEST(std::abs(spectrum[spectrum.size() - 4]) < 1e-14);
+  for (std::size_t i = spectrum.size() - 3; i < spectrum.size(); ++i) {
+    BOOST_TEST(std::abs(spectrum[i] - 0.5) < 1e-14);
+  }
+}

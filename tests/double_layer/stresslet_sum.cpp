@@ -1,0 +1,159 @@
+// The direct sum, streamed or stored, is the sum of its kernels to rounding: for every number of
+// targets and sources, with pairs left out, at any scale, in the same bits for any number of
+// threads.
+#include "double_layer/stresslet_sum.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+#include <omp.h>
+
+#include "support/vectors.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::random_vector;
+
+namespace {
+
+using Extended = std::complex<long double>;
+
+// The sum's definition in extended precision, and the sum of the terms' moduli that rounding is
+// relative to.
+struct ReferenceSum {
+  Complex velocity;
+  double terms = 0.0;
+};
+
+ReferenceSum reference_sum(const std::vector<Curve>& curves, Complex target,
+                           const ComplexVector& density) {
+  Extended velocity{};
+  long double terms = 0.0L;
+  Index first = 0;
+  for (const Curve& curve : curves) {
+    const ComplexVector normal = normals(curve);
+    const Eigen::VectorXd w = weights(curve);
+    for (Index j = 0; j < curve.size(); ++j) {
+      const Extended r = Extended{target} - Extended{curve.x[j]};
+      if (std::abs(r) <= 0.5L * w[j]) continue;
+      const Extended eta{density[first + j]}, n{normal[j]};
+      const Extended term = (std::conj(r) * n).real() * (std::conj(r) * eta).real() * w[j] /
+                            (std::numbers::pi_v<long double> * std::norm(r) * std::norm(r)) * r;
+      velocity += term;
+      terms += std::abs(term);
+    }
+    first += curve.size();
+  }
+  return {Complex{velocity}, static_cast<double>(terms)};
+}
+
+// Largest error over the targets, relative to the terms.
+double error_of(const ComplexVector& velocity, const std::vector<Curve>& curves,
+                const ComplexVector& targets, const ComplexVector& density) {
+  double error = 0.0;
+  for (Index i = 0; i < targets.size(); ++i) {
+    const ReferenceSum exact = reference_sum(curves, targets[i], density);
+    const double smallest = std::numeric_limits<double>::min();
+    error = std::max(error, std::abs(velocity[i] - exact.velocity) / (exact.terms + smallest));
+  }
+  return error;
+}
+
+ComplexVector all_nodes(const std::vector<Curve>& curves) {
+  std::vector<Complex> nodes;
+  for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
+  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Index>(nodes.size()));
+}
+
+std::vector<Curve> scene(double scale) {
+  return {
+      place(sample(Ellipse{2.0 * scale, scale}, 46, Side::fluid_outside), scale * Complex{2.5, 0.3},
+            0.7),
+      place(sample(Star{scale, 0.2, 5}, 90, Side::fluid_outside), scale * Complex{-1.5, 0.2}, -0.3),
+      sample(Circle{6.0 * scale}, 64, Side::fluid_inside)};
+}
+
+// Rounding of one term's dozen operations; the terms' own roundings add like a random walk.
+constexpr double rounding = 3e-15;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(streamed_and_stored_are_the_sum_of_the_kernels) {
+  for (double scale : {1e-3, 1.0, 1e3}) {
+    const std::vector<Curve> curves = scene(scale);
+    const ComplexVector density = random_vector(200, 1), nodes = all_nodes(curves);
+    for (KernelStorage storage : {KernelStorage::streamed, KernelStorage::stored}) {
+      const StressletSum sum(curves, storage);
+      BOOST_TEST(sum.size() == 200);
+      BOOST_TEST(error_of(sum(density), curves, nodes, density) < rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_targets_and_sources) {
+  // Around the sizes of the pairs, vectors, chunks and blocks that the loops work in.
+  for (Index n : {4, 6, 18, 510, 512, 514, 1030}) {
+    const std::vector<Curve> curves = {sample(Ellipse{1.0, 0.6}, n, Side::fluid_outside)};
+    const StressletSum sum(curves);
+    const ComplexVector density = random_vector(n, 2);
+    for (Index m : {0, 1, 2, 3, 63, 64, 65, 127, 129}) {
+      const ComplexVector targets = 3.0 * random_vector(m, 3);
+      const ComplexVector velocity = sum(targets, density);
+      BOOST_REQUIRE(velocity.size() == m);
+      BOOST_TEST(error_of(velocity, curves, targets, density) < rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_nearer_than_half_a_weight_are_left_out) {
+  // Two circles whose nodes face each other: gaps above and below half a weight, and none at all.
+  for (Index n : {32, 34}) {
+    const Curve left = sample(Circle{1.0}, n, Side::fluid_outside);
+    const double half_weight = 0.5 * weights(left)[0];
+    for (double gap : {1.001 * half_weight, 0.999 * half_weight, 1e-8, 0.0}) {
+      const std::vector<Curve> curves = {left, place(left, {2.0 + gap, 0.0}, 0.0),
+                                         place(left, {-2.0 - gap, 0.0}, 0.0)};
+      const ComplexVector density = random_vector(3 * n, 4), nodes = all_nodes(curves);
+      for (KernelStorage storage : {KernelStorage::streamed, KernelStorage::stored}) {
+        const ComplexVector velocity = StressletSum(curves, storage)(density);
+        BOOST_TEST(error_of(velocity, curves, nodes, density) < rounding);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_targets_that_share_a_division_do_not_disturb_each_other) {
+  // One on a node, so that its pair is masked, the other far away, or on a node as well.
+  const std::vector<Curve> curves = {sample(Circle{1e-3}, 16, Side::fluid_outside)};
+  const StressletSum sum(curves);
+  const ComplexVector density = random_vector(16, 5);
+  for (Complex other : {curves[0].x[3], curves[0].x[4], Complex{1e6, 1e6}, Complex{2e-3, 0.0}}) {
+    const ComplexVector targets = ComplexVector{{curves[0].x[3], other}};
+    BOOST_TEST(error_of(sum(targets, density), curves, targets, density) < rounding);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
+  const std::vector<Curve> curves = scene(1.0);
+  const ComplexVector density = random_vector(200, 6), targets = 5.0 * random_vector(517, 7);
+  const int threads_before = omp_get_max_threads();
+  for (KernelStorage storage : {KernelStorage::streamed, KernelStorage::stored}) {
+    omp_set_num_threads(1);
+    const StressletSum sum(curves, storage);
+    const ComplexVector at_nodes = sum(density), elsewhere = sum(targets, density);
+    for (int threads : {2, 3}) {
+      omp_set_num_threads(threads);
+      const StressletSum again(curves, storage);
+      BOOST_TEST((again(density) == at_nodes));
+      BOOST_TEST((again(targets, density) == elsewhere));
+    }
+  }
+  omp_set_num_threads(threads_before);
+}
+
+BOOST_AUTO_TEST_CASE(matrices_are_stored_for_few_nodes_only) {
+  BOOST_TEST((StressletSum::automatic_storage(32) == KernelStorage::stored));
+  BOOST_TEST((StressletSum::automatic_storage(4096) == KernelStorage::streamed));
+}

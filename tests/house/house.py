@@ -1,0 +1,112 @@
+"""The rules of the house that a program can check: which room may use which, and what a commit
+may hold. Every function takes the root of a tree and returns the violations it finds, as text."""
+
+import pathlib
+import re
+import subprocess
+
+ONE_TO_THREE = {"trapezoid", "double_layer", "closure"}
+METHODS = ONE_TO_THREE | {
+    "null_space", "krylov", "near_singular", "stress", "fmm", "time_stepping", "stiv", "lcp"}
+
+# Room of src/ -> rooms that it may use. Arrows point down only, and suspension alone composes.
+MAY_USE = {
+    "trapezoid": set(),
+    "double_layer": {"trapezoid"},
+    "closure": {"trapezoid", "double_layer"},
+    "null_space": ONE_TO_THREE,
+    "krylov": ONE_TO_THREE | {"null_space"},
+    "near_singular": {"trapezoid", "double_layer"},
+    "stress": ONE_TO_THREE | {"near_singular"},
+    "fmm": {"double_layer"},
+    "time_stepping": set(),
+    "stiv": {"trapezoid"},
+    "lcp": set(),
+    "suspension": METHODS | {"scene", "record"},
+    "scene": {"trapezoid"},
+    "record": {"trapezoid"},
+    "study": set(),
+    "cli": METHODS | {"suspension", "scene", "record", "study"},
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+LIBRARY = re.compile(r"^stokesbook_library\(([^)]*)\)", re.MULTILINE)
+
+# Folders of one machine, as they start an absolute path; what a URL or a relative path may hold.
+MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|root|home|tmp)/\w+")
+BUILD_OUTPUT = re.compile(
+    r"(^|/)(build|out|__pycache__|CMakeFiles)/|CMakeCache\.txt$|\.(o|a|so|pyc|ninja|log)$")
+
+
+def included_rooms(source):
+    """Room of every quoted include of one source file; "" where the include names none."""
+    return {name.rpartition("/")[0] for name in INCLUDE.findall(source.read_text())}
+
+
+def declared_uses(cmake_lists):
+    """What the room's stokesbook_library(... USES ...) links; None where it declares no library."""
+    declaration = LIBRARY.search(cmake_lists.read_text())
+    if declaration is None:
+        return None
+    uses, keyword = set(), None
+    for word in declaration[1].split():
+        if word.isupper():
+            keyword = word
+        elif keyword == "USES":
+            uses.add(word)
+    return uses
+
+
+def use_violations(root):
+    """Includes and links of src/ against the table, and against each other."""
+    violations = []
+    for room in sorted(path for path in (root / "src").iterdir() if path.is_dir()):
+        if room.name not in MAY_USE:
+            violations.append(f"src/{room.name}: this room is not in the table")
+            continue
+        included = set()
+        for source in sorted([*room.glob("*.hpp"), *room.glob("*.cpp")]):
+            for used in sorted(included_rooms(source) - {room.name}):
+                if used == "":
+                    violations.append(f"src/{room.name}/{source.name}: an include without its room")
+                    continue
+                included.add(used)
+                if used not in MAY_USE[room.name]:
+                    violations.append(f"src/{room.name}/{source.name} includes from {used}, "
+                                      f"which {room.name} may not use")
+        cmake_lists = room / "CMakeLists.txt"
+        linked = declared_uses(cmake_lists) if cmake_lists.exists() else None
+        if linked is None:
+            continue
+        for used in sorted(linked - MAY_USE[room.name]):
+            violations.append(
+                f"src/{room.name}/CMakeLists.txt links {used}, which {room.name} may not use")
+        for used in sorted(included - linked):
+            violations.append(f"src/{room.name} includes from {used}, but its USES lack it")
+        for used in sorted(linked - included):
+            violations.append(f"src/{room.name} has {used} in USES, but includes nothing of it")
+    return violations
+
+
+def committed_files(root):
+    """Files of a git checkout that are committed, or would be by `git add --all`."""
+    listing = subprocess.run(
+        ["git", "-c", "safe.directory=*", "-C", root,
+         "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        check=True, capture_output=True, text=True).stdout
+    return sorted({root / name for name in listing.split("\0") if name and (root / name).is_file()})
+
+
+def file_violations(root):
+    """Build outputs, and absolute paths that exist on one machine only."""
+    violations = []
+    for path in committed_files(root):
+        name = path.relative_to(root).as_posix()
+        content = path.read_bytes()
+        if BUILD_OUTPUT.search(name) or content.startswith(b"\x7fELF"):
+            violations.append(f"{name}: a build output")
+            continue
+        for number, line in enumerate(content.decode("utf-8", "replace").splitlines(), 1):
+            if found := MACHINE_PATH.search(line):
+                violations.append(f"{name}:{number}: a path of one machine: {found[0]}")
+    return violations

@@ -1,0 +1,124 @@
+"""Checks this tree against the rules of the house, and the checks against planted violations."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import house
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text()
+
+
+class ThisTree(unittest.TestCase):
+    maxDiff = None
+
+    def test_uses(self):
+        self.assertEqual(house.use_violations(ROOT), [])
+
+    @unittest.skipUnless((ROOT / ".git").exists(), "not a git checkout")
+    def test_files(self):
+        self.assertEqual(house.file_violations(ROOT), [])
+
+    def test_readme_names_what_exists(self):
+        rows = re.findall(r"^\| \d\d \| `(\w+)` \|.*\| (yes|to come)", README, re.MULTILINE)
+        self.assertEqual(len(rows), 12)
+        for method, now in rows:
+            self.assertEqual(now == "yes", (ROOT / "src" / method).is_dir(), method)
+
+    def test_readme_shows_code_that_is_tested(self):
+        project = ROOT / "tests/consumer/project"
+        tested = {line.strip() for name in ["CMakeLists.txt", "one_library.cpp"]
+                  for line in (project / name).read_text().splitlines()}
+        blocks = re.findall(r"^```(?:cmake|cpp)\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(blocks), 2)
+        for line in "".join(blocks).splitlines():
+            self.assertIn(line.strip(), tested)
+
+
+@unittest.skipUnless(shutil.which("git"), "needs git")
+class PlantedTree(unittest.TestCase):
+    """A small checkout that obeys the rules; every test breaks one."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        subprocess.run(["git", "init", "--quiet", self.root], check=True)
+        self.plant("src/trapezoid/curve.hpp", "#include <vector>\n")
+        self.plant("src/trapezoid/curve.cpp", '#include "trapezoid/curve.hpp"\n')
+        self.plant("src/trapezoid/CMakeLists.txt",
+                   "stokesbook_library(trapezoid\n  SOURCES curve.cpp\n  LINKS GSL::gsl)\n")
+        self.plant("src/double_layer/sum.cpp", '#include "trapezoid/curve.hpp"\n')
+        self.plant("src/double_layer/CMakeLists.txt",
+                   "stokesbook_library(double_layer\n  SOURCES sum.cpp\n  USES trapezoid)\n")
+
+    def plant(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def test_obedient_tree_passes(self):
+        self.assertEqual(house.use_violations(self.root), [])
+        self.assertEqual(house.file_violations(self.root), [])
+
+    def test_upward_include(self):
+        self.plant("src/trapezoid/curve.cpp", '#include "double_layer/sum.hpp"\n')
+        self.assertIn("src/trapezoid/curve.cpp includes from double_layer, "
+                      "which trapezoid may not use", house.use_violations(self.root))
+
+    def test_upward_link(self):
+        self.plant("src/trapezoid/CMakeLists.txt",
+                   "stokesbook_library(trapezoid SOURCES curve.cpp USES double_layer)\n")
+        self.assertIn("src/trapezoid/CMakeLists.txt links double_layer, "
+                      "which trapezoid may not use", house.use_violations(self.root))
+
+    def test_include_without_link(self):
+        self.plant("src/double_layer/CMakeLists.txt",
+                   "stokesbook_library(double_layer SOURCES sum.cpp)\n")
+        self.assertEqual(house.use_violations(self.root),
+                         ["src/double_layer includes from trapezoid, but its USES lack it"])
+
+    def test_link_without_include(self):
+        self.plant("src/double_layer/sum.cpp", "")
+        self.assertEqual(house.use_violations(self.root),
+                         ["src/double_layer has trapezoid in USES, but includes nothing of it"])
+
+    def test_include_without_room(self):
+        self.plant("src/trapezoid/curve.cpp", '#include "curve.hpp"\n')
+        self.assertEqual(house.use_violations(self.root),
+                         ["src/trapezoid/curve.cpp: an include without its room"])
+
+    def test_unknown_room(self):
+        self.plant("src/attic/box.hpp", "")
+        self.assertEqual(house.use_violations(self.root),
+                         ["src/attic: this room is not in the table"])
+
+    def test_machine_path(self):
+        for folder in ["work", "root", "home", "tmp"]:
+            path = "/" + folder + "/scene.toml"  # in two pieces, for the check of this very file
+            self.plant("src/trapezoid/curve.cpp", f'// \n const char* scene = "{path}";\n')
+            self.assertEqual(house.file_violations(self.root),
+                             [f"src/trapezoid/curve.cpp:2: a path of one machine: {path[:-5]}"])
+
+    def test_paths_of_no_machine(self):
+        self.plant("README.md", "https://example.org/home/page out/work/x ${prefix}/tmp/x\n")
+        self.assertEqual(house.file_violations(self.root), [])
+
+    def test_build_output(self):
+        for name in ["build/release/build.ninja", "src/trapezoid/curve.o",
+                     "tests/house/__pycache__/house.pyc", "CMakeCache.txt"]:
+            self.plant(name, "")
+            self.assertEqual(house.file_violations(self.root), [f"{name}: a build output"])
+            (self.root / name).unlink()
+
+    def test_program(self):
+        self.plant("stokes", "\x7fELF\x02\x01\x01")
+        self.assertEqual(house.file_violations(self.root), ["stokes: a build output"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,189 @@
+// Trapezoid sum plus near correction is the sum of Cauchy values of all curves: at gaps from 1e-1
+// to 1e-8, for turned and shifted bodies and an enclosing wall, in the same bits for any threads.
+#include "near_singular/near_correction.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+#include <omp.h>
+
+#include "double_layer/double_layer.hpp"
+#include "support/vectors.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::largest;
+
+namespace {
+
+constexpr double tolerance = 1e-14;
+
+std::shared_ptr<const CauchyCurve> reference(const Shape& shape, Index n, Side side) {
+  return std::make_shared<CauchyCurve>(sample(shape, n, side));
+}
+
+// Curves with a smooth density on each, and their nodes in order.
+struct Assembly {
+  explicit Assembly(std::vector<PlacedCauchyCurve> placed_curves)
+      : placed(std::move(placed_curves)) {
+    for (const PlacedCauchyCurve& p : placed) {
+      curves.push_back(place(p.reference->curve(), p.position, p.orientation));
+      offsets.push_back(offsets.back() + curves.back().size());
+    }
+    nodes.resize(offsets.back());
+    density.resize(offsets.back());
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const Index n = curves[k].size();
+      nodes.segment(offsets[k], n) = curves[k].x;
+      for (Index j = 0; j < n; ++j) {
+        const double t = 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
+        density[offsets[k] + j] = {std::cos(t) + 0.2 * static_cast<double>(k),
+                                   std::sin(2.0 * t + 1.0)};
+      }
+    }
+  }
+
+  // The velocity of one curve by the Cauchy scheme, in the plane.
+  ComplexVector cauchy_velocity(std::size_t k, const ComplexVector& targets) const {
+    const Complex turn = std::polar(1.0, placed[k].orientation);
+    const CauchyCurve& cauchy = *placed[k].reference;
+    const CauchyData data =
+        cauchy.data(std::conj(turn) * density.segment(offsets[k], curves[k].size()));
+    return targets.unaryExpr([&](Complex z) {
+      return turn * cauchy.velocity(data, 0, std::conj(turn) * (z - placed[k].position));
+    });
+  }
+
+  // The principal values and all other curves' velocities at the nodes, by Cauchy alone.
+  ComplexVector exact_at_nodes() const {
+    ComplexVector velocity = 0.5 * density;
+    for (std::size_t k = 0; k < curves.size(); ++k) velocity += cauchy_velocity(k, nodes);
+    return velocity;
+  }
+
+  ComplexVector corrected_at_nodes() const {
+    const NearCorrection near(placed, nodes, Targets::own_nodes, tolerance);
+    ComplexVector velocity = StressletSum(curves)(density) + near(density);
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const Index n = curves[k].size();
+      velocity.segment(offsets[k], n) +=
+          diagonal_velocity(curves[k], density.segment(offsets[k], n));
+    }
+    return velocity;
+  }
+
+  std::vector<PlacedCauchyCurve> placed;
+  std::vector<Curve> curves;
+  std::vector<Index> offsets{0};
+  ComplexVector nodes, density;
+};
+
+// Two circles of different size along a direction, turned so that nodes face each other or not.
+Assembly pair(double gap, double direction, double turn) {
+  const Complex centre{0.4, -0.7};
+  return Assembly({{reference(Circle{1.0}, 96, Side::fluid_outside), centre, direction},
+                   {reference(Circle{0.5}, 64, Side::fluid_outside),
+                    centre + std::polar(1.5 + gap, direction), turn}});
+}
+
+// Number of targets that a correction changes.
+Index corrected_count(const ComplexVector& correction) {
+  return (correction.array() != Complex{}).count();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(two_bodies_at_any_gap) {
+  for (double gap : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8}) {
+    for (double direction : {0.0, 0.8}) {
+      for (double turn : {direction, 2.0}) {
+        const Assembly bodies = pair(gap, direction, turn);
+        BOOST_TEST(largest(bodies.corrected_at_nodes() - bodies.exact_at_nodes()) < 1e-13);
+      }
+    }
+  }
+  // Without the correction the sum is off by far more.
+  const Assembly bodies = pair(1e-2, 0.0, 0.0);
+  const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, tolerance);
+  BOOST_TEST(largest(near(bodies.density)) > 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_share_a_shape_in_a_container) {
+  // The wall bulges inward to 1e-6 of a body; two ellipses of one reference nearly touch.
+  const auto ellipse = reference(Ellipse{0.5, 0.25}, 96, Side::fluid_outside);
+  const Assembly scene(
+      {{ellipse, {0.0, 0.0}, 0.3},
+       {ellipse, (0.5 + 1e-6 + 0.5) * std::polar(1.0, 0.3), 0.3 + std::numbers::pi},
+       {reference(Star{0.3, 0.2, 3}, 96, Side::fluid_outside), {-0.8, 0.4}, 1.0},
+       {reference(Star{2.0, 0.25, 2}, 256, Side::fluid_inside), {0.0, 1.5 - 0.25 - 1e-6}, 0.0}});
+  BOOST_TEST(largest(scene.corrected_at_nodes() - scene.exact_at_nodes()) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
+  // Between two bodies 1e-4 apart, on a node of one, and far from both.
+  const Assembly bodies = pair(1e-4, 0.3, 1.0);
+  const Complex first = bodies.placed[0].position;
+  const ComplexVector targets =
+      ComplexVector{{first + std::polar(1.0 + 5e-5, 0.3), first + std::polar(1.0, 0.3),
+                     bodies.nodes[100], first + Complex{0.0, 9.0}}};
+  const NearCorrection near(bodies.placed, targets, Targets::points, tolerance);
+  const ComplexVector exact =
+      bodies.cauchy_velocity(0, targets) + bodies.cauchy_velocity(1, targets);
+  const ComplexVector sum = StressletSum(bodies.curves)(targets, bodies.density);
+  BOOST_TEST(largest(sum + near(bodies.density) - exact) < 1e-13);
+  BOOST_TEST(near(bodies.density)[3] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(only_near_targets_are_corrected) {
+  const auto circle = reference(Circle{1.0}, 64, Side::fluid_outside);
+  const Assembly far({{circle, {0.0, 0.0}, 0.0}, {circle, {9.0, 0.0}, 0.0}});
+  const NearCorrection nothing(far.placed, far.nodes, Targets::own_nodes, tolerance);
+  BOOST_TEST(corrected_count(nothing(far.density)) == 0);
+
+  const Assembly three(
+      {{circle, {0.0, 0.0}, 0.0}, {circle, {9.0, 0.0}, 0.0}, {circle, {0.0, 2.1}, 0.0}});
+  const NearCorrection one_pair(three.placed, three.nodes, Targets::own_nodes, 1e-6);
+  const ComplexVector correction = one_pair(three.density);
+  BOOST_TEST(corrected_count(correction.segment(64, 64)) == 0);
+  for (Index first : {0, 128}) {
+    BOOST_TEST(corrected_count(correction.segment(first, 64)) > 2);
+    BOOST_TEST(corrected_count(correction.segment(first, 64)) < 32);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_loose_tolerance_corrects_fewer_and_is_met) {
+  const Assembly bodies = pair(0.05, 0.3, 1.0);
+  const ComplexVector exact =
+      StressletSum(bodies.curves)(bodies.density) +
+      NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes, 1e-14)(bodies.density);
+  Index previous = bodies.nodes.size();
+  for (double loose : {1e-12, 1e-9, 1e-6, 1e-3}) {
+    const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, loose);
+    const ComplexVector velocity =
+        StressletSum(bodies.curves)(bodies.density) + near(bodies.density);
+    BOOST_TEST(largest(velocity - exact) < loose * largest(bodies.density));
+    BOOST_TEST(corrected_count(near(bodies.density)) < previous);
+    previous = corrected_count(near(bodies.density));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
+  const auto ellipse = reference(Ellipse{0.5, 0.25}, 64, Side::fluid_outside);
+  std::vector<PlacedCauchyCurve> row;
+  for (int k = 0; k < 7; ++k)
+    row.push_back({ellipse, {0.55 * k, 0.0}, 0.5 * std::numbers::pi + 0.01 * k});
+  const Assembly bodies(row);
+  const int threads_before = omp_get_max_threads();
+  const auto correction = [&](int threads) -> ComplexVector {
+    omp_set_num_threads(threads);
+    return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes,
+                          tolerance)(bodies.density);
+  };
+  const ComplexVector alone = correction(1);
+  BOOST_TEST(largest(alone) > 0.01);
+  BOOST_TEST((correction(2) == alone));
+  BOOST_TEST((correction(3) == alone));
+  omp_set_num_threads(threads_before);
+}

@@ -1,0 +1,150 @@
+// The a-priori near test is honest: the trapezoid rule errs by no more than 200 exp(-N |Im s|), so
+// where the test calls a target far, the plain sum is good to the tolerance.
+#include "near_singular/near_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+#include "double_layer/stresslet_sum.hpp"
+#include "support/dirichlet.hpp"
+#include "support/exact_flows.hpp"
+#include "support/vectors.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::ExactFlow;
+using test::largest;
+
+namespace {
+
+const ExactFlow inner_poles{{{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
+const ExactFlow outer_poles{{{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
+
+struct Case {
+  Shape shape;
+  Side side;
+  Index n;
+};
+const std::vector<Case> cases = {
+    {Circle{1.0}, Side::fluid_outside, 64},        {Ellipse{1.0, 0.5}, Side::fluid_outside, 128},
+    {Ellipse{1.5, 0.3}, Side::fluid_outside, 400}, {Star{1.0, 0.2, 5}, Side::fluid_outside, 400},
+    {Circle{1.0}, Side::fluid_inside, 96},         {Star{1.0, 0.2, 5}, Side::fluid_inside, 400}};
+
+// Targets in the fluid at up to seven node spacings from random points of the curve.
+ComplexVector random_targets(const Case& c, Index count) {
+  std::mt19937 generator(2);
+  std::uniform_int_distribution<Index> anywhere(0, 9999);
+  std::uniform_real_distribution<double> spacings(0.0, 7.0);
+  const Curve points = sample(c.shape, 10000, c.side);
+  const ComplexVector normal = normals(points);
+  const double step = 2.0 * std::numbers::pi / static_cast<double>(c.n);
+  ComplexVector targets(count);
+  for (Complex& target : targets) {
+    const Index j = anywhere(generator);
+    target = points.x[j] - spacings(generator) * std::abs(points.dx[j]) * step * normal[j];
+  }
+  return targets;
+}
+
+// What the trapezoid rule makes of an exact flow at random targets, relative to the density.
+struct Errors {
+  explicit Errors(const Case& c)
+      : curve(sample(c.shape, c.n, c.side)), targets(random_targets(c, 3000)) {
+    const ExactFlow& flow = c.side == Side::fluid_outside ? inner_poles : outer_poles;
+    const ComplexVector density = test::density_of(curve, flow.velocity(curve.x));
+    const ComplexVector velocity = StressletSum({curve})(targets, density);
+    error = (velocity - flow.velocity(targets)).cwiseAbs() / largest(density);
+  }
+  // N |Im s|
+  double depth(Index i) const {
+    const Complex s = preimage(curve, nearest_node(curve, targets[i]), targets[i]);
+    return static_cast<double>(curve.size()) * std::abs(s.imag());
+  }
+
+  Curve curve;
+  ComplexVector targets;
+  Eigen::VectorXd error;
+};
+
+constexpr double rounding = 1e-13;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_bound_holds_and_is_not_idle) {
+  for (const Case& c : cases) {
+    const Errors errors(c);
+    std::vector<double> ratios;
+    for (Index i = 0; i < errors.targets.size(); ++i) {
+      const double bound = std::exp(-errors.depth(i));
+      BOOST_TEST(errors.error[i] < 200.0 * bound + rounding);
+      if (bound > 1e-10) ratios.push_back(errors.error[i] / bound);
+    }
+    BOOST_REQUIRE(ratios.size() > 500u);
+    std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
+    BOOST_TEST(ratios[ratios.size() / 2] > 0.3);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(far_targets_are_accurate_to_the_tolerance) {
+  for (const Case& c : cases) {
+    const Errors errors(c);
+    for (double tolerance : {1e-3, 1e-6, 1e-10, 1e-12}) {
+      int far = 0, near = 0;
+      for (Index i = 0; i < errors.targets.size(); ++i) {
+        if (is_near(errors.curve, errors.targets[i], tolerance)) {
+          ++near;
+        } else {
+          ++far;
+          BOOST_TEST(errors.error[i] < tolerance);
+        }
+      }
+      BOOST_TEST(far > 100);
+      BOOST_TEST(near > 100);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_preimage_is_good_to_second_order) {
+  // On the ellipse z = cos(t + s) + i sin(t + s) / 2 continued to complex s: halving the distance
+  // divides the error by eight.
+  const Curve curve = sample(Ellipse{1.0, 0.5}, 32, Side::fluid_outside);
+  for (Index node : {0, 3, 8, 21}) {
+    const auto error = [&](double distance) {
+      const Complex t = 2.0 * std::numbers::pi * static_cast<double>(node) / 32.0;
+      const Complex target = curve.x[node] + std::polar(distance, 1.0 + static_cast<double>(node));
+      const Complex u = t + preimage(curve, node, target);
+      return std::abs(std::cos(u) + 0.5 * imaginary * std::sin(u) - target);
+    };
+    const double order = std::log2(error(2e-3) / error(1e-3));
+    BOOST_TEST(std::abs(order - 3.0) < 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_near_beyond_the_reach) {
+  for (const Case& c : cases) {
+    const Curve curve = sample(c.shape, c.n, c.side);
+    for (double tolerance : {1e-3, 1e-12}) {
+      const double reach = near_reach(curve, tolerance);
+      int beyond = 0;
+      for (Complex direction : test::random_vector(2000, 3)) {
+        const Complex target = 4.0 * direction;
+        const double distance = (curve.x.array() - target).abs().minCoeff();
+        if (distance < reach) continue;
+        ++beyond;
+        BOOST_TEST(!is_near(curve, target, tolerance));
+      }
+      BOOST_TEST(beyond > 100);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_reach_of_a_circle_is_tight) {
+  const Curve circle = sample(Circle{2.0}, 64, Side::fluid_outside);
+  const double reach = near_reach(circle, 1e-6);
+  BOOST_TEST(is_near(circle, 2.0 + 0.95 * reach, 1e-6));
+  BOOST_TEST(!is_near(circle, 2.0 + reach, 1e-6));
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "../closure/problems.hpp"
+#include "double_layer/double_layer.hpp"
+#include "null_space/null_space.hpp"
+
+namespace stokesbook::test {
+
+inline Component enclosing_wall(const Shape& shape, Eigen::Index n, const Pose& pose,
+                                const RigidMotion& motion = {}) {
+  const Curve curve = place(sample(shape, n, Side::fluid_inside), pose.position, pose.orientation);
+  const ComplexVector velocity = RigidModes(curve, pose.position).at_nodes(motion);
+  return {ComponentKind::enclosing_wall, curve, pose.position, {}, 0.0, velocity};
+}
+
+/// The system of a bounded problem with `scale` times N_0 on its enclosing wall.
+inline DenseSystem assemble_bounded(const StokesProblem& problem, ClosureForm form,
+                                    double scale = 1.0) {
+  DenseSystem system = assemble(problem, form);
+  Eigen::Index first = 0;
+  for (const Component& component : problem.components) {
+    const Eigen::Index size = 2 * component.curve.size();
+    if (component.kind == ComponentKind::enclosing_wall) {
+      system.matrix.block(first, first, size, size) += scale * null_space_matrix(component.curve);
+    }
+    first += size;
+  }
+  return system;
+}
+
+inline Eigen::VectorXd solve(const DenseSystem& system) {
+  return system.matrix.partialPivLu().solve(system.rhs);
+}
+
+inline Completion solve_bounded(const StokesProblem& problem, ClosureForm form,
+                                double scale = 1.0) {
+  return complete_dense(problem, form, solve(assemble_bounded(problem, form, scale)));
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,48 @@
+/// The files as their users read them: numpy, VTK, an XML and a JSON reader.
+
+#include <cstdlib>
+
+#include <boost/test/unit_test.hpp>
+
+#include "folder.hpp"
+#include "record/run_info.hpp"
+#include "sample_run.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+BOOST_AUTO_TEST_SUITE(outputs)
+
+BOOST_AUTO_TEST_CASE(python_reads_every_file) {
+  const Folder folder;
+  RunDirectory run = RunDirectory::create(folder.path(), sample_contents(), ExistingRun::refuse);
+  for (int k = 0; k < 3; ++k) {
+    run.write_frame(sample_frame(k));
+    run.write_step({.t = k / 7.0,
+                    .dt = 1.0 / 7.0,
+                    .gmres_iterations = 10 + k,
+                    .matvecs = 11 + k,
+                    .ncp_iterations = 12 + k,
+                    .contacts = 13 + k,
+                    .min_gap = 1e-3 / 3.0,
+                    .residual = 1e-9 / 3.0,
+                    .error_estimate = 1e-7 / 3.0,
+                    .seconds = 0.1});
+  }
+  run.write_text("run.json", to_json({.version = "0.1.0",
+                                      .git_hash = "abc",
+                                      .compiler = "GNU \"12\"",
+                                      .flags = "-O3",
+                                      .machine = "x86\\64",
+                                      .threads = 2,
+                                      .plan = {"no walls: no N_0", "direct sum"},
+                                      .totals = {1, 2, 3, 4000000000},
+                                      .wall_seconds = 1.5,
+                                      .exit_status = 2,
+                                      .message = "overlap in caf\xe9"}));
+  const std::string command =
+      "'" STOKESBOOK_PYTHON "' '" READ_OUTPUTS "' '" + folder.path().string() + "'";
+  BOOST_TEST(std::system(command.c_str()) == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,90 @@
+/// Pictures: what is drawn in special cases; read_outputs.py checks what is drawn where.
+
+#include "record/picture.hpp"
+
+#include <cmath>
+
+#include <boost/test/unit_test.hpp>
+
+#include "record/colour_map.hpp"
+#include "sample_run.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+const RunContents contents = sample_contents();
+
+std::string draw(const Frame& frame, const PictureOptions& options = {}) {
+  return draw_configuration(frame, contents.bodies, contents.walls, options);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Lightness as the eye takes it (relative luminance of sRGB).
+double luminance(const std::string& colour) {
+  const auto channel = [&](std::size_t at) {
+    return std::pow(std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0, 2.2);
+  };
+  return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(picture)
+
+BOOST_AUTO_TEST_CASE(colours_are_those_of_viridis) {
+  BOOST_TEST(viridis_colour(0.0) == "#440154");
+  BOOST_TEST(viridis_colour(0.5) == "#21918c");
+  BOOST_TEST(viridis_colour(1.0) == "#fde725");
+  BOOST_TEST(viridis_colour(-1.0) == viridis_colour(0.0));
+  BOOST_TEST(viridis_colour(2.0) == viridis_colour(1.0));
+}
+
+BOOST_AUTO_TEST_CASE(colours_get_lighter) {
+  for (int k = 0; k < 100; ++k) {
+    BOOST_TEST(luminance(viridis_colour(k / 100.0)) < luminance(viridis_colour((k + 1) / 100.0)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fastest_body_has_the_top_colour) {
+  Frame frame = sample_frame(0);
+  frame.bodies[0].velocity = 0.0;
+  const std::string picture = draw(frame);
+  BOOST_TEST(contains(picture, "<path fill=\"#440154\""));
+  BOOST_TEST(contains(picture, "<path fill=\"#fde725\""));
+  BOOST_TEST(contains(picture, "speed |U|"));
+}
+
+BOOST_AUTO_TEST_CASE(no_arrows_and_no_colour_bar_at_rest) {
+  Frame frame = sample_frame(0);
+  for (BodyState& body : frame.bodies) body.velocity = 0.0;
+  const std::string picture = draw(frame);
+  BOOST_TEST(!contains(picture, "speed |U|"));
+  BOOST_TEST(!contains(picture, "nan"));
+  BOOST_TEST(!contains(picture, "inf"));
+}
+
+BOOST_AUTO_TEST_CASE(title_and_time_are_text) {
+  const std::string picture = draw(sample_frame(7), {.title = "<script> & co\n", .width = 500.0});
+  BOOST_TEST(contains(picture, "<title>&lt;script> &amp; co </title>"));
+  BOOST_TEST(contains(picture, "t = 1<"));
+  BOOST_TEST(contains(picture, " width=\"500\""));
+}
+
+BOOST_AUTO_TEST_CASE(pictures_suit_light_and_dark_pages) {
+  const std::string picture = draw(sample_frame(0));
+  BOOST_TEST(contains(picture, "prefers-color-scheme:dark"));
+  BOOST_TEST(contains(picture, "stroke=\"currentColor\""));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_to_draw) {
+  BOOST_CHECK_THROW(draw_configuration({}, {}, {}, {}), std::invalid_argument);
+  BOOST_CHECK_THROW(draw_configuration(sample_frame(0), contents.bodies, {}, {}),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,168 @@
+"""Reads the files of a run as their users would and compares with sample_run.cpp and outputs.cpp.
+
+usage: read_outputs.py DIRECTORY
+"""
+
+import json
+import sys
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+N_FRAMES = 3
+
+
+def outline(n, a, b, amplitude):
+    s = 2 * np.pi * np.arange(n) / n
+    return (1 + amplitude * np.cos(5 * s)) * (a * np.cos(s) + 1j * b * np.sin(s))
+
+
+BODIES = [outline(32, 1, 0.5, 0), outline(60, 1, 1, 0.3)]
+OUTER, INNER = outline(64, 10, 10, 0), outline(16, 0.5, 0.5, 0)
+
+
+def body(t, j):
+    """x, y, theta, ux, uy, omega, fx, fy, torque"""
+    return (3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0, j + t, 1 / 3, -1 / 7, 1.0 + j / 3.0,
+            j + t / 11.0, -t / 13.0, j / 17.0)
+
+
+def wall(t, j):
+    """fx, fy, torque"""
+    return t / 3.0, j + 1.0 / 9.0, -t
+
+
+def read_table(path):
+    table = np.genfromtxt(path, names=True, delimiter=",")
+    return table.dtype.names, np.array(table.tolist())
+
+
+def check_tables(directory):
+    times = np.arange(N_FRAMES) / 7.0
+    names, rows = read_table(directory / "trajectory.csv")
+    assert names == ("t", "body", "x", "y", "theta", "ux", "uy", "omega", "fx", "fy", "torque")
+    assert np.array_equal(rows, [(t, j, *body(t, j)) for t in times for j in range(2)])
+    names, rows = read_table(directory / "walls.csv")
+    assert names == ("t", "wall", "fx", "fy", "torque")
+    assert np.array_equal(rows, [(t, j, *wall(t, j)) for t in times for j in range(2)])
+    names, rows = read_table(directory / "steps.csv")
+    assert names == ("t", "dt", "gmres_iterations", "matvecs", "ncp_iterations", "contacts",
+                     "min_gap", "residual", "error_estimate", "seconds")
+    assert np.array_equal(rows, [(t, 1 / 7, 10 + k, 11 + k, 12 + k, 13 + k, 1e-3 / 3, 1e-9 / 3,
+                                  1e-7 / 3, 0.1) for k, t in enumerate(times)])
+
+
+def area(points):
+    return 0.5 * np.sum((np.conj(points) * np.roll(points, -1)).imag)
+
+
+def triangulated_area(polydata):
+    """What is filled when VTK draws the polygons."""
+    triangles = vtkTriangleFilter()
+    triangles.PassLinesOff()
+    triangles.SetInputData(polydata)
+    triangles.Update()
+    mesh = triangles.GetOutput()
+    x = vtk_to_numpy(mesh.GetPoints().GetData())
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return sum(0.5 * np.cross(x[b] - x[a], x[c] - x[a])[2] for a, b, c in corners)
+
+
+def read_polydata(path):
+    errors = []
+    reader = vtkXMLPolyDataReader()
+    reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
+    reader.AddObserver("WarningEvent", lambda *_: errors.append(path))
+    reader.SetFileName(str(path))
+    reader.Update()
+    assert not errors
+    return reader.GetOutput()
+
+
+def cell_points(polydata, k):
+    ids = polydata.GetCell(k).GetPointIds()
+    points = [polydata.GetPoint(ids.GetId(i)) for i in range(ids.GetNumberOfIds())]
+    assert all(z == 0 for _, _, z in points)
+    return np.array([x + 1j * y for x, y, _ in points])
+
+
+def check_polydata(path, t):
+    polydata = read_polydata(path)
+    states = [body(t, j) for j in range(2)]
+    placed = [x + 1j * y + np.exp(1j * theta) * points
+              for points, (x, y, theta, *_) in zip(BODIES, states)]
+    placed_inner = -5 + np.exp(1j / 9) * INNER
+    # The outer wall is a closed line; the rest are polygons, in the order bodies, inner walls.
+    assert polydata.GetNumberOfLines() == 1 and polydata.GetNumberOfPolys() == 3
+    assert polydata.GetNumberOfPoints() == 64 + 32 + 60 + 16
+    expected = [np.append(OUTER, OUTER[0]), *placed, placed_inner]
+    for k, points in enumerate(expected):
+        np.testing.assert_allclose(cell_points(polydata, k), points, rtol=0, atol=1e-13)
+    filled = sum(map(area, expected[1:]))
+    np.testing.assert_allclose(triangulated_area(polydata), filled, rtol=1e-12)
+
+    data = polydata.GetCellData()
+    array = lambda name: vtk_to_numpy(data.GetArray(name))
+    walls = [wall(t, j) for j in range(2)]
+    assert array("id").tolist() == [-1, 0, 1, -2]
+    assert array("theta").tolist() == [0, states[0][2], states[1][2], 1 / 9]
+    assert array("velocity").tolist() == [[0, 0, 0], *[[1 / 3, -1 / 7, 0]] * 2, [0, 0, 0]]
+    assert array("omega").tolist() == [0, states[0][5], states[1][5], 0]
+    forces = [walls[0][:2], states[0][6:8], states[1][6:8], walls[1][:2]]
+    assert array("force").tolist() == [[x, y, 0] for x, y in forces]
+    assert array("torque").tolist() == [walls[0][2], states[0][8], states[1][8], walls[1][2]]
+
+
+def check_collection(directory):
+    collection = xml.parse(directory / "bodies.pvd").getroot()
+    assert collection.tag == "VTKFile" and collection.get("type") == "Collection"
+    entries = collection.findall("Collection/DataSet")
+    assert [float(entry.get("timestep")) for entry in entries] == [k / 7.0 for k in range(N_FRAMES)]
+    for entry in entries:
+        check_polydata(directory / entry.get("file"), float(entry.get("timestep")))
+
+
+def check_picture(path):
+    """Bodies are drawn where they are, y upwards, inside the viewBox."""
+    svg = "{http://www.w3.org/2000/svg}"
+    picture = xml.parse(path).getroot()
+    assert picture.tag == svg + "svg"
+    assert picture.find(svg + "title").text == "A < B & C"
+    _, _, width, height = map(float, picture.get("viewBox").split())
+    walls, bodies = picture.findall(svg + "g")
+    curves = []
+    for path_element in [*walls, *bodies]:
+        numbers = path_element.get("d").strip("MZ").split()
+        points = np.array(numbers, float).reshape(-1, 2)
+        assert (points >= 0).all() and (points <= [width, height]).all()
+        curves.append(points[:, 0] - 1j * points[:, 1])
+    t = (N_FRAMES - 1) / 7.0
+    scale = np.ptp(curves[0].real) / 20
+    centre = curves[0].mean()
+    for j in range(2):
+        x, y, theta, *_ = body(t, j)
+        expected = x + 1j * y + np.exp(1j * theta) * BODIES[j]
+        np.testing.assert_allclose((curves[2 + j] - centre) / scale, expected, rtol=0, atol=1e-3)
+
+
+def check_run_info(path):
+    assert json.loads(path.read_text()) == {
+        "version": "0.1.0", "git_hash": "abc", "compiler": 'GNU "12"', "flags": "-O3",
+        "machine": "x86\\64", "threads": 2, "plan": ["no walls: no N_0", "direct sum"],
+        "totals": {"steps": 1, "solves": 2, "gmres_iterations": 3, "matvecs": 4000000000},
+        "wall_seconds": 1.5, "exit_status": 2, "message": "overlap in caf\ufffd"}
+
+
+def main():
+    directory = Path(sys.argv[1])
+    check_tables(directory)
+    check_collection(directory)
+    check_picture(directory / "configuration.svg")
+    check_run_info(directory / "run.json")
+
+
+main()

@@ -1,0 +1,158 @@
+/// Run directories: what they refuse, keep, drop and repeat.
+
+#include "record/run_directory.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "folder.hpp"
+#include "record/record_error.hpp"
+#include "sample_run.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+RunDirectory create(const Folder& folder, const RunContents& contents = sample_contents()) {
+  return RunDirectory::create(folder.path(), contents, ExistingRun::refuse);
+}
+
+auto mentions(const std::string& first, const std::string& second) {
+  return [=](const RecordError& error) {
+    const std::string message = error.what();
+    return message.find(first) != std::string::npos && message.find(second) != std::string::npos;
+  };
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(run_directory)
+
+BOOST_AUTO_TEST_CASE(directories_are_made) {
+  const Folder folder;
+  RunDirectory::create(folder.at("a") / "b", sample_contents(), ExistingRun::refuse);
+  BOOST_TEST(std::filesystem::exists(folder.at("a") / "b" / "trajectory.csv"));
+}
+
+BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
+  RunContents contents = sample_contents();
+  contents.vtk = contents.svg = false;
+  const auto names = [](const RunContents& asked, int k) {
+    const Folder folder;
+    create(folder, asked).write_frame(sample_frame(k));
+    std::string list;
+    for (const auto& [name, text] : read_all(folder.path())) list += name + ' ';
+    return list;
+  };
+  BOOST_TEST(names(sample_contents(), 0) ==
+             "bodies.pvd bodies_000000.vtp configuration.svg steps.csv trajectory.csv walls.csv ");
+  BOOST_TEST(names(contents, 0) == "steps.csv trajectory.csv walls.csv ");
+  contents.csv = false;
+  BOOST_TEST(names(contents, 0) == "steps.csv ");
+}
+
+BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
+  const Folder folder;
+  RunContents contents = sample_contents();
+  contents.walls.clear();
+  Frame frame = sample_frame(0);
+  frame.walls.clear();
+  create(folder, contents).write_frame(frame);
+  BOOST_TEST(!std::filesystem::exists(folder.at("walls.csv")));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_is_not_overwritten_unasked) {
+  for (const std::string name : {"checkpoint", "run.json", "trajectory.csv"}) {
+    const Folder folder;
+    write(folder.at(name), "precious");
+    BOOST_CHECK_EXCEPTION(create(folder), RecordError, mentions("holds a run already", name));
+    BOOST_TEST((read_all(folder.path()) == std::map<std::string, std::string>{{name, "precious"}}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
+  const Folder folder;
+  run_or_resume(folder.path(), sample_contents(), 4);
+  const std::map<std::string, std::string> foreign{
+      {"bodies.csv", "1"}, {"bodies_1.vtp", "2"}, {"bodies_000001.vtp.old", "3"},
+      {"notes", "4"},      {"fits.partial", "5"}, {"scene.toml", "6"}};
+  for (const auto& [name, text] : foreign) write(folder.at(name), text);
+  write(folder.at("checkpoint.partial"), "left by a kill");
+  RunContents contents = sample_contents();
+  contents.csv = false;
+  RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
+  std::map<std::string, std::string> rest = read_all(folder.path());
+  BOOST_TEST(rest.erase("steps.csv") == 1u);
+  BOOST_TEST((rest == foreign));
+}
+
+BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
+  const Folder folder;
+  const auto saved_files = [&] {
+    RunDirectory run = create(folder);
+    run.write_frame(sample_frame(0));
+    run.write_step({.t = 0.1});
+    run.save({.t = 0.1, .step = 1, .state = Eigen::Vector2d(1.0, 2.0), .history = {}});
+    const auto files = read_all(folder.path());
+    run.write_step({.t = 0.2});
+    run.write_frame(sample_frame(1));
+    run.write_frame(sample_frame(2));
+    return files;
+  }();
+  write(folder.at("bodies_000003.vtp.partial"), "half");
+  const ResumedRun run = RunDirectory::resume(folder.path(), sample_contents());
+  BOOST_TEST(run.directory.frame_count() == 1u);
+  BOOST_TEST(run.checkpoint.step == 1);
+  BOOST_TEST(run.checkpoint.state == Eigen::VectorXd(Eigen::Vector2d(1.0, 2.0)));
+  std::map<std::string, std::string> files = read_all(folder.path());
+  // The picture is that of the latest frame until the next one is written.
+  files["configuration.svg"] = saved_files.at("configuration.svg");
+  BOOST_TEST((files == saved_files));
+}
+
+BOOST_AUTO_TEST_CASE(resuming_without_frames_spares_foreign_files) {
+  const Folder folder;
+  create(folder).save({});
+  write(folder.at("notes"), "mine");
+  RunDirectory::resume(folder.path(), sample_contents());
+  BOOST_TEST(read(folder.at("notes")) == "mine");
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_resumed) {
+  const Folder folder;
+  BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), sample_contents()), RecordError,
+                        mentions("checkpoint", "No such file"));
+  create(folder).save({});
+  RunContents other = sample_contents();
+  other.scene += "# changed\n";
+  BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), other), RecordError,
+                        mentions("checkpoint", "another scene"));
+  write(folder.at("trajectory.csv"), "");
+  BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), sample_contents()), RecordError,
+                        mentions("trajectory.csv", "has 0 bytes"));
+}
+
+BOOST_AUTO_TEST_CASE(places_that_cannot_be_written) {
+  const Folder folder;
+  write(folder.at("file"), "");
+  BOOST_CHECK_EXCEPTION(
+      RunDirectory::create(folder.at("file"), sample_contents(), ExistingRun::refuse), RecordError,
+      mentions("file", "Not a directory"));
+  BOOST_CHECK_THROW(
+      RunDirectory::create(folder.at("file") / "x", sample_contents(), ExistingRun::refuse),
+      RecordError);
+  BOOST_CHECK_THROW(
+      RunDirectory::create("/proc/stokesbook", sample_contents(), ExistingRun::refuse),
+      RecordError);
+}
+
+BOOST_AUTO_TEST_CASE(a_frame_of_other_bodies_is_refused) {
+  const Folder folder;
+  RunDirectory run = create(folder);
+  Frame frame = sample_frame(0);
+  frame.bodies.pop_back();
+  BOOST_CHECK_THROW(run.write_frame(frame), std::invalid_argument);
+  BOOST_TEST(run.frame_count() == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

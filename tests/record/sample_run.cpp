@@ -1,0 +1,104 @@
+#include "sample_run.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "record/run_info.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+/// r(s) (a cos s, b sin s) with r(s) = 1 + amplitude cos 5s
+Outline outline(int n, double a, double b, double amplitude, bool encloses) {
+  Outline result{ComplexVector(n), encloses};
+  for (int k = 0; k < n; ++k) {
+    const double s = 2.0 * std::numbers::pi * k / n;
+    const double r = 1.0 + amplitude * std::cos(5.0 * s);
+    result.points[k] = Complex(r * a * std::cos(s), r * b * std::sin(s));
+  }
+  return result;
+}
+
+/// The map and what a time stepper would remember.
+Checkpoint start() {
+  return {0.0, 0, Eigen::Vector2d(0.1, 0.7), {{"previous_rate", Eigen::Vector2d(0.2, 0.3)}}};
+}
+
+void advance(Checkpoint& run) {
+  Eigen::VectorXd& previous = run.history["previous_rate"];
+  for (Eigen::Index k = 0; k < run.state.size(); ++k) {
+    const double rate = 3.9 * run.state[k] * (1.0 - run.state[k]);
+    run.state[k] = 0.9 * rate + 0.1 * previous[k];
+    previous[k] = rate;
+  }
+  run.step += 1;
+  run.t += 0.1;
+}
+
+void write_frame_of(RunDirectory& directory, const Checkpoint& run) {
+  Frame frame = sample_frame(static_cast<int>(run.step));
+  frame.t = run.t;
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    frame.bodies[k].velocity = run.state[static_cast<Eigen::Index>(k)];
+  }
+  directory.write_frame(frame);
+}
+
+RunDirectory begin(const std::filesystem::path& path, const RunContents& contents) {
+  RunDirectory directory = RunDirectory::create(path, contents, ExistingRun::overwrite);
+  directory.write_text("scene.toml", contents.scene);
+  write_frame_of(directory, start());
+  directory.save(start());
+  return directory;
+}
+
+}  // namespace
+
+RunContents sample_contents() {
+  return {.title = "A < B & C",
+          .scene = "title = \"sample\"\n",
+          .bodies = {outline(32, 1.0, 0.5, 0.0, false), outline(60, 1.0, 1.0, 0.3, false)},
+          .walls = {outline(64, 10.0, 10.0, 0.0, true), outline(16, 0.5, 0.5, 0.0, false)},
+          .csv = true,
+          .vtk = true,
+          .svg = true};
+}
+
+Frame sample_frame(int k) {
+  const double t = k / 7.0;
+  Frame frame{t, {}, {}};
+  for (int j = 0; j < 2; ++j) {
+    frame.bodies.push_back({.position = {3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0},
+                            .orientation = j + t,
+                            .velocity = {1.0 / 3.0, -1.0 / 7.0},
+                            .omega = 1.0 + j / 3.0,
+                            .force = {j + t / 11.0, -t / 13.0},
+                            .torque = j / 17.0});
+    frame.walls.push_back({.position = {-5.0 * j, 0.0},
+                           .orientation = j / 9.0,
+                           .force = {t / 3.0, j + 1.0 / 9.0},
+                           .torque = -t});
+  }
+  return frame;
+}
+
+bool run_or_resume(const std::filesystem::path& directory, const RunContents& contents,
+                   int last_step) {
+  const bool resumes = std::filesystem::exists(directory / "checkpoint");
+  ResumedRun run = resumes ? RunDirectory::resume(directory, contents)
+                           : ResumedRun{begin(directory, contents), start()};
+  Checkpoint& checkpoint = run.checkpoint;
+  while (checkpoint.step < last_step) {
+    advance(checkpoint);
+    run.directory.write_step({.t = checkpoint.t, .dt = 0.1, .min_gap = checkpoint.state[0]});
+    if (checkpoint.step % 2 == 0) write_frame_of(run.directory, checkpoint);
+    if (checkpoint.step % 3 == 0) run.directory.save(checkpoint);
+  }
+  run.directory.save(checkpoint);
+  run.directory.write_text("run.json", to_json(RunInfo{}));
+  return resumes;
+}
+
+}  // namespace stokesbook::test

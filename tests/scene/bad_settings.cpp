@@ -1,0 +1,144 @@
+/// Every way in which the top level and the settings can be wrong, and the whole message that says
+/// so.
+
+#include <string>
+
+#include "bad_scene.hpp"
+
+using namespace stokesbook::test;
+
+BOOST_AUTO_TEST_SUITE(bad_settings)
+
+// The words are those of the TOML parser; the place is what matters here.
+BOOST_AUTO_TEST_CASE(no_toml) {
+  const auto place = [](const std::string& text) {
+    const std::string message = error_of(text);
+    return message.substr(0, message.find(": Error while parsing"));
+  };
+  BOOST_TEST(place("[time\n") == "s.toml:1:6");
+  BOOST_TEST(place("seed = \n") == "s.toml:1:8");
+  BOOST_TEST(place("seed = 1\nseed = 2\n") == "s.toml:2:8");
+  BOOST_TEST(place("title = \"open\n") == "s.toml:1:14");
+  BOOST_TEST(place("seed = 99999999999999999999\n") == "s.toml:1:28");
+  BOOST_TEST(place("[time]\ndt = 1e999\n") == "s.toml:2:11");
+}
+
+BOOST_AUTO_TEST_CASE(top_level) {
+  check({
+      {"",
+       "s.toml:1:1: a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ..."},
+      {"title = 'nothing in it'\n",
+       "s.toml:1:1: a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ..."},
+      {"title = 3\n", "s.toml:1:9: title = 3: must be text, not an integer"},
+      {"seed = -1\n", "s.toml:1:8: seed = -1: must be an integer >= 0"},
+      {"seed = 1.5\n", "s.toml:1:8: seed = 1.5: must be an integer >= 0, not a float"},
+      {"seed = 1979-05-27\n",
+       "s.toml:1:8: seed = 1979-05-27: must be an integer >= 0, not a date or time"},
+      {"tilte = 'x'\n", "s.toml:1:1: tilte = \"x\": unknown key, did you mean 'title'?"},
+      {"title = 'x'\n\n[solvr]\n", "s.toml:3:2: solvr: unknown key, did you mean 'solver'?"},
+      {"zeta = 1\nalpha = 1\n",
+       "s.toml:1:1: zeta = 1: unknown key; known here: title, seed, fluid, flow, walls, bodies, "
+       "body_lists, fill, solver, time, contact, output"},
+      {"[bodies]\n",
+       "s.toml:1:1: bodies: must be an array of tables: write [[bodies]], not a table"},
+      {"bodies = [1]\n", "s.toml:1:11: bodies[0] = 1: must be a table, not an integer"},
+      {"walls = 1\n",
+       "s.toml:1:9: walls = 1: must be an array of tables: write [[walls]], not an integer"},
+      {"[[time]]\n", "s.toml:1:1: time = [{...}]: must be a table, not an array of 1"},
+      {"time = true\n", "s.toml:1:8: time = true: must be a table, not a boolean"},
+      {"fluid = 1\n", "s.toml:1:9: fluid = 1: must be a table, not an integer"},
+      {"[contact]\nminimum_separation = 0.01\n", "s.toml:1:2: contact: not available yet"},
+      {"[fluid]\nviscosity = 0\n", "s.toml:2:13: fluid.viscosity = 0: must be a number > 0"},
+      {"[fluid]\nviscosity = -1.5\n", "s.toml:2:13: fluid.viscosity = -1.5: must be a number > 0"},
+      {"[fluid]\nviscosity = nan\n",
+       "s.toml:2:13: fluid.viscosity = nan: must be a number > 0, and finite"},
+      {"[fluid]\nviscosity = inf\n",
+       "s.toml:2:13: fluid.viscosity = inf: must be a number > 0, and finite"},
+      {"[fluid]\nviscosity = 'water'\n",
+       "s.toml:2:13: fluid.viscosity = \"water\": must be a number > 0, not a string"},
+      {"[fluid]\ndensity = 1\n",
+       "s.toml:2:1: fluid.density = 1: unknown key; known here: viscosity"},
+      {"[fluid]\n  viscosty = 1\n",
+       "s.toml:2:3: fluid.viscosty = 1: unknown key, did you mean 'viscosity'?"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(settings) {
+  check({
+      {"[solver]\ntolerance = 0\n",
+       "s.toml:2:13: solver.tolerance = 0: must be a number from 1e-14 to 0.1"},
+      {"[solver]\ntolerance = 9e-15\n",
+       "s.toml:2:13: solver.tolerance = 9e-15: must be a number from 1e-14 to 0.1"},
+      {"[solver]\ntolerance = 0.2\n",
+       "s.toml:2:13: solver.tolerance = 0.2: must be a number from 1e-14 to 0.1"},
+      {"[solver]\ngmres_tol = 0.0\n",
+       "s.toml:2:13: solver.gmres_tol = 0.0: must be a number > 0 and < 1"},
+      {"[solver]\ngmres_tol = 1\n",
+       "s.toml:2:13: solver.gmres_tol = 1: must be a number > 0 and < 1"},
+      {"[solver]\ngmres_max_iterations = 0\n",
+       "s.toml:2:24: solver.gmres_max_iterations = 0: must be an integer >= 1"},
+      {"[solver]\ngmres_max_iterations = 1e3\n",
+       "s.toml:2:24: solver.gmres_max_iterations = 1000.0: must be an integer >= 1, not a float"},
+      {"[solver]\nsummation = 'fmm'\n",
+       "s.toml:2:13: solver.summation = \"fmm\": not available yet: must be one of auto, direct"},
+      {"[solver]\nsummation = 'tree'\n",
+       "s.toml:2:13: solver.summation = \"tree\": must be one of auto, direct"},
+      {"[solver]\nnear_singular = 'interpolation'\n",
+       "s.toml:2:17: solver.near_singular = \"interpolation\": not available yet: must be one of "
+       "auto, cauchy, off"},
+      {"[solver]\nnear_singular = true\n",
+       "s.toml:2:17: solver.near_singular = true: must be one of auto, cauchy, off, not a boolean"},
+      {"[solver]\npreconditioner = 'ilu'\n",
+       "s.toml:2:18: solver.preconditioner = \"ilu\": must be one of auto, none, block_diagonal"},
+      {"[solver]\ncoupling = 'local'\n",
+       "s.toml:2:12: solver.coupling = \"local\": not available yet: must be one of global"},
+      {"[solver]\ncoupling = 'loose'\n",
+       "s.toml:2:12: solver.coupling = \"loose\": must be one of global"},
+      {"[solver]\ngmres_tolerance = 1e-3\n",
+       "s.toml:2:1: solver.gmres_tolerance = 0.001: unknown key; known here: tolerance, gmres_tol, "
+       "gmres_max_iterations, summation, near_singular, preconditioner, coupling"},
+      {"[time]\ndt = 0.1\n", "s.toml:1:1: time.t_final is missing: must be a number > 0"},
+      {"[time]\nt_final = 1\n", "s.toml:1:1: time.dt is missing: must be a number > 0"},
+      {"[time]\nt_final = 0\ndt = 0.1\n", "s.toml:2:11: time.t_final = 0: must be a number > 0"},
+      {"[time]\nt_final = 1\ndt = -0.1\n", "s.toml:3:6: time.dt = -0.1: must be a number > 0"},
+      {"[time]\nt_final = 1\ndt = '0.1'\n",
+       "s.toml:3:6: time.dt = \"0.1\": must be a number > 0, not a string"},
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'heun'\n",
+       "s.toml:4:10: time.method = \"heun\": not available yet: must be one of euler, "
+       "adams_bashforth2, rk4"},
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'bogacki_shampine'\n",
+       "s.toml:4:10: time.method = \"bogacki_shampine\": not available yet: must be one of euler, "
+       "adams_bashforth2, rk4"},
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'dormand_prince'\n",
+       "s.toml:4:10: time.method = \"dormand_prince\": not available yet: must be one of euler, "
+       "adams_bashforth2, rk4"},
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'leapfrog'\n",
+       "s.toml:4:10: time.method = \"leapfrog\": must be one of euler, adams_bashforth2, rk4"},
+      {"[time]\nt_final = 1\ndt = 0.1\ntolerance = 1e-6\n",
+       "s.toml:4:1: time.tolerance = 1e-06: not available yet: it belongs to the embedded methods"},
+      {"[time]\nt_final = 1\ndt = 0.1\ndt_min = 1e-6\n",
+       "s.toml:4:1: time.dt_min = 1e-06: not available yet: it belongs to the embedded methods"},
+      {"[time]\nt_final = 1\ndt = 0.1\ndt_max = 1\n",
+       "s.toml:4:1: time.dt_max = 1: not available yet: it belongs to the embedded methods"},
+      {"[time]\nt_end = 1\n",
+       "s.toml:2:1: time.t_end = 1: unknown key; known here: t_final, dt, method, tolerance, "
+       "dt_min, dt_max"},
+      {"[output]\ndt_write = 0\n", "s.toml:2:12: output.dt_write = 0: must be a number > 0"},
+      {"[output]\nformats = 'csv'\n",
+       "s.toml:2:11: output.formats = \"csv\": must be a list of one or more of csv, vtk, svg, not "
+       "a string"},
+      {"[output]\nformats = []\n",
+       "s.toml:2:11: output.formats = []: must be a list of one or more of csv, vtk, svg"},
+      {"[output]\nformats = ['csv', 'hdf5']\n",
+       "s.toml:2:19: output.formats[1] = \"hdf5\": must be one of csv, vtk, svg"},
+      {"[output]\nformats = ['csv', 1]\n",
+       "s.toml:2:19: output.formats[1] = 1: must be one of csv, vtk, svg, not an integer"},
+      {"[output]\nformats = ['vtk', 'csv', 'vtk']\n",
+       "s.toml:2:26: output.formats[2] = \"vtk\": is there already"},
+      {"[output]\nfields = { resolution = 200 }\n", "s.toml:2:1: output.fields: not available yet"},
+      {"[output]\nformat = ['csv']\n",
+       "s.toml:2:1: output.format = [\"csv\"]: unknown key, did you mean 'formats'?"},
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

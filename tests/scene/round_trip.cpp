@@ -1,0 +1,209 @@
+/// What to_toml writes, parse_scene reads back: bit for bit.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/toml_value.hpp"
+#include "scene/write.hpp"
+#include "scene_text.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+/// Random values of the kinds that a scene holds.
+class Dice {
+ public:
+  explicit Dice(unsigned seed) : engine_(seed) {}
+
+  bool coin() { return integer(0, 1) == 1; }
+  int integer(int low, int high) { return std::uniform_int_distribution(low, high)(engine_); }
+  /// All 53 bits random, between 2^-40 and 2^40.
+  double positive() { return std::ldexp(uniform(0.5, 1.0), integer(-39, 40)); }
+  double number() { return coin() ? positive() : -positive(); }
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution(low, high)(engine_);
+  }
+  Complex vector() { return {number(), number()}; }
+  template <class T>
+  T one_of(std::vector<T> choices) {
+    return choices[static_cast<std::size_t>(integer(0, static_cast<int>(choices.size()) - 1))];
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Shape random_shape(Dice& dice) {
+  NodalCurve curve{ComplexVector(dice.integer(8, 20)), "not part of the value"};
+  for (Eigen::Index k = 0; k < curve.points.size(); ++k) {
+    const double turns = static_cast<double>(k) / static_cast<double>(curve.points.size());
+    curve.points[k] = std::polar(dice.uniform(0.5, 2.0), 6.25 * turns);
+  }
+  return dice.one_of<Shape>({Circle{dice.positive()}, Ellipse{dice.positive(), dice.positive()},
+                             Star{dice.positive(), dice.uniform(-1, 1), dice.integer(1, 9)},
+                             Superellipse{dice.positive(), dice.positive(), 2 * dice.integer(1, 9)},
+                             curve});
+}
+
+Wall random_wall(Dice& dice, WallRole role) {
+  Wall wall{role, random_shape(dice), dice.vector(), dice.number(), 2 * dice.integer(4, 200), {}};
+  const Eigen::Matrix2d gradient{{dice.number(), dice.number()}, {dice.number(), dice.number()}};
+  wall.motion = dice.one_of<WallMotion>({FixedWall{}, RotatingWall{dice.number()},
+                                         TranslatingWall{dice.vector()}, LinearWall{gradient}});
+  if (dice.coin()) {
+    wall.shape = Circle{dice.positive()};
+    wall.motion = RadialWall{dice.number()};
+  }
+  return wall;
+}
+
+Body random_body(Dice& dice) {
+  Body body{.shape = random_shape(dice),
+            .position = dice.vector(),
+            .orientation = dice.number(),
+            .held = dice.coin(),
+            .n_nodes = 2 * dice.integer(4, 200)};
+  (body.held ? body.velocity : body.force) = dice.vector();
+  (body.held ? body.omega : body.torque) = dice.number();
+  return body;
+}
+
+Fill random_fill(Dice& dice, bool enclosed) {
+  Fill fill{.shape = random_shape(dice), .n_nodes = 2 * dice.integer(4, 200)};
+  if (dice.coin()) fill.area_fraction = dice.uniform(0.01, 0.99);
+  if (!fill.area_fraction) fill.count = dice.integer(1, 1000);
+  if (!enclosed || dice.coin()) {
+    fill.box = {-dice.positive(), -dice.positive(), dice.positive(), dice.positive()};
+  }
+  fill.clearance = dice.coin() ? dice.positive() : 0.0;
+  return fill;
+}
+
+void add_flow(Scene& scene, Dice& dice) {
+  const double stretch = dice.number();
+  const Eigen::Matrix2d gradient{{stretch, dice.number()}, {dice.number(), -stretch}};
+  scene.flow = dice.one_of<BackgroundFlow>(
+      {QuiescentFlow{}, UniformFlow{dice.vector()}, ShearFlow{dice.number()},
+       ExtensionalFlow{dice.number()}, TaylorGreenFlow{dice.number()}, LinearFlow{gradient}});
+  if (dice.coin()) scene.gauge_length = dice.positive();
+}
+
+void add_settings(Scene& scene, Dice& dice) {
+  using enum OutputFormat;
+  scene.solver.tolerance = dice.uniform(1e-14, 0.1);
+  if (dice.coin()) scene.solver.gmres_tol = dice.uniform(1e-16, 0.9);
+  scene.solver.gmres_max_iterations = dice.integer(1, 1000);
+  scene.solver.summation = dice.one_of<Summation>({Summation::automatic, Summation::direct});
+  scene.solver.near_singular =
+      dice.one_of<NearSingular>({NearSingular::automatic, NearSingular::cauchy, NearSingular::off});
+  scene.solver.preconditioner =
+      dice.one_of<PreconditionerKind>({PreconditionerKind::automatic, PreconditionerKind::none,
+                                       PreconditionerKind::block_diagonal});
+  if (dice.coin()) {
+    scene.time = {
+        dice.positive(), dice.positive(),
+        dice.one_of<SteppingMethod>(
+            {SteppingMethod::euler, SteppingMethod::adams_bashforth2, SteppingMethod::rk4})};
+  }
+  if (dice.coin()) scene.output.dt_write = dice.positive();
+  scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg}});
+}
+
+Scene random_scene(Dice& dice) {
+  Scene scene;
+  scene.title = dice.one_of<std::string>({"", "plain", "\"quoted\\\" \u00e9 \t\n\x01\x7f # no"});
+  scene.seed = static_cast<std::uint64_t>(dice.integer(0, 1 << 30));
+  scene.viscosity = dice.positive();
+  const bool enclosed = dice.coin();
+  if (enclosed) scene.walls.push_back(random_wall(dice, WallRole::outer));
+  if (!enclosed) add_flow(scene, dice);
+  if (dice.coin()) scene.walls.push_back(random_wall(dice, WallRole::inner));
+  if (dice.coin()) scene.reverse_at = {0.1, 0.1 + dice.positive()};
+  for (int k = dice.integer(1, 4); k > 0; --k) scene.bodies.push_back(random_body(dice));
+  for (int k = dice.integer(0, 2); k > 0; --k) scene.fills.push_back(random_fill(dice, enclosed));
+  add_settings(scene, dice);
+  return scene;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(round_trip)
+
+BOOST_AUTO_TEST_CASE(random_scenes_come_back) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    Dice dice(seed);
+    const Scene scene = random_scene(dice);
+    const std::string text = to_toml(scene);
+    BOOST_TEST_CONTEXT("seed " << seed << "\n" << text) {
+      BOOST_TEST((parse(text) == scene));
+      BOOST_TEST(to_toml(parse(text)) == text);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(different_scenes_differ) {
+  Dice dice(1);
+  BOOST_TEST((random_scene(dice) != random_scene(dice)));
+}
+
+BOOST_AUTO_TEST_CASE(every_number_comes_back) {
+  using limits = std::numeric_limits<double>;
+  for (const double number :
+       {0.1, 1.0 / 3.0, 1.0, -7.0, 1e15, 1e22, 123456789012345680000.0, -1e-300, 5e-324,
+        limits::min(), limits::max(), limits::epsilon(), 9007199254740993.0}) {
+    Scene scene = parse(disk());
+    scene.bodies[0].torque = number;
+    BOOST_TEST(parse(to_toml(scene)).bodies[0].torque == number);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_are_short_and_floats) {
+  using scene_text::toml_value;
+  BOOST_TEST(toml_value(0.1) == "0.1");
+  BOOST_TEST(toml_value(3.0) == "3.0");
+  BOOST_TEST(toml_value(1e-8) == "1e-08");
+  BOOST_TEST(toml_value(123456789012345680000.0) == "123456789012345683968.0");
+  BOOST_TEST(toml_value(1.0 / 3.0) == "0.3333333333333333");
+}
+
+BOOST_AUTO_TEST_CASE(the_text_is_as_one_would_write_it) {
+  const Scene scene =
+      parse("title = 'one disk'\nseed = 3\n[flow]\nkind = 'shear'\nrate = 1\n" + disk());
+  BOOST_TEST(to_toml(scene) == R"(title = "one disk"
+seed = 3
+
+[fluid]
+viscosity = 1.0
+
+[flow]
+kind = "shear"
+rate = 1.0
+
+[[bodies]]
+shape = { kind = "circle", radius = 0.5 }
+position = [0.0, 0.0]
+orientation = 0.0
+force = [0.0, 0.0]
+torque = 0.0
+n_nodes = 32
+
+[solver]
+tolerance = 1e-08
+gmres_max_iterations = 500
+summation = "auto"
+near_singular = "auto"
+preconditioner = "auto"
+
+[output]
+formats = ["csv"]
+)");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,221 @@
+/// Every key of a scene file, each with a value that is not its default.
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "scene_text.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+Shape shape(const std::string& text) {
+  return parse(body_with_shape(text)).bodies.at(0).shape;
+}
+
+WallMotion motion(const std::string& text) {
+  return parse(tank() + "motion = " + text + "\n").walls.at(0).motion;
+}
+
+Scene with_flow(const std::string& lines) {
+  return parse("[flow]\n" + lines + disk());
+}
+
+SolverSettings solver(const std::string& line) {
+  return parse(disk() + "[solver]\n" + line + "\n").solver;
+}
+
+Eigen::Matrix2d matrix(double a, double b, double c, double d) {
+  return Eigen::Matrix2d{{a, b}, {c, d}};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(values)
+
+BOOST_AUTO_TEST_CASE(defaults) {
+  const Scene scene = parse(disk());
+  Scene expected;
+  expected.bodies = {Body{.shape = Circle{0.5}, .n_nodes = 32}};
+  BOOST_TEST((scene == expected));
+  BOOST_TEST(scene.viscosity == 1.0);
+  BOOST_TEST(scene.seed == 0u);
+  BOOST_TEST(scene.solver.tolerance == 1e-8);
+  BOOST_TEST(scene.solver.gmres_max_iterations == 500);
+  BOOST_TEST(!scene.time.has_value());
+  BOOST_TEST(!scene.output.dt_write.has_value());
+  BOOST_TEST((scene.output.formats == std::vector{OutputFormat::csv}));
+}
+
+BOOST_AUTO_TEST_CASE(empty_sections_mean_defaults) {
+  BOOST_TEST((parse("[fluid]\n[flow]\n[solver]\n[output]\n" + disk()) == parse(disk())));
+}
+
+BOOST_AUTO_TEST_CASE(top_level) {
+  const Scene scene =
+      parse("title = 'Two disks \u00e9'\nseed = 7\n[fluid]\nviscosity = 2\n" + disk());
+  BOOST_TEST(scene.title == "Two disks \u00e9");
+  BOOST_TEST(scene.seed == 7u);
+  BOOST_TEST(scene.viscosity == 2.0);
+  BOOST_TEST(parse("seed = 9223372036854775807\n" + disk()).seed == 9223372036854775807u);
+}
+
+BOOST_AUTO_TEST_CASE(flows) {
+  BOOST_TEST((with_flow("kind = 'quiescent'\n").flow == BackgroundFlow(QuiescentFlow{})));
+  BOOST_TEST((with_flow("kind = 'uniform'\nvelocity = [1, -2.5]\n").flow ==
+              BackgroundFlow(UniformFlow{{1.0, -2.5}})));
+  BOOST_TEST((with_flow("kind = 'shear'\nrate = 2\n").flow == BackgroundFlow(ShearFlow{2.0})));
+  BOOST_TEST((with_flow("kind = 'extensional'\nrate = -2\n").flow ==
+              BackgroundFlow(ExtensionalFlow{-2.0})));
+  BOOST_TEST((with_flow("kind = 'taylor_green'\nrate = 0.5\n").flow ==
+              BackgroundFlow(TaylorGreenFlow{0.5})));
+  BOOST_TEST((with_flow("kind = 'linear'\ngradient = [[1, 2], [3, -1]]\n").flow ==
+              BackgroundFlow(LinearFlow{matrix(1, 2, 3, -1)})));
+  // rounding of the trace is no source of fluid
+  with_flow("kind = 'linear'\ngradient = [[1e6, 2], [3, -1000000.0000001]]\n");
+  with_flow("kind = 'linear'\ngradient = [[0, 0], [0, 0]]\n");
+}
+
+BOOST_AUTO_TEST_CASE(what_goes_with_every_flow) {
+  const Scene scene =
+      with_flow("kind = 'shear'\nrate = 1\ngauge_length = 3\nreverse_at = [20, 20.5]\n");
+  BOOST_TEST(scene.gauge_length.value() == 3.0);
+  BOOST_TEST((scene.reverse_at == std::vector{20.0, 20.5}));
+  BOOST_TEST(with_flow("reverse_at = []\n").reverse_at.empty());
+  BOOST_TEST(with_flow("gauge_length = 2.5\n").gauge_length.value() == 2.5);
+  BOOST_TEST((parse(tank() + "[flow]\nreverse_at = [5]\n").reverse_at == std::vector{5.0}));
+}
+
+BOOST_AUTO_TEST_CASE(shapes) {
+  BOOST_TEST((shape("{ kind = 'circle', radius = 2 }") == Shape(Circle{2.0})));
+  BOOST_TEST((shape("{ kind = 'ellipse', semi_axes = [2, 0.5] }") == Shape(Ellipse{2.0, 0.5})));
+  BOOST_TEST((shape("{ kind = 'star', radius = 2, amplitude = -0.9, arms = 3 }") ==
+              Shape(Star{2.0, -0.9, 3})));
+  BOOST_TEST((shape("{ kind = 'star', radius = 1, amplitude = 0, arms = 1 }") ==
+              Shape(Star{1.0, 0.0, 1})));
+  BOOST_TEST((shape("{ kind = 'superellipse', semi_axes = [2, 0.5], power = 6 }") ==
+              Shape(Superellipse{2.0, 0.5, 6})));
+  BOOST_TEST((shape("{ kind = 'superellipse', semi_axes = [1, 1], power = 2 }") ==
+              Shape(Superellipse{1.0, 1.0, 2})));
+  NodalCurve octagon{ComplexVector(8), {}};
+  octagon.points << Complex{2, 0}, Complex{1, 1}, Complex{0, 1}, Complex{-1, 1}, Complex{-2, 0},
+      Complex{-1, -1}, Complex{0, -1}, Complex{1, -1};
+  BOOST_TEST((shape("{ kind = 'nodes', points = [[2, 0], [1, 1], [0, 1], [-1, 1], [-2, 0], "
+                    "[-1, -1], [0, -1], [1, -1]] }") == Shape(octagon)));
+}
+
+BOOST_AUTO_TEST_CASE(walls) {
+  const Scene scene = parse(tank() +
+                            "[[walls]]\nrole = 'inner'\nshape = { kind = 'ellipse', semi_axes = "
+                            "[2, 1] }\nposition = [1, -2]\norientation = 0.5\nn_nodes = 8\n");
+  BOOST_REQUIRE(scene.walls.size() == 2);
+  const Wall& inner = scene.walls[1];
+  BOOST_TEST((scene.walls[0].role == WallRole::outer));
+  BOOST_TEST((scene.walls[0].shape == Shape(Circle{9.0})));
+  BOOST_TEST(scene.walls[0].position == Complex(0.0, 0.0));
+  BOOST_TEST((inner.role == WallRole::inner));
+  BOOST_TEST((inner.shape == Shape(Ellipse{2.0, 1.0})));
+  BOOST_TEST(inner.position == Complex(1.0, -2.0));
+  BOOST_TEST(inner.orientation == 0.5);
+  BOOST_TEST(inner.n_nodes == 8);
+  BOOST_TEST((inner.motion == WallMotion(FixedWall{})));
+}
+
+BOOST_AUTO_TEST_CASE(wall_motions) {
+  BOOST_TEST((motion("{ kind = 'fixed' }") == WallMotion(FixedWall{})));
+  BOOST_TEST((motion("{ kind = 'rotating', omega = -1 }") == WallMotion(RotatingWall{-1.0})));
+  BOOST_TEST((motion("{ kind = 'translating', velocity = [1, 2] }") ==
+              WallMotion(TranslatingWall{{1.0, 2.0}})));
+  // The net flux of all walls is the solver's to check: one wall may have some.
+  BOOST_TEST((motion("{ kind = 'linear', gradient = [[1, 2], [3, 4]] }") ==
+              WallMotion(LinearWall{matrix(1, 2, 3, 4)})));
+  BOOST_TEST((motion("{ kind = 'radial', speed = 0.5 }") == WallMotion(RadialWall{0.5})));
+}
+
+BOOST_AUTO_TEST_CASE(bodies) {
+  const Scene scene =
+      parse(disk("position = [1, 2]\norientation = 3\nforce = [4, 5]\ntorque = 6\nheld = false\n"
+                 "n_nodes = 8\n") +
+            disk("position = [7, 8]\nheld = true\nvelocity = [9, 10]\nomega = 11\nn_nodes = 10\n") +
+            disk("held = true\nn_nodes = 12\n"));
+  const std::vector<Body> expected{{.shape = Circle{0.5},
+                                    .position = {1, 2},
+                                    .orientation = 3,
+                                    .force = {4, 5},
+                                    .torque = 6,
+                                    .n_nodes = 8},
+                                   {.shape = Circle{0.5},
+                                    .position = {7, 8},
+                                    .held = true,
+                                    .velocity = {9, 10},
+                                    .omega = 11,
+                                    .n_nodes = 10},
+                                   {.shape = Circle{0.5}, .held = true, .n_nodes = 12}};
+  BOOST_TEST((scene.bodies == expected));
+}
+
+BOOST_AUTO_TEST_CASE(fills) {
+  const std::string start = "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\nn_nodes = 16\n";
+  const std::string box = "region = { box = [-1, -2, 3, 4] }\n";
+  const Fill some{.shape = Circle{0.5}, .count = 5, .box{{-1.0, -2.0, 3.0, 4.0}}, .n_nodes = 16};
+  Fill dense = some;
+  dense.count.reset();
+  dense.area_fraction = 0.25;
+  dense.clearance = 0.125;
+  Fill anywhere = some;
+  anywhere.box.reset();
+  const auto fills_of = [](const std::string& text) { return parse(text).fills; };
+  BOOST_TEST((fills_of(start + "count = 5\n" + box) == std::vector{some}));
+  BOOST_TEST((fills_of(start + "area_fraction = 0.25\nclearance = 0.125\n" + box + start +
+                       "count = 5\n" + box) == std::vector{dense, some}));
+  BOOST_TEST((fills_of(tank() + start + "count = 5\n" + box) == std::vector{some}));
+  BOOST_TEST((fills_of(tank() + start + "count = 5\n") == std::vector{anywhere}));
+  BOOST_TEST((fills_of(tank() + start + "count = 5\nregion = 'fluid'\nclearance = 0\n") ==
+              std::vector{anywhere}));
+}
+
+BOOST_AUTO_TEST_CASE(solver_settings) {
+  BOOST_TEST(solver("tolerance = 1e-14").tolerance == 1e-14);
+  BOOST_TEST(solver("tolerance = 0.1").tolerance == 0.1);
+  BOOST_TEST(solver("gmres_tol = 1e-10").gmres_tol.value() == 1e-10);
+  BOOST_TEST(solver("gmres_max_iterations = 1").gmres_max_iterations == 1);
+  BOOST_TEST((solver("summation = 'auto'").summation == Summation::automatic));
+  BOOST_TEST((solver("summation = 'direct'").summation == Summation::direct));
+  BOOST_TEST((solver("near_singular = 'auto'").near_singular == NearSingular::automatic));
+  BOOST_TEST((solver("near_singular = 'cauchy'").near_singular == NearSingular::cauchy));
+  BOOST_TEST((solver("near_singular = 'off'").near_singular == NearSingular::off));
+  using enum PreconditionerKind;
+  BOOST_TEST((solver("preconditioner = 'auto'").preconditioner == automatic));
+  BOOST_TEST((solver("preconditioner = 'none'").preconditioner == none));
+  BOOST_TEST((solver("preconditioner = 'block_diagonal'").preconditioner == block_diagonal));
+  BOOST_TEST((solver("coupling = 'global'") == SolverSettings{}));
+}
+
+BOOST_AUTO_TEST_CASE(time_settings) {
+  const auto time = [](const std::string& line) {
+    return parse(disk() + "[time]\nt_final = 4\ndt = 0.5\n" + line).time.value();
+  };
+  BOOST_TEST((time("") == TimeSettings{4.0, 0.5, SteppingMethod::euler}));
+  BOOST_TEST((time("method = 'euler'\n").method == SteppingMethod::euler));
+  BOOST_TEST((time("method = 'adams_bashforth2'\n").method == SteppingMethod::adams_bashforth2));
+  BOOST_TEST((time("method = 'rk4'\n").method == SteppingMethod::rk4));
+}
+
+BOOST_AUTO_TEST_CASE(output_settings) {
+  const OutputSettings output =
+      parse(disk() + "[output]\ndt_write = 0.5\nformats = ['svg', 'vtk', 'csv']\n").output;
+  BOOST_TEST(output.dt_write.value() == 0.5);
+  using enum OutputFormat;
+  BOOST_TEST((output.formats == std::vector{svg, vtk, csv}));
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_may_be_only_walls_or_only_a_fill) {
+  BOOST_TEST(parse(tank()).bodies.empty());
+  BOOST_TEST(parse("[[fill]]\nshape = { kind = 'circle', radius = 1 }\ncount = 1\nn_nodes = 32\n"
+                   "region = { box = [0, 0, 9, 9] }\n")
+                 .walls.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "double_layer/double_layer.hpp"
+
+namespace stokesbook::test {
+
+/// Solves (-1/2 + D) eta = u densely on one curve, for the velocity limit u of a flow without force
+/// and torque (body) or net flux (enclosing wall). Of the many densities it is the one without
+/// rigid part (body) or with as much normal flux as makes the wall's system regular.
+inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocity) {
+  const Eigen::Index n = curve.size();
+  const Eigen::VectorXd w = weights(curve).cwiseSqrt();
+  Eigen::MatrixXd modes(2 * n, curve.side == Side::fluid_inside ? 1 : 3);
+  const auto set_mode = [&](Eigen::Index k, const ComplexVector& mode) {
+    const ComplexVector weighted = mode.cwiseProduct(w);
+    modes.col(k) = interleaved(weighted);
+  };
+  if (curve.side == Side::fluid_inside) {
+    set_mode(0, normals(curve));
+  } else {
+    set_mode(0, ComplexVector::Ones(n));
+    set_mode(1, ComplexVector::Constant(n, imaginary));
+    set_mode(2, imaginary * (curve.x.array() - boundary_centroid(curve)).matrix());
+  }
+  modes.colwise().normalize();
+  Eigen::VectorXd scale(2 * n);
+  for (Eigen::Index i = 0; i < 2 * n; ++i) scale[i] = w[i / 2];
+  const Eigen::MatrixXd projection =
+      scale.cwiseInverse().asDiagonal() * modes * modes.transpose() * scale.asDiagonal();
+  const Eigen::MatrixXd system =
+      double_layer_matrix(curve) - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n) - projection;
+  const Eigen::VectorXd density = system.partialPivLu().solve(interleaved(velocity));
+  return deinterleaved(density);
+}
+
+}  // namespace stokesbook::test

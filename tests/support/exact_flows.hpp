@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook::test {
+
+/// A stresslet and a source of fluid at a point: it carries neither force nor torque.
+struct Pole {
+  Complex at;
+  Complex dipole;       ///< a of the Goursat function phi = a / r
+  double source = 0.0;  ///< m of the radial flow m r / rho^2
+};
+
+/// An exact Stokes flow of viscosity 1: poles outside the fluid, and the extension e (x, -y).
+///
+/// \f$ u = \sum [a/r + r\,\overline{a/r^2} + m/\bar r] + e\bar z,\ r = z - z_k \f$: u = phi - z
+/// conj(phi') - conj(psi) with p = -4 Re phi', independent of the kernels under test.
+struct ExactFlow {
+  std::vector<Pole> poles;
+  double extension = 0.0;
+
+  Complex velocity(Complex z) const {
+    Complex u = extension * std::conj(z);
+    for (const Pole& pole : poles) {
+      const Complex r = z - pole.at;
+      u += pole.dipole / r + r * std::conj(pole.dipole / (r * r)) + pole.source / std::conj(r);
+    }
+    return u;
+  }
+
+  ComplexVector velocity(const ComplexVector& z) const {
+    return z.unaryExpr([this](Complex point) { return velocity(point); });
+  }
+
+  double pressure(Complex z) const {
+    double p = 0.0;
+    for (const Pole& pole : poles) {
+      const Complex r = z - pole.at;
+      p += 4.0 * (pole.dipole / (r * r)).real();
+    }
+    return p;
+  }
+
+  /// Traction sigma n; 2 e n = q conj(n) with the strain rate q = 2 du/d(conj z).
+  Complex traction(Complex z, Complex n) const {
+    Complex strain = extension;
+    for (const Pole& pole : poles) {
+      const Complex r = std::conj(z - pole.at);
+      strain -= (2.0 * std::conj(r * pole.dipole) / r + pole.source) / (r * r);
+    }
+    return -pressure(z) * n + 2.0 * strain * std::conj(n);
+  }
+};
+
+}  // namespace stokesbook::test

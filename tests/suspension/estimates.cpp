@@ -1,0 +1,96 @@
+// The error estimate is honest: on random scenes with as few nodes as the solver accepts, it is no less than a third of
+// the true error, and no more than 1e4 times as large.
+
+#include "scenes.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+// Moves the last body of a scene in a direction until it is a gap away from all others.
+void move_to_gap(Scene& scene, Complex direction, double gap) {
+  Scene probe = scene;
+  probe.solver.near_singular = NearSingular::off;
+  probe.solver.preconditioner = PreconditionerKind::none;
+  const SuspensionSolver solver(probe);
+  Configuration places = solver.initial_configuration();
+  const auto is_too_close = [&](double distance) {
+    places.back().position = distance * direction;
+    return find_gaps(places, solver.references(), 1e-3).front().points.gap < gap;
+  };
+  double low = 0.0, high = 8.0;
+  for (int bisection = 0; bisection < 45; ++bisection) {
+    const double middle = 0.5 * (low + high);
+    (is_too_close(middle) ? low : high) = middle;
+  }
+  scene.bodies.back().position = high * direction;
+}
+
+// Two or three bodies at gaps from 1 down to 1e-2, in shear, or loaded within a gauge length.
+Scene random_neighbours(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto random_shape = [&]() -> Shape {
+    const std::vector<Shape> shapes{
+        Circle{0.5 + 0.5 * uniform(random)}, Ellipse{1, 1 / (1 + 3 * uniform(random))},
+        Star{0.8, 0.1 + 0.1 * uniform(random), 3}, Superellipse{1, 0.7, 4}, lopsided_curve()};
+    return shapes[random() % shapes.size()];
+  };
+  const bool loaded = random() % 2 == 0;
+  Scene result = loaded ? with_gauge(scene({}), 20.0) : scene({}, ShearFlow{1});
+  const std::size_t count = 2 + random() % 2;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Load load = loaded ? random_load(random) : Load{};
+    result.bodies.push_back(body(random_shape(), 96, 0.0, 6 * uniform(random), load));
+    const double angle = 2.0 * static_cast<double>(k) + uniform(random);
+    if (k > 0) move_to_gap(result, std::polar(1.0, angle), std::pow(10, -2 * uniform(random)));
+  }
+  return result;
+}
+
+Scene with_nodes(Scene scene, int n_nodes) {
+  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
+  return scene;
+}
+
+// The fewest nodes, the same for all bodies, that the solver accepts.
+Scene barely_accepted(const Scene& scene) {
+  for (int n = 16;; n += n < 64 ? 8 : 16) {
+    try {
+      const Solved solved(with_nodes(scene, n));
+      return with_nodes(scene, n);
+    } catch (const NumericsRefused&) {
+      BOOST_REQUIRE(n < 1000);
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(estimates)
+
+BOOST_AUTO_TEST_CASE(are_honest) {
+  std::mt19937_64 random(61);
+  for (int trial = 0; trial < 48; ++trial) {
+    Scene coarse = random_neighbours(random);
+    coarse.solver.tolerance = std::pow(10, -3 - 2 * (trial % 3));
+    coarse = barely_accepted(coarse);
+    Scene fine = with_nodes(coarse, 3 * coarse.bodies[0].n_nodes);
+    fine.solver.tolerance = std::max(1e-12, 1e-4 * coarse.solver.tolerance);
+    const Solved answer(coarse), truth(fine);
+    double error = 0.0;
+    for (std::size_t k = 0; k < coarse.bodies.size(); ++k) {
+      error = std::max(error, distance(answer.motion(k), truth.motion(k)));
+    }
+    error /= answer.solution.velocity_scale;
+    const double estimate = answer.solution.error_estimate;
+    BOOST_TEST_CONTEXT("trial " << trial << ", " << coarse.bodies[0].n_nodes << " nodes, error "
+                                << error << ", estimate " << estimate) {
+      BOOST_TEST(estimate >= 0.3 * error);
+      BOOST_TEST(estimate <= 1e4 * error);
+      BOOST_TEST(error <= coarse.solver.tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

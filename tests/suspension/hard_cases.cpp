@@ -1,0 +1,92 @@
+// Cases at the edge: a gap of 1e-4, a body twenty times as long as wide, a tip in a valley, lengths of 1e-6 and 1e6.
+
+#include "../closure/closed_forms.hpp"
+#include "expected.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+Scene circle_pair(double gap, double tolerance) {
+  Scene pair = scene({body(Circle{1}, 64, -1 - gap / 2), body(Circle{1}, 64, 1 + gap / 2)},
+                     ExtensionalFlow{1});
+  pair.solver.tolerance = tolerance;
+  const SuspensionSolver planner(pair);
+  const std::vector<int> nodes = planner.recommended_nodes(planner.initial_configuration());
+  pair.bodies[0].n_nodes = nodes[0];
+  pair.bodies[1].n_nodes = nodes[1];
+  return pair;
+}
+
+// A five-armed star with an arm in the valley between two arms of another.
+Scene tip_in_valley(int n_nodes, const BackgroundFlow& flow) {
+  const Star star{1, 0.25, 5};
+  const double pi = std::numbers::pi;
+  Scene pair = scene({body(star, n_nodes, {}, pi / 5), body(star, n_nodes, 2.05, pi)}, flow);
+  pair.solver.tolerance = 1e-8;
+  return pair;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(hard_cases)
+
+// Some 1900 nodes a circle.
+BOOST_AUTO_TEST_CASE(gap_of_1e_4) {
+  const double gap = 1e-4, tolerance = 1e-6;
+  const Solved solved(circle_pair(gap, tolerance));
+  const double exact = CirclePair{1, gap}.speed_in_extension(1);
+  BOOST_TEST(std::abs(solved.motion(1).velocity - exact) < tolerance);
+  BOOST_TEST(std::abs(solved.motion(0).velocity + exact) < tolerance);
+  BOOST_TEST(solved.solution.error_estimate < tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(slender_body) {
+  const Ellipse needle{2, 0.1};
+  for (const double orientation : {0.0, 0.3, 1.5}) {
+    const double omega = free_ellipse_omega(needle, orientation, -1.0, 0.0, 0.5);
+    check(scene({body(needle, 352, {0.5, 0.8}, orientation)}, ShearFlow{1}),
+          {{0, RigidMotion{0.8, omega}, {}, {}}}, 1e-12);
+    const Load load{{0.7, -0.3}, 0.2};
+    const RigidMotion exact = loaded_ellipse(needle, orientation, load, 1.0, 5.0);
+    check(with_gauge(scene({body(needle, 800, {0.5, 0.8}, orientation, load)}), 5.0),
+          {{0, exact, {}, {}}}, 1e-11, {{}, {1e3, 1.3, 2.5}});
+  }
+}
+
+// No closed form: other nodes, the mirror image and reciprocity must agree.
+BOOST_AUTO_TEST_CASE(star_tip_in_a_valley) {
+  const Solved coarse(tip_in_valley(384, ShearFlow{1})), fine(tip_in_valley(640, ShearFlow{1}));
+  BOOST_TEST(coarse.solution.gaps.front().points.gap < 0.1);
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(distance(coarse.motion(k), fine.motion(k)) < 1e-8);
+    // The pair is its own mirror image in y = 0, which reverses shear: U_x must vanish.
+    BOOST_TEST(std::abs(fine.motion(k).velocity.real()) < 1e-8);
+  }
+  const auto with_torque = [](std::size_t k) {
+    Scene pair = tip_in_valley(512, {});
+    pair.bodies[k].torque = 1.0;
+    return Solved(pair).motion(1 - k).omega;
+  };
+  BOOST_TEST(std::abs(with_torque(0) - with_torque(1)) < 1e-8);
+}
+
+// A micrometre and a thousand kilometres, if the unit is a metre.
+BOOST_AUTO_TEST_CASE(extreme_units) {
+  const std::vector<Units> extreme{
+      {1e-6, 1.3, 2.5}, {1e6, 1, 1}, {1, 1e-6, 1e6}, {1e-6, 1e-3, 1e3}};
+  const RigidMotion left{{0, .157664988452569}, -.302612470846086};
+  check(scene({body(Circle{1}, 128, -1.05), body(Circle{1}, 128, 1.05)}, ShearFlow{1}),
+        {{0, left, {}, Complex{0, 5.69598502258849}}}, 1e-11, extreme);
+  check(scene({body(Circle{.4}, 96, 2)}, {},
+              {inner_wall(Circle{1}, 128), outer_wall(Circle{3}, 160, RotatingWall{1})}),
+        {{0, RigidMotion{{0, 1.69576668946189}, 1.09942194421272}, {}, {}},
+         {1, {}, Load{{0, .377572056655290}, -14.5906361196035}, {}}},
+        1e-11, extreme);
+  const Load load{{1.0, 0.0}, 0.0};
+  check(with_gauge(scene({body(Star{1, 0.2, 5}, 192, {}, 0.0, load)}), 1.0),
+        {{0, RigidMotion{0.031871196888335535, 0.0}, {}, {}}}, 1e-13, extreme);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

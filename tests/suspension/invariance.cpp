@@ -1,0 +1,187 @@
+// What no frame or unit may change: rotation, translation and Galilean boost of the whole scene, units of length, time and
+// viscosity, walls that carry everything rigidly, superposition.
+
+#include <functional>
+
+#include <Eigen/Geometry>
+
+#include "expected.hpp"
+#include "suspension/component_data.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+Eigen::Matrix2d shear_gradient() {
+  Eigen::Matrix2d gradient;
+  gradient << 0.2, 1.0, -0.3, -0.2;
+  return gradient;
+}
+
+Complex times(const Eigen::Matrix2d& matrix, Complex x) {
+  const Eigen::Vector2d y = matrix * Eigen::Vector2d{x.real(), x.imag()};
+  return {y[0], y[1]};
+}
+
+// Loaded bodies, one of them held, in a linear flow.
+Scene mixed_scene(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  Scene mixed = resolved(scene(random_bodies(random), LinearFlow{shear_gradient()}));
+  for (Body& body : mixed.bodies) {
+    const Load load = random_load(random);
+    body.force = load.force;
+    body.torque = load.torque;
+  }
+  Body& held = mixed.bodies[1];
+  held =
+      held_body(held.shape, held.n_nodes, held.position, held.orientation, random_motion(random));
+  return mixed;
+}
+
+std::vector<Expected> expected_from(const Solved& solved,
+                                    const std::function<RigidMotion(RigidMotion, Complex)>& motion,
+                                    Complex turn = 1.0) {
+  std::vector<Expected> expected;
+  for (std::size_t k = 0; k < solved.solution.motions.size(); ++k) {
+    const Load& load = solved.load(k);
+    expected.push_back({k,
+                        motion(solved.motion(k), solved.configuration[k].position),
+                        Load{turn * load.force, load.torque},
+                        {}});
+  }
+  return expected;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(invariance)
+
+BOOST_AUTO_TEST_CASE(units) {
+  for (const std::uint64_t seed : {41u, 42u}) {
+    const Scene mixed = mixed_scene(seed);
+    check(mixed, expected_from(Solved(mixed), [](RigidMotion m, Complex) { return m; }), 1e-11);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rotation) {
+  for (const double angle : {0.7, 2.0, -1.1}) {
+    Scene mixed = mixed_scene(43);
+    const Solved solved(mixed);
+    const Complex turn = std::polar(1.0, angle);
+    const Eigen::Matrix2d turning = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    mixed.flow = LinearFlow{turning * shear_gradient() * turning.transpose()};
+    for (Body& body : mixed.bodies) {
+      body.position *= turn;
+      body.orientation += angle;
+      body.force *= turn;
+      body.velocity *= turn;
+    }
+    const auto turned = [&](RigidMotion m, Complex) {
+      return RigidMotion{turn * m.velocity, m.omega};
+    };
+    check(mixed, expected_from(solved, turned, turn), 1e-11);
+  }
+}
+
+// In a linear flow a translation is a boost by the difference of the flow, which held bodies must share.
+BOOST_AUTO_TEST_CASE(translation_and_boost) {
+  Scene mixed = mixed_scene(44);
+  const Solved solved(mixed);
+  const Complex shift{13.0, -7.0}, boost = times(shear_gradient(), shift);
+  for (Body& body : mixed.bodies) {
+    body.position += shift;
+    if (body.held) body.velocity += boost;
+  }
+  const auto boosted = [&](RigidMotion m, Complex) {
+    return RigidMotion{m.velocity + boost, m.omega};
+  };
+  check(mixed, expected_from(solved, boosted), 1e-11);
+}
+
+// A uniform stream carries loaded free bodies along, whatever they do otherwise.
+BOOST_AUTO_TEST_CASE(uniform_stream) {
+  Scene still = mixed_scene(45);
+  still.bodies[1].held = false;
+  still.flow = QuiescentFlow{};
+  still.gauge_length = 10.0;
+  const Solved solved(still);
+  Scene stream = still;
+  stream.flow = UniformFlow{{0.8, -0.5}};
+  const auto carried = [](RigidMotion m, Complex) {
+    return RigidMotion{m.velocity + Complex{0.8, -0.5}, m.omega};
+  };
+  check(stream, expected_from(solved, carried), 1e-12);
+}
+
+// A turning or moving container carries all bodies with it, and nothing feels a load.
+BOOST_AUTO_TEST_CASE(walls_carry_bodies_rigidly) {
+  std::mt19937_64 random(46);
+  for (const Shape& container :
+       {Shape{Circle{4}}, Shape{Star{4, 0.05, 3}}, Shape{Superellipse{4.5, 4, 4}}}) {
+    const Complex centre{0.2, -0.1};
+    std::vector<Body> bodies = random_bodies(random);
+    for (const WallMotion& motion :
+         {WallMotion{RotatingWall{0.9}}, WallMotion{TranslatingWall{{0.4, 1.2}}}}) {
+      const RigidMotion wall = rigid_motion(motion);
+      const auto carried = [&](Complex position) {
+        return RigidMotion{wall.velocity + wall.omega * perp(position - centre), wall.omega};
+      };
+      // A held body that goes along is as little in the way as the free ones.
+      Body& held = bodies[2];
+      held = held_body(held.shape, 0, held.position, held.orientation, carried(held.position));
+      std::vector<Expected> expected{{3, wall, Load{}, {}}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        expected.push_back({k, carried(bodies[k].position), Load{}, {}});
+      }
+      check(resolved(scene(bodies, {}, {outer_wall(container, 0, motion, centre)})), expected,
+            1e-11);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(circle_carried_by_its_container) {
+  const Scene carried =
+      scene({body(Circle{.5}, 64, 1.2)}, {}, {outer_wall(Circle{3}, 96, RotatingWall{1})});
+  check(carried, {{0, RigidMotion{{0, 1.2}, 1.0}, {}, {}}}, 1e-13);
+}
+
+// The solution of a sum of data is the sum of the solutions, in a container with all kinds of data.
+BOOST_AUTO_TEST_CASE(superposition) {
+  std::mt19937_64 random(47);
+  Scene base = resolved(scene(random_bodies(random), {}, {outer_wall(Circle{4}, 0)}));
+  Scene loads = base, walls = base, both = base;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Load load = random_load(random);
+    for (Scene* part : {&loads, &both}) {
+      part->bodies[k].force = load.force;
+      part->bodies[k].torque = load.torque;
+    }
+  }
+  walls.walls[0].motion = both.walls[0].motion = LinearWall{shear_gradient()};
+  const Solved a(loads), b(walls);
+  std::vector<Expected> sum;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum.push_back({k,
+                   RigidMotion{a.motion(k).velocity + b.motion(k).velocity,
+                               a.motion(k).omega + b.motion(k).omega},
+                   {},
+                   {}});
+  }
+  check(both, sum, 1e-12);
+}
+
+// A reversed drive reverses everything.
+BOOST_AUTO_TEST_CASE(reversed_drive) {
+  const Scene mixed = mixed_scene(48);
+  const SuspensionSolver solver(mixed);
+  const Configuration start = solver.initial_configuration();
+  const Solution forth = solver.solve(start), back = solver.solve(start, -1.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& [u, omega] = back.motions[k];
+    BOOST_TEST(distance(forth.motions[k], {-u, -omega}) < 1e-12);
+    BOOST_TEST(distance(forth.loads[k], {-back.loads[k].force, -back.loads[k].torque}) < 1e-11);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

@@ -1,0 +1,94 @@
+// The solver gives no answer it cannot stand behind: what it refuses names the components, the values, and what to
+// change; and what it recommends is then accepted and right.
+
+#include <limits>
+
+#include "suspension/random_scenes.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+// Solves, and checks that the refusal mentions all words.
+void check_refused(const Scene& scene, const std::vector<std::string>& words) {
+  const auto mentions_all = [&](const NumericsRefused& refusal) {
+    const std::string message = refusal.what();
+    for (const std::string& word : words) {
+      BOOST_TEST(message.find(word) != std::string::npos, "no \"" << word << "\" in: " << message);
+    }
+    return true;
+  };
+  BOOST_CHECK_EXCEPTION(Solved{scene}, NumericsRefused, mentions_all);
+}
+
+Scene pair(double gap, int n_nodes, double tolerance = 1e-8) {
+  Scene result = scene(
+      {body(Circle{1.0}, n_nodes, -1.0 - 0.5 * gap), body(Circle{1.0}, n_nodes, 1.0 + 0.5 * gap)},
+      ExtensionalFlow{1.0});
+  result.solver.tolerance = tolerance;
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(overlaps) {
+  check_refused(pair(-0.1, 64), {"body 0 and body 1", "overlap", "0.1"});
+  check_refused(pair(0.0, 64), {"body 0 and body 1", "overlap"});
+  check_refused(scene({body(Circle{1.0}, 64, 0.0), body(Circle{0.3}, 64, 0.2)}), {"overlap"});
+  check_refused(scene({body(Circle{1.0}, 64, 7.0)}, {}, {outer_wall(Circle{5.0}, 64)}),
+                {"body 0 and wall 0", "overlap"});
+  check_refused(scene({body(Circle{1.0}, 64, 4.5)}, {}, {outer_wall(Circle{5.0}, 64)}),
+                {"body 0 and wall 0", "overlap"});
+}
+
+BOOST_AUTO_TEST_CASE(unresolved_gaps_shapes_and_densities) {
+  check_refused(pair(0.01, 64), {"body 0 and body 1", "0.01 apart", "n_nodes"});
+  check_refused(scene({body(Ellipse{10.0, 1.0}, 16, 0.0)}, ShearFlow{1.0}),
+                {"body 0", "16 nodes", "shape", "n_nodes"});
+  // The shape alone is resolved, the Stokeslet inside a slender loaded body is not.
+  Scene slender = scene({body(Ellipse{3.0, 0.5}, 112, 0.0, 0.0, {1.0, 0.0})});
+  slender.gauge_length = 1.0;
+  check_refused(slender, {"density on body 0", "n_nodes"});
+  Scene plain = pair(0.5, 48);
+  plain.solver.near_singular = NearSingular::off;
+  check_refused(plain, {"plain trapezoid rule", "near_singular"});
+}
+
+BOOST_AUTO_TEST_CASE(impossible_data) {
+  check_refused(
+      scene({}, {}, {outer_wall(Circle{3.0}, 64), inner_wall(Circle{1.0}, 64, RadialWall{0.5})}),
+      {"net flux"});
+  check_refused(scene({body(Circle{1.0}, 32, 0.0, 0.0, {{0.0, -2.0}, 0.0})}),
+                {"net force", "(0, -2)", "gauge_length"});
+  Scene held = scene({held_body(Circle{1.0}, 32, 0.0, 0.0, {})}, UniformFlow{1.0});
+  held.gauge_length = 1.0;
+  check_refused(held, {"gauge_length", "2"});
+}
+
+BOOST_AUTO_TEST_CASE(failed_iterations) {
+  Scene hard = mixed_bodies(1);
+  hard.solver.gmres_max_iterations = 3;
+  check_refused(hard, {"GMRES", "3 iterations", "gmres_max_iterations"});
+  Scene broken = mixed_bodies(1);
+  broken.bodies[2].torque = std::numeric_limits<double>::quiet_NaN();
+  check_refused(broken, {"not finite"});
+}
+
+BOOST_AUTO_TEST_CASE(recommended_nodes_are_accepted_and_right) {
+  // U_x of C11: to 1e-9 at a gap of 1e-2, to 1e-7 at 1e-3, relative to itself; the tolerance is
+  // relative to the largest velocity, 2, hence a thousand and thirty thousand times smaller.
+  const struct {
+    double gap, expected, relative_error;
+  } cases[] = {{1e-2, .0019680453757646231, 1e-9}, {1e-3, 6.3142954288021558e-5, 1e-7}};
+  for (const auto& [gap, expected, relative_error] : cases) {
+    const double tolerance = 0.5 * relative_error * expected;
+    const SuspensionSolver planner(pair(gap, 64, tolerance));
+    const std::vector<int> nodes = planner.recommended_nodes(planner.initial_configuration());
+    BOOST_TEST(nodes[0] == nodes[1]);
+    const Solved solved(pair(gap, nodes[0], tolerance));
+    BOOST_TEST(std::abs(solved.motion(1).velocity.real() / expected - 1.0) < relative_error);
+    check_refused(pair(gap, nodes[0] / 2, tolerance), {"n_nodes"});
+  }
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+#include "../closure/distance.hpp"
+#include "../closure/lopsided_curve.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook::test {
+
+inline Body body(const Shape& shape, int n_nodes, Complex position, double orientation = 0.0,
+                 const Load& load = {}) {
+  return {shape, position, orientation, load.force, load.torque, false, {}, 0.0, n_nodes};
+}
+
+inline Body held_body(const Shape& shape, int n_nodes, Complex position, double orientation = 0.0,
+                      const RigidMotion& motion = {}) {
+  return {shape, position, orientation, {}, 0.0, true, motion.velocity, motion.omega, n_nodes};
+}
+
+inline Wall outer_wall(const Shape& shape, int n_nodes, const WallMotion& motion = {},
+                       Complex position = {}, double orientation = 0.0) {
+  return {WallRole::outer, shape, position, orientation, n_nodes, motion};
+}
+
+inline Wall inner_wall(const Shape& shape, int n_nodes, const WallMotion& motion = {},
+                       Complex position = {}, double orientation = 0.0) {
+  return {WallRole::inner, shape, position, orientation, n_nodes, motion};
+}
+
+/// A scene that is solved nearly to rounding, or refused.
+inline Scene scene(std::vector<Body> bodies, const BackgroundFlow& flow = {},
+                   std::vector<Wall> walls = {}) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  scene.walls = std::move(walls);
+  scene.flow = flow;
+  scene.solver.tolerance = 1e-12;
+  return scene;
+}
+
+inline Scene with_gauge(Scene scene, double gauge_length) {
+  scene.gauge_length = gauge_length;
+  return scene;
+}
+
+/// A scene, its solver, and its solution at the start.
+struct Solved {
+  SuspensionSolver solver;
+  Configuration configuration;
+  Solution solution;
+
+  explicit Solved(const Scene& scene)
+      : solver(scene),
+        configuration(solver.initial_configuration()),
+        solution(solver.solve(configuration)) {}
+
+  const RigidMotion& motion(std::size_t component) const { return solution.motions[component]; }
+  const Load& load(std::size_t component) const { return solution.loads[component]; }
+  ComplexVector velocity(const ComplexVector& points) const {
+    return solver.velocity(configuration, solution, points);
+  }
+
+  /// S_11 + i S_12 of a component, -mu \int n eta ds.
+  Complex stresslet(std::size_t component) const {
+    const StokesProblem problem = solver.problem(configuration);
+    const Eigen::Index first = node_offsets(problem)[component];
+    const Curve& curve = problem.components[component].curve;
+    const auto density = solution.density.segment(first, curve.size());
+    return -problem.viscosity *
+           normals(curve).cwiseProduct(density).cwiseProduct(weights(curve)).sum();
+  }
+};
+
+/// Gives every component as many nodes as its shape and the gaps ask for, and a few more for densities.
+inline Scene resolved(Scene scene) {
+  const auto set_nodes = [&](auto nodes_of) {
+    std::size_t k = 0;
+    for (Body& body : scene.bodies) body.n_nodes = nodes_of(k++);
+    for (Wall& wall : scene.walls) wall.n_nodes = nodes_of(k++);
+  };
+  set_nodes([](std::size_t) { return 128; });
+  const SuspensionSolver solver(scene);
+  const std::vector<int> asked = solver.recommended_nodes(solver.initial_configuration());
+  set_nodes([&](std::size_t k) { return std::max(96, asked[k] + asked[k] / 4 / 2 * 2); });
+  return scene;
+}
+
+/// Places bodies at random in a disk about the origin, bounding circles apart by a gap at least.
+inline void place_at_random(Scene& scene, std::mt19937_64& random, double disk, double gap) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto radius = [](const Body& body) {
+    return bounding_radius(sample(body.shape, 64, Side::fluid_outside), 0.0);
+  };
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    Body& body = scene.bodies[k];
+    const auto fits = [&] {
+      if (std::abs(body.position) + radius(body) > disk) return false;
+      for (std::size_t j = 0; j < k; ++j) {
+        const Body& other = scene.bodies[j];
+        const double distance = std::abs(body.position - other.position);
+        if (distance < radius(body) + radius(other) + gap) return false;
+      }
+      return true;
+    };
+    do {
+      body.position = disk * Complex{uniform(random), uniform(random)};
+    } while (!fits());
+    body.orientation = 3.0 * uniform(random);
+  }
+}
+
+/// Three bodies of different shape, at random in a disk of radius 3.
+inline std::vector<Body> random_bodies(std::mt19937_64& random, double gap = 0.15) {
+  std::vector<Shape> shapes{Circle{0.6}, Ellipse{0.9, 0.5}, Star{0.7, 0.15, 5},
+                            Superellipse{0.7, 0.5, 4}, lopsided_curve(0.7)};
+  std::shuffle(shapes.begin(), shapes.end(), random);
+  Scene three = scene({body(shapes[0], 0, {}), body(shapes[1], 0, {}), body(shapes[2], 0, {})});
+  place_at_random(three, random, 3.0, gap);
+  return three.bodies;
+}
+
+/// A force and a torque of size one.
+inline Load random_load(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double x = uniform(random), y = uniform(random);
+  return {{x, y}, uniform(random)};
+}
+
+/// A velocity and an angular velocity of size one.
+inline RigidMotion random_motion(std::mt19937_64& random) {
+  const Load load = random_load(random);
+  return {load.force, load.torque};
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,111 @@
+// The trigonometric interpolant between its nodes, and resampling to more or fewer of them.
+#include <cmath>
+#include <numbers>
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/vectors.hpp"
+#include "trapezoid/fourier.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::largest;
+using test::random_vector;
+
+namespace {
+
+double node(Index j, Index n) {
+  return 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
+}
+
+// f(t) = exp(a e^{it}), an entire series of both parts with known derivatives.
+struct Exponential {
+  Complex a{0.5, 0.3};
+  Complex value(double t) const { return std::exp(a * std::polar(1.0, t)); }
+  Complex first(double t) const { return imaginary * a * std::polar(1.0, t) * value(t); }
+  Complex second(double t) const {
+    const Complex z = a * std::polar(1.0, t);
+    return -(z + z * z) * value(t);
+  }
+  ComplexVector at_nodes(Index n) const {
+    ComplexVector values(n);
+    for (Index j = 0; j < n; ++j) values[j] = value(node(j, n));
+    return values;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(jets_between_the_nodes) {
+  const Exponential f;
+  const TrigonometricPolynomial interpolant(f.at_nodes(32));
+  for (double t : {-7.0, 0.0, 0.05, 1.0, 3.3, 6.28}) {
+    const TrigonometricPolynomial::Jet jet = interpolant(t);
+    BOOST_TEST(std::abs(jet.value - f.value(t)) < 5e-15);
+    BOOST_TEST(std::abs(jet.first - f.first(t)) < 2e-14);
+    BOOST_TEST(std::abs(jet.second - f.second(t)) < 2e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_interpolant_passes_through_the_nodes) {
+  for (Index n : {2, 4, 62, 256}) {
+    const ComplexVector values = random_vector(n, 4);
+    const TrigonometricPolynomial interpolant(values);
+    for (Index j = 0; j < n; ++j) {
+      BOOST_TEST(std::abs(interpolant(node(j, n)).value - values[j]) < 1e-13);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_interpolant_of_real_values_is_real) {
+  // So the highest mode must be a cosine, half of it for each sign of k.
+  const ComplexVector values = random_vector(10, 5).real();
+  const TrigonometricPolynomial interpolant(values);
+  for (double t : {0.1, 1.0, 2.7}) {
+    BOOST_TEST(std::abs(interpolant(t).value.imag()) < 1e-15);
+    BOOST_TEST(std::abs(interpolant(t).first.imag()) < 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(resampling_up_keeps_the_interpolant) {
+  for (Index n : {2, 3, 9, 10, 31}) {
+    const ComplexVector values = random_vector(n, 6);
+    for (Index m : {32, 90}) {
+      const ComplexVector fine = resample(values, m);
+      BOOST_TEST(largest(resample(fine, m) - fine) < 1e-14);
+      for (Index j = 0; j < n; ++j) {
+        const Complex back = TrigonometricPolynomial(fine)(node(j, n)).value;
+        BOOST_TEST(std::abs(back - values[j]) < 5e-14);
+      }
+      if (n % 2 != 0) continue;
+      const TrigonometricPolynomial interpolant(values);
+      for (Index j = 0; j < m; ++j) {
+        BOOST_TEST(std::abs(interpolant(node(j, m)).value - fine[j]) < 1e-14);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(resampling_to_as_many_nodes_is_the_identity) {
+  for (Index n : {2, 4, 10, 64}) {
+    const ComplexVector values = random_vector(n, 7);
+    BOOST_TEST(largest(resample(values, n) - values) < 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(resampling_down_cuts_the_series) {
+  // 33 nodes hold exp(a e^{it}) to rounding; of its modes k >= 0 the coarse grid keeps 0 ... m/2
+  // - 1.
+  const Exponential f;
+  for (Index n : {33, 34}) {
+    for (Index m : {4, 8, 16, 32}) {
+      const ComplexVector c = fourier_coefficients(resample(f.at_nodes(n), m));
+      Complex term = 1.0;
+      for (Index k = 0; k < m / 2; ++k) {
+        BOOST_TEST(std::abs(c[k] - term) < 1e-15);
+        term *= f.a / static_cast<double>(k + 1);
+      }
+      BOOST_TEST(largest(c.tail(m / 2)) < 1e-15);
+    }
+  }
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "table.hpp"
+
+namespace stokesbook {
+
+/// Floating-point operations counted for a pair of the direct stresslet sum.
+inline constexpr double operations_per_pair = 19.0;
+
+/// Times the streamed sum over all pairs of n nodes with one thread and with two.
+///
+/// @param  peak    operations a second of one core, see fma_peak()
+/// @param  most    largest n
+/// @param  budget  seconds to spend on each number
+Table time_direct_sum(double peak, int most, double budget);
+
+/// Times applications of the stored matrix beside the streamed sum, one thread, and finds where
+/// streaming becomes the faster.
+Table time_storage(double budget);
+
+}  // namespace stokesbook

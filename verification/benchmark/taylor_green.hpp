@@ -1,0 +1,14 @@
+#pragma once
+
+#include "table.hpp"
+
+namespace stokesbook {
+
+/// Times set-up, matrix-vector product and solve for 48 slender ellipses in a Taylor-Green flow, where
+/// their published simulation starts, with all threads.
+///
+/// @param  quick   only the published 32 nodes an ellipse
+/// @param  budget  seconds to spend on each number
+Table time_taylor_green(bool quick, double budget);
+
+}  // namespace stokesbook
