@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(have_one_flow) {
   std::vector<ComplexVector> flows, densities;
   for (const ClosureForm form : all_forms) {
     const DenseSystem system = assemble(problem, form);
-    const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
+    const Eigen::VectorXd solution = solve(system);
     const Eigen::Index n = all_nodes(problem).size();
     densities.push_back(solution.head(2 * n).reshaped(2, n).transpose() *
                         Eigen::Vector2cd{1.0, imaginary});
@@ -75,10 +75,9 @@ BOOST_AUTO_TEST_CASE(border_of_free_bodies_may_hold_anything) {
                               {}};
   for (const ClosureForm form : {ClosureForm::draft_bordered, ClosureForm::scaled_bordered}) {
     DenseSystem system = assemble(problem, form);
-    const auto lu = system.matrix.partialPivLu();
-    const Completion given = complete_dense(problem, form, lu.solve(system.rhs));
+    const Completion given = complete_dense(problem, form, solve(system));
     system.rhs.tail(6) << 1.0, -2.0, 0.5, 0.0, 3.0, -0.7;
-    const Completion other = complete_dense(problem, form, lu.solve(system.rhs));
+    const Completion other = complete_dense(problem, form, solve(system));
     for (std::size_t k = 0; k < 2; ++k) {
       BOOST_TEST(distance(given.motions[k], other.motions[k]) < 1e-13);
     }

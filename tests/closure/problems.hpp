@@ -6,12 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
 #include "closure/bordered_system.hpp"
 #include "distance.hpp"
 #include "lopsided_curve.hpp"
+#include "support/dense.hpp"
 
 namespace stokesbook::test {
 
@@ -48,18 +46,12 @@ inline ComplexVector all_nodes(const StokesProblem& problem) {
   return nodes;
 }
 
+inline Eigen::VectorXd solve(const DenseSystem& system) {
+  return solve(system.matrix, system.rhs);
+}
+
 inline Completion solve_dense(const StokesProblem& problem, ClosureForm form) {
-  const DenseSystem system = assemble(problem, form);
-  return complete_dense(problem, form, system.matrix.partialPivLu().solve(system.rhs));
-}
-
-inline Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
-  return Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
-}
-
-inline double condition_number(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd values = singular_values(matrix);
-  return values.maxCoeff() / values.minCoeff();
+  return complete_dense(problem, form, solve(assemble(problem, form)));
 }
 
 }  // namespace stokesbook::test

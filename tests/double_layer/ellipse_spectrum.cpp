@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/double_layer.hpp"
+#include "support/dense.hpp"
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
 
@@ -39,7 +39,7 @@ std::vector<double> closed_form_spectrum(double m, Index modes) {
 // The computed spectrum of D, largest modulus first.
 std::vector<double> computed_spectrum(double a, double b, Index n, Side side) {
   const Eigen::MatrixXd layer = double_layer_matrix(sample(Ellipse{a, b}, n, side));
-  const Eigen::VectorXcd values = layer.eigenvalues();
+  const Eigen::VectorXcd values = test::eigenvalues(layer);
   BOOST_TEST(values.imag().cwiseAbs().maxCoeff() < 1e-7);
   std::vector<double> spectrum(static_cast<std::size_t>(values.size()));
   std::transform(values.begin(), values.end(), spectrum.begin(),

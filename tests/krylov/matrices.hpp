@@ -2,9 +2,8 @@
 
 #include <random>
 
-#include <Eigen/QR>
-
 #include "krylov/gmres.hpp"
+#include "support/dense.hpp"
 
 namespace stokesbook::test {
 
@@ -17,7 +16,7 @@ inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, un
 
 /// Random orthogonal matrix.
 inline Eigen::MatrixXd orthogonal_matrix(Eigen::Index n, unsigned seed) {
-  return normal_matrix(n, n, seed).householderQr().householderQ();
+  return orthogonal_factor(normal_matrix(n, n, seed));
 }
 
 /// Nonsymmetric matrix with the spectrum in a disk about 1 that excludes 0.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/QR>
 #include <boost/test/unit_test.hpp>
 
 #include "krylov/gmres.hpp"

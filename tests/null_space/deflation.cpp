@@ -3,7 +3,6 @@
 // draft's unscaled \int n(x) n(y) . eta ds the condition number is the wall's length, in whatever
 // unit.
 
-#include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
 #include "walls.hpp"
@@ -21,7 +20,7 @@ Curve circle(double radius) {
 }
 
 Eigen::VectorXd sorted_eigenvalues(const Eigen::MatrixXd& matrix) {
-  Eigen::VectorXd values = matrix.eigenvalues().real();
+  Eigen::VectorXd values = eigenvalues(matrix).real();
   std::sort(values.begin(), values.end());
   return values;
 }

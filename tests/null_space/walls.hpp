@@ -28,10 +28,6 @@ inline DenseSystem assemble_bounded(const StokesProblem& problem, ClosureForm fo
   return system;
 }
 
-inline Eigen::VectorXd solve(const DenseSystem& system) {
-  return system.matrix.partialPivLu().solve(system.rhs);
-}
-
 inline Completion solve_bounded(const StokesProblem& problem, ClosureForm form,
                                 double scale = 1.0) {
   return complete_dense(problem, form, solve(assemble_bounded(problem, form, scale)));

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "double_layer/double_layer.hpp"
+#include "support/dense.hpp"
 
 namespace stokesbook::test {
 
@@ -31,7 +30,7 @@ inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocit
       scale.cwiseInverse().asDiagonal() * modes * modes.transpose() * scale.asDiagonal();
   const Eigen::MatrixXd system =
       double_layer_matrix(curve) - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n) - projection;
-  const Eigen::VectorXd density = system.partialPivLu().solve(interleaved(velocity));
+  const Eigen::VectorXd density = solve(system, interleaved(velocity));
   return deinterleaved(density);
 }
 

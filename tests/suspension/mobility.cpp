@@ -1,7 +1,6 @@
 // The mobility matrix of any bodies is symmetric and positive definite, unbounded within a gauge length and in a container.
 
-#include <Eigen/Eigenvalues>
-
+#include "support/dense.hpp"
 #include "units.hpp"
 
 namespace stokesbook::test {
@@ -33,7 +32,7 @@ void check_mobility(const Scene& scene) {
     BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-12 * largest);
     // The smallest eigenvalue belongs to the body that is hardest to move alone: of order 1 / (4 pi).
     const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
-    BOOST_TEST(symmetric.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 1e-4);
+    BOOST_TEST(symmetric_eigenvalues(symmetric)[0] > 1e-4);
   }
 }
 
@@ -65,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_container_takes_mobility_away) {
   };
   const Eigen::MatrixXd taken = in_container(5.0) - in_container(3.5);
   const Eigen::MatrixXd symmetric = 0.5 * (taken + taken.transpose());
-  BOOST_TEST(symmetric.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > 0.0);
+  BOOST_TEST(symmetric_eigenvalues(symmetric)[0] > 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
