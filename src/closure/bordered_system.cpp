@@ -22,7 +22,7 @@ MatrixXd layer_matrix(const StokesProblem& problem, const std::vector<Index>& of
   ComplexVector unit = ComplexVector::Zero(n);
   std::vector<Curve> curves;
   for (const Component& component : problem.components) curves.push_back(component.curve);
-  const StressletSum sum(curves, KernelStorage::stored);
+  const StressletSum sum(curves, KernelStorage::streamed);
   for (Index column = 0; column < 2 * n; ++column) {
     unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
     ComplexVector velocity = sum(unit) - 0.5 * unit;
@@ -85,18 +85,18 @@ double stokeslet_gauge(const StokesProblem& problem, const Component& component,
 DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Index>& offsets) {
   const Closure closure(problem);
   const Index n = offsets.back();
-  const MatrixXd layer = layer_matrix(problem, offsets);
-  MatrixXd matrix(2 * n, 2 * n);
+  MatrixXd rest(2 * n, 2 * n), added(2 * n, 2 * n);
   ComplexVector unit = ComplexVector::Zero(n);
   for (Index column = 0; column < 2 * n; ++column) {
     unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
-    const ComplexVector rest = closure.without_rigid_part(unit);
-    const ComplexVector added = closure.velocity(unit);
-    matrix.col(column) = layer * interleaved(rest) + interleaved(added);
+    const ComplexVector without = closure.without_rigid_part(unit);
+    const ComplexVector velocity = closure.velocity(unit);
+    rest.col(column) = interleaved(without);
+    added.col(column) = interleaved(velocity);
     unit[column / 2] = 0.0;
   }
   const ComplexVector rhs = closure.right_hand_side();
-  return {matrix, interleaved(rhs)};
+  return {layer_matrix(problem, offsets) * rest + added, interleaved(rhs)};
 }
 
 DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
