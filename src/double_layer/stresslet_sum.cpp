@@ -17,12 +17,8 @@ constexpr Index block_size = 512;
 // Targets a thread takes at a time.
 constexpr Index chunk_size = 64;
 
-// Stands for the squared distance of a pair that is left out: its term underflows next to any
-// other, and the product with another squared distance does not overflow for lengths below 1e70.
-constexpr double masked_distance2 = 1e150;
-
 struct SourceBlock {
-  const double *x, *y, *nx, *ny, *ex, *ey, *skip2;
+  const double *x, *y, *nx, *ny, *ex, *ey, *least2;
   Index size;
 };
 
@@ -34,7 +30,7 @@ void add_velocities(const SourceBlock& s, Complex target_0, Complex target_1, Co
   const double x1 = target_1.real(), y1 = target_1.imag();
   // Copies that no store can alias: through the struct the compiler would gather.
   const double *x = s.x, *y = s.y, *nx = s.nx, *ny = s.ny, *ex = s.ex, *ey = s.ey;
-  const double* skip2 = s.skip2;
+  const double* least2 = s.least2;
   const Index size = s.size;
   double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;
 #pragma omp simd reduction(+ : u0, v0, u1, v1)
@@ -43,8 +39,8 @@ void add_velocities(const SourceBlock& s, Complex target_0, Complex target_1, Co
     const double dx1 = x1 - x[j], dy1 = y1 - y[j];
     const double distance2_0 = dx0 * dx0 + dy0 * dy0;
     const double distance2_1 = dx1 * dx1 + dy1 * dy1;
-    const double rho2_0 = distance2_0 > skip2[j] ? distance2_0 : masked_distance2;
-    const double rho2_1 = distance2_1 > skip2[j] ? distance2_1 : masked_distance2;
+    const double rho2_0 = distance2_0 > least2[j] ? distance2_0 : least2[j];
+    const double rho2_1 = distance2_1 > least2[j] ? distance2_1 : least2[j];
     const double inverse = 1.0 / (rho2_0 * rho2_1);
     const double inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
     const double c0 =
@@ -67,7 +63,7 @@ StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage stora
   for (const Curve& curve : curves) {
     n += curve.size();
   }
-  for (Eigen::VectorXd* array : {&x_, &y_, &nx_, &ny_, &skip2_}) {
+  for (Eigen::VectorXd* array : {&x_, &y_, &nx_, &ny_, &least2_}) {
     array->resize(n);
   }
   Index first = 0;
@@ -79,7 +75,7 @@ StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage stora
     y_.segment(first, m) = curve.x.imag();
     nx_.segment(first, m) = weighted_normal.real();
     ny_.segment(first, m) = weighted_normal.imag();
-    skip2_.segment(first, m) = 0.25 * w.array().square();
+    least2_.segment(first, m) = 0.25 * w.array().square();
     first += m;
   }
   if (storage == KernelStorage::stored) {
@@ -88,9 +84,8 @@ StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage stora
     for (Index j = 0; j < n; ++j) {
       for (Index i = 0; i < n; ++i) {
         const Eigen::Vector2d r{x_[i] - x_[j], y_[i] - y_[j]};
-        const double rho2 = r.squaredNorm();
-        const double factor =
-            rho2 > skip2_[j] ? (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2) : 0.0;
+        const double rho2 = std::max(r.squaredNorm(), least2_[j]);
+        const double factor = (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2);
         matrix_.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
       }
     }
@@ -119,8 +114,8 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
     const Index last = std::min(chunk + chunk_size, m);
     for (Index first = 0; first < n; first += block_size) {
       const SourceBlock sources{
-          &x_[first], &y_[first], &nx_[first],    &ny_[first],
-          &ex[first], &ey[first], &skip2_[first], std::min(block_size, n - first)};
+          &x_[first], &y_[first], &nx_[first],     &ny_[first],
+          &ex[first], &ey[first], &least2_[first], std::min(block_size, n - first)};
       for (Index i = chunk; i + 1 < last; i += 2) {
         add_velocities(sources, targets[i], targets[i + 1], velocity[i], velocity[i + 1]);
       }

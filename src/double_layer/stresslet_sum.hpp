@@ -20,10 +20,11 @@ enum class KernelStorage {
 /// The trapezoid sum of the double layer over all nodes of several curves: planned once, applied
 /// many times.
 ///
-/// \f$ u(x_i) = \sum_j \frac{w_j}{\pi} \frac{(r\cdot n_j)(r\cdot\eta_j)}{\rho^4} r,\ r = x_i - y_j \f$,
-/// over the pairs with \f$ \rho > w_j/2 \f$. The others are left out: a node's own singular term,
-/// whose limit is diagonal_velocity(), and nodes of other curves so close that a near correction,
-/// which subtracts this sum again, would cancel catastrophically.
+/// \f$ u(x_i) = \sum_j \frac{w_j}{\pi} \frac{(r\cdot n_j)(r\cdot\eta_j)}{\rho^4} r \f$ with
+/// \f$ r = x_i - y_j \f$ and \f$ \rho = \max(|r|, w_j/2) \f$. The bound makes a node's own term
+/// zero, whose limit is diagonal_velocity(), and keeps the terms of other curves' nearly touching
+/// nodes of the size of the density, so that a near correction, which subtracts this sum again,
+/// does not cancel.
 /// @par Accuracy  of the rule: geometric in the distance over the node spacing; see near_singular
 /// for near targets
 /// @par Cost      one kernel evaluation a pair; results do not depend on the number of threads
@@ -57,7 +58,7 @@ class StressletSum {
  private:
   Eigen::VectorXd x_, y_;    // nodes
   Eigen::VectorXd nx_, ny_;  // normal times weight over pi
-  Eigen::VectorXd skip2_;    // squared half weight
+  Eigen::VectorXd least2_;   // squared half weight
   Eigen::MatrixXd matrix_;   // empty unless stored
 };
 

@@ -54,7 +54,7 @@ class CauchyCurve {
   /// @par Cost       30 N operations and N divisions
   Complex velocity(const CauchyData& data, Eigen::Index column, Complex target) const;
 
-  /// Evaluates what the masked trapezoid rule gives instead, see StressletSum.
+  /// Evaluates what the trapezoid rule gives instead, see StressletSum.
   ///
   /// @param  density  at the nodes, in the curve's frame, length / time
   /// @param  targets  in the curve's frame, length

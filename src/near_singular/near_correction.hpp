@@ -23,7 +23,7 @@ enum class Targets {
   points      ///< points of the fluid
 };
 
-/// The near correction of a masked trapezoid sum: replaces it by the Cauchy scheme at the targets
+/// The near correction of a trapezoid sum: replaces it by the Cauchy scheme at the targets
 /// where the rule is too coarse. Planned once per geometry, applied many times.
 ///
 /// @par Accuracy  1e-13 relative once the density is resolved, at any gap
@@ -40,7 +40,7 @@ class NearCorrection {
   NearCorrection(std::vector<PlacedCauchyCurve> curves, const ComplexVector& targets, Targets kind,
                  double tolerance);
 
-  /// Evaluates Cauchy value minus masked trapezoid value, summed over the near curves of each
+  /// Evaluates Cauchy value minus trapezoid value, summed over the near curves of each
   /// target.
   ///
   /// @param  density  at all nodes, in the curves' order, length / time

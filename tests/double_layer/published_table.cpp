@@ -15,7 +15,7 @@ namespace {
 
 const test::ExactFlow extension{{}, 1.0};
 
-// The rule without the mask of StressletSum, which leaves out the tip's own node.
+// The rule without the bound of StressletSum, which quenches the tip's own node.
 Complex plain_rule(const Curve& curve, const ComplexVector& density, Complex target) {
   const Eigen::VectorXd w = weights(curve);
   const ComplexVector normal = normals(curve);
