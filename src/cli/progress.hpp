@@ -10,6 +10,8 @@ namespace stokesbook {
 class Progress {
  public:
   /// @param  t_start  time at which this process takes up the run
+  /// @param  t_final  time at which it ends
+  /// @param  quiet    whether to say nothing
   Progress(double t_start, double t_final, bool quiet);
 
   /// Takes note of a step.

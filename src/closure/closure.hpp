@@ -45,7 +45,7 @@ Completion with_balance(const StokesProblem& problem, Completion completion);
 /// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. Reported is the
 /// velocity at infinity, which the Stokeslets' different gauges share in:
 /// \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
-/// @par Accuracy  @ref claim_03_1
+/// @par Accuracy  that of the rule: geometric in the nodes
 class Closure {
  public:
   /// @throws std::invalid_argument when an unbounded problem has a net force and no gauge length
@@ -66,8 +66,9 @@ class Closure {
 
   /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
   ///
-  /// @param  targets  points in the fluid, length
-  /// @return          velocities without background and double layer, length / time
+  /// @param  completion  from complete()
+  /// @param  targets     points in the fluid, length
+  /// @return             velocities without background and double layer, length / time
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:

@@ -32,7 +32,7 @@ struct CauchyData {
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
 /// @par Accuracy  1e-13 relative at any distance, once the density is resolved
 /// @par Not for   targets on the other side of the curve
-/// @sa source: @cite helsing2008; shared sums as in the chapter
+/// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class CauchyCurve {
  public:
   /// Prepares the matrices of one curve in its own frame. Cost: O(N^3) multiplications, 64 N^2

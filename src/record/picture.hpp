@@ -20,11 +20,12 @@ struct PictureOptions {
 ///
 /// Bodies are filled by speed |U| (viridis, with a colour bar); a tick on each marks its direction
 /// 1, arrows its velocity. Walls are outlines; y points upwards.
-/// @param  bodies  outlines in the order of frame.bodies
-/// @param  walls   outlines in the order of frame.walls
+/// @param  frame    the configuration and its velocities
+/// @param  bodies   outlines in the order of frame.bodies
+/// @param  walls    outlines in the order of frame.walls
+/// @param  options  title and size
 /// @throws std::invalid_argument when the numbers of outlines and states differ, or there is
-/// nothing to
-///         draw
+///                               nothing to draw
 std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
                                const std::vector<Outline>& walls, const PictureOptions& options);
 

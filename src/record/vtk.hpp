@@ -18,6 +18,7 @@ namespace stokesbook {
 /// body and inner wall, concave or not. Cell data: `id` (index of the body, or -1 - index of the
 /// wall), `velocity` and `omega` (0 for walls), `theta`, `force` and `torque` (by the body or wall
 /// on the fluid).
+/// @param  frame   the configuration and its velocities
 /// @param  bodies  outlines in the order of frame.bodies
 /// @param  walls   outlines in the order of frame.walls
 /// @throws std::invalid_argument when the numbers of outlines and states differ

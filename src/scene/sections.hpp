@@ -25,7 +25,9 @@ std::vector<Body> read_body_lists(const TableReader& root, const std::filesystem
 
 /// Reads [[fill]].
 ///
-/// @param  enclosed  whether there is an outer wall
+/// @param  root       the whole scene
+/// @param  directory  of the scene file
+/// @param  enclosed   whether there is an outer wall
 std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::path& directory,
                              bool enclosed);
 
@@ -38,6 +40,7 @@ struct FlowSection {
 
 /// Reads [flow].
 ///
+/// @param  root      the whole scene
 /// @param  enclosed  whether there is an outer wall
 FlowSection read_flow(const TableReader& root, bool enclosed);
 

@@ -32,6 +32,7 @@ class TableReader {
 
   /// Returns the value of a key.
   ///
+  /// @param  key       its name
   /// @param  expected  completes "must be ..."
   /// @throws SceneError when the key is missing
   const Node& at(std::string_view key, const std::string& expected) const;

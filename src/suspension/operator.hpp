@@ -21,6 +21,7 @@ class SuspensionOperator {
  public:
   /// @param  problem  the boundary value problem
   /// @param  placed   the same components for near corrections; empty: none
+  /// @param  plan     storage, tolerance and null-space fix
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCauchyCurve>& placed,
                      const Plan& plan);
 
@@ -29,8 +30,11 @@ class SuspensionOperator {
 
   /// Evaluates the fluid's velocity of a density, without the background.
   ///
-  /// @param  placed  components for near corrections; empty: none
-  /// @param  points  in the fluid, length
+  /// @param  density    at all nodes, length / time
+  /// @param  points     in the fluid, length
+  /// @param  placed     components for near corrections; empty: none
+  /// @param  tolerance  of velocities relative to densities, for the near corrections
+  /// @return            velocities, length / time
   ComplexVector velocity(const ComplexVector& density, const ComplexVector& points,
                          const std::vector<PlacedCauchyCurve>& placed, double tolerance) const;
 

@@ -27,7 +27,8 @@ struct Observer {
 /// exactly.
 class Simulation {
  public:
-  /// @param  solver  of a scene with [time]; must outlive the simulation
+  /// @param  solver    of a scene with [time]; must outlive the simulation
+  /// @param  observer  what is told of the run
   Simulation(const SuspensionSolver& solver, Observer observer);
 
   /// Goes back to a checkpoint; the run then continues bit for bit as if it had not stopped.

@@ -51,10 +51,10 @@ class SuspensionSolver {
 
   /// Solves for the motions of free bodies and the loads on all others.
   ///
-  /// @param  drive  +1, or -1 where the scene has reversed its flow, walls and loads
+  /// @param  configuration  where the components are
+  /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @throws NumericsRefused  on overlap, net flux, net force without gauge, unresolved shapes,
-  /// gaps or densities,
-  ///                          no convergence, and numbers that are not finite
+  ///                          gaps or densities, no convergence, and numbers that are not finite
   Solution solve(const Configuration& configuration, double drive = 1.0) const;
 
   /// Checks the shapes and gaps of a configuration, without solving.
@@ -64,8 +64,11 @@ class SuspensionSolver {
 
   /// Evaluates the fluid's velocity in a solution.
   ///
-  /// @param  points  in the fluid, at any distance from the boundary or on it, length
-  /// @return         velocities, length / time
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  points         in the fluid, at any distance from the boundary or on it, length
+  /// @param  drive          as in solve()
+  /// @return                velocities, length / time
   ComplexVector velocity(const Configuration& configuration, const Solution& solution,
                          const ComplexVector& points, double drive = 1.0) const;
 
