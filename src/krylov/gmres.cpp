@@ -103,7 +103,8 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   const VectorXd y = least_squares.solve();
   result.solution = preconditioned(basis.leftCols(y.size()) * y);
   result.residual = (b - apply(result.solution)).norm() / norm;
-  // Rounding alone parts the two residuals by less. On a singular operator the recurrence's vanishes.
+  // Rounding alone parts the two residuals by less. On a singular operator the recurrence's
+  // vanishes.
   if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {
     std::ostringstream message;
     message << "GMRES broke down: its residual is " << result.history.back()

@@ -41,8 +41,8 @@ struct GmresResult {
 /// @param  precondition  r -> M^{-1} r; empty: none
 /// @param  b             right-hand side, finite
 /// @param  options       when to stop
-/// @throws std::domain_error when A x is not finite, or when the solution does not have the residual that
-///                           the recurrence converged to, as A is singular to rounding
+/// @throws std::domain_error when A x is not finite, or when the solution does not have the
+///                           residual that the recurrence converged to, as A is singular to rounding
 /// @par Cost  iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of memory
 /// for k iterations
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856

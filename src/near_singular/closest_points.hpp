@@ -32,8 +32,8 @@ struct ClosestPoints {
 /// Finds the least distance of two curves through the fluid between them.
 ///
 /// Node distances give the candidates; Newton's method minimises the height of one curve over the
-/// other, which is regular at contact and beyond it. Curves that touch or overlap are told from near
-/// ones wherever their nodes are.
+/// other, which is regular at contact and beyond it. Curves that touch or overlap are told from
+/// near ones wherever their nodes are.
 /// @par Accuracy  rounding of the positions, gaps of 1e-8 included
 /// @par Cost      N_a N_b distances, O(N_a + N_b) a Newton step
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);

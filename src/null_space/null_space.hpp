@@ -15,8 +15,8 @@ namespace stokesbook {
 ///
 /// Double layers carry no net flux through the boundary:
 /// \f$ \int_{\partial\Omega} n\cdot(-\frac12+D)\eta\,ds = 0 \f$, so \f$ -\frac12 + D \f$ misses one
-/// dimension of boundary data: it is singular, with the left null vector \f$ n\,ds \f$. N_0 puts that
-/// eigenvalue at -1 whatever the length of the wall, and moves no other.
+/// dimension of boundary data: it is singular, with the left null vector \f$ n\,ds \f$. N_0 puts
+/// that eigenvalue at -1 whatever the length of the wall, and moves no other.
 /// @param  wall     the enclosing wall
 /// @param  density  at its nodes, length / time
 /// @return          velocities at its nodes, length / time

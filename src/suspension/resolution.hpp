@@ -16,7 +16,8 @@ struct Gap {
   ClosestPoints points;
 };
 
-/// A mode number's rates of decay on the two curves of a gap; infinite where the gap asks for nothing.
+/// A mode number's rates of decay on the two curves of a gap; infinite where the gap asks for
+/// nothing.
 struct DensityDecay {
   double a, b;
 };
@@ -24,8 +25,9 @@ struct DensityDecay {
 /// Estimates how fast the density's Fourier modes decay on the two curves of a gap,
 /// \f$ |\eta_k| \sim e^{-\alpha k} \f$.
 ///
-/// Reflections between two circles of signed curvatures \f$ \kappa_1, \kappa_2 \f$ (positive where the
-/// fluid lies outside) at gap g pile up at the limit points of bipolar coordinates, at c on their axis:
+/// Reflections between two circles of signed curvatures \f$ \kappa_1, \kappa_2 \f$ (positive where
+/// the fluid lies outside) at gap g pile up at the limit points of bipolar coordinates, at c on
+/// their axis:
 /// \f[ c^2 = \frac{g\,(2+g\kappa_1)(2+g\kappa_2)(2\kappa_1+2\kappa_2+g\kappa_1\kappa_2)}
 ///              {4(\kappa_1+\kappa_2+g\kappa_1\kappa_2)^2}, \qquad
 ///     \alpha = \frac{\mathrm{asinh}(c\kappa)}{\kappa|x'|}. \f]
@@ -40,8 +42,9 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const Clo
 /// tail: \f$ 150\,\alpha\, e^{-\alpha n} \f$.
 double resolution_error(double decay, Eigen::Index n_nodes);
 
-/// Recommends the number of nodes for which resolution_error() meets a hundredth of a tolerance, so that
-/// tail_estimate() mostly meets the tolerance too: a multiple of 16; 0 where the gap asks for nothing.
+/// Recommends the number of nodes for which resolution_error() meets a hundredth of a tolerance, so
+/// that tail_estimate() mostly meets the tolerance too: a multiple of 16; 0 where the gap asks for
+/// nothing.
 int recommended_nodes(double decay, double tolerance);
 
 /// What the Fourier modes of a computed density say about its resolution.
@@ -50,12 +53,12 @@ struct TailEstimate {
   double decay;  ///< a mode number's rate of decay in the middle of the spectrum, >= 0
 };
 
-/// Estimates the error of velocities from the tail of a computed density on one component: sixty times
-/// the square of the sum of the modes beyond its grid.
+/// Estimates the error of velocities from the tail of a computed density on one component: sixty
+/// times the square of the sum of the modes beyond its grid.
 ///
-/// The sum is extrapolated from the middle of the spectrum. The last modes enter without extrapolation: near
-/// a close neighbour they are aliases, which harm velocities less. Measured on 56 random scenes of two
-/// and three bodies: 0.5 to 4000 times the error, half of them within 20.
+/// The sum is extrapolated from the middle of the spectrum. The last modes enter without
+/// extrapolation: near a close neighbour they are aliases, which harm velocities less. Measured on
+/// 56 random scenes of two and three bodies: 0.5 to 4000 times the error, half of them within 20.
 ///
 /// @param  density  at the component's nodes, without its rigid part
 /// @param  scale    of velocities, > 0

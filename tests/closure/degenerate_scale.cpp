@@ -21,10 +21,10 @@ StokesProblem held_and_pushed(double length) {
     return Pose{length * Complex{x, y}, angle};
   };
   return {
-      {held_body(Circle{0.5 * length}, 64, at(-1.5, 0, 0), {{length, 0.0}, 0.5}),
-       held_body(Ellipse{length, 0.6 * length}, 96, at(1, 0.5, 0.4), {{0.0, 0.3 * length}, 0.0}),
-       free_body(Circle{0.6 * length}, 64, at(0, 2.5, 0), {{1.0, -0.7}, 0.2 * length}),
-       held_body(Circle{0.4 * length}, 64, at(0.2, -1.7, 0), {{}, -1.0})},
+      {held_body(Circle{0.5 * length}, 32, at(-1.5, 0, 0), {{length, 0.0}, 0.5}),
+       held_body(Ellipse{length, 0.6 * length}, 48, at(1, 0.5, 0.4), {{0.0, 0.3 * length}, 0.0}),
+       free_body(Circle{0.6 * length}, 32, at(0, 2.5, 0), {{1.0, -0.7}, 0.2 * length}),
+       held_body(Circle{0.4 * length}, 32, at(0.2, -1.7, 0), {{}, -1.0})},
       1.3,
       {},
       {}};

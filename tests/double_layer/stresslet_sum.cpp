@@ -1,6 +1,6 @@
 // The direct sum, streamed or stored, is the sum of its kernels to rounding: for every number of
-// targets and sources, with nodes that nearly touch, at any scale, in the same bits for any number of
-// threads.
+// targets and sources, with nodes that nearly touch, at any scale, in the same bits for any number
+// of threads.
 #include "double_layer/stresslet_sum.hpp"
 
 #include <cmath>

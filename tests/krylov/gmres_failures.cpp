@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(more_iterations_than_the_first_basis_holds) {
 }
 
 BOOST_AUTO_TEST_CASE(iterations_beyond_the_exact_solution_do_no_harm) {
-  // Nothing meets a tolerance of zero; after four iterations the Krylov space grows by rounding only.
+  // Nothing meets a tolerance of zero; after four iterations the Krylov space grows by rounding
+  // only.
   const MatrixXd modes = orthogonal_matrix(40, 5);
   VectorXd eigenvalues(40);
   for (Index i = 0; i < 40; ++i) eigenvalues[i] = 1.0 + static_cast<double>(i % 4);

@@ -22,8 +22,9 @@ namespace {
 using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using ExtendedVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// Relative residuals of GMRES in extended precision: Arnoldi's basis by modified Gram-Schmidt, twice,
-// and the projection of b on its image by Householder's QR factorisation, anew in every iteration.
+// Relative residuals of GMRES in extended precision: Arnoldi's basis by modified Gram-Schmidt,
+// twice, and the projection of b on its image by Householder's QR factorisation, anew in every
+// iteration.
 std::vector<double> extended_history(const ExtendedMatrix& a, const ExtendedVector& b, Index most) {
   ExtendedMatrix basis(b.size(), most + 1);
   basis.col(0) = b / b.norm();

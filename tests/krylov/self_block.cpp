@@ -45,7 +45,8 @@ double largest(const MatrixXd& matrix) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(eigenvalues_of_a_circle_are_minus_one_and_minus_one_half) {
-  // At -1 the three rigid modes and the normal one, by P or F of a body and by D or N_0 of a wall; at
+  // At -1 the three rigid modes and the normal one, by P or F of a body and by D or N_0 of a wall;
+  // at
   // -1/2 all others; for any radius.
   for (ComponentKind kind : all_kinds) {
     for (double radius : {1e-3, 1.0, 1e3}) {
@@ -98,8 +99,8 @@ BOOST_AUTO_TEST_CASE(rigid_motions_are_eigenvectors_of_a_free_body) {
 }
 
 BOOST_AUTO_TEST_CASE(the_gauge_of_a_held_circle_moves_its_translations_only) {
-  // The mean velocity of the Stokeslet F = -4 pi mu U on its circle is (log(a / ell) - 1/2) U: -U at
-  // ell = sqrt(e) a, and nothing at the degenerate scale ell = a / sqrt(e).
+  // The mean velocity of the Stokeslet F = -4 pi mu U on its circle is (log(a / ell) - 1/2) U: -U
+  // at ell = sqrt(e) a, and nothing at the degenerate scale ell = a / sqrt(e).
   const Component held = component(ComponentKind::prescribed, Circle{2.0}, 32, {}, 0.0);
   const MatrixXd own = self_block(held);
   BOOST_TEST(largest(own - self_block(held, 2.0 * std::sqrt(std::exp(1.0)))) < 1e-15);

@@ -130,7 +130,8 @@ BOOST_AUTO_TEST_CASE(other_shapes_against_a_search) {
 }
 
 BOOST_AUTO_TEST_CASE(the_closest_nodes_need_not_lie_at_the_closest_points) {
-  // A disk between two flanks of a valley, a little nearer to one: turning its nodes changes nothing.
+  // A disk between two flanks of a valley, a little nearer to one: turning its nodes changes
+  // nothing.
   const SmoothCurve star = smooth_body(Star{1.0, 0.3, 5}, 128, {}, 0.1);
   const Complex centre = std::polar(1.06, 0.73);
   const double reference = closest_points(star, smooth_body(Circle{0.25}, 512, centre, 0.0)).gap;

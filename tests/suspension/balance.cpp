@@ -1,5 +1,6 @@
-// Loads measured in the flow itself, by averages of the velocity over circles: every body feels the load that was given, held
-// bodies and walls the one that is reported, and the outer wall takes up the sum of all.
+// Loads measured in the flow itself, by averages of the velocity over circles: every body feels the
+// load that was given, held bodies and walls the one that is reported, and the outer wall takes up
+// the sum of all.
 
 #include "circle_averages.hpp"
 #include "units.hpp"
@@ -7,7 +8,8 @@
 namespace stokesbook::test {
 namespace {
 
-// A pushed star, a held ellipse, an inner wall that turns, a free lopsided body; far enough apart for circles in between.
+// A pushed star, a held ellipse, an inner wall that turns, a free lopsided body; far enough apart
+// for circles in between.
 Scene crowd() {
   return scene({body(Star{0.6, 0.15, 5}, 192, {-1.9, 0.8}, 0.4, {{0.7, -1.1}, 0.4}),
                 held_body(Ellipse{0.7, 0.4}, 128, {0.4, 1.8}, 0.9, {{0.3, 0.2}, -0.6}),
@@ -65,7 +67,8 @@ BOOST_AUTO_TEST_CASE(loads_in_a_container) {
   }
 }
 
-// Given loads are what the flow shows, also where bodies nearly touch and only both together fit into a circle.
+// Given loads are what the flow shows, also where bodies nearly touch and only both together fit
+// into a circle.
 BOOST_AUTO_TEST_CASE(sum_of_close_loads) {
   Scene pair = scene({body(Circle{0.7}, 0, -0.705, 0.0, {{1.0, 0.4}, 0.3}),
                       body(Ellipse{0.7, 0.4}, 0, 0.705, 0.0, {{-0.2, 0.5}, -0.9})});

@@ -13,8 +13,9 @@ namespace stokesbook::test {
 ///
 /// Averages over a circle of radius r are exact for every Stokes flow in an annulus:
 /// <u> = c - F log(r) / (4 pi mu) + d r^2, <u_theta> = A r + L / (4 pi mu r), <u_r> = Q / (2 pi r),
-/// with the force F, the torque L about the centre and the flux Q of what lies within. No derivative, no pressure, no
-/// density is needed, so this is independent of how a solver finds loads.
+/// with the force F, the torque L about the centre and the flux Q of what lies within. No
+/// derivative, no pressure, no density is needed, so this is independent of how a solver finds
+/// loads.
 struct Enclosed {
   Load load;
   double flux = 0.0;

@@ -1,5 +1,6 @@
-// Bodies and inner walls in containers: reference numbers C5, C6, C7, N9, NA of the specification in six systems of units,
-// and the whole resistance of eccentric circles against its closed form down to small gaps.
+// Bodies and inner walls in containers: reference numbers C5, C6, C7, N9, NA of the specification
+// in six systems of units, and the whole resistance of eccentric circles against its closed form
+// down to small gaps.
 
 #include "../null_space/eccentric_annulus.hpp"
 #include "expected.hpp"

@@ -1,5 +1,6 @@
-// The first instant of the published Couette run with 80 ellipses: the torque that the inner wall holds against, over
-// that without bodies, is 1.10814; the positions are read off a figure, hence the tolerance.
+// The first instant of the published Couette run with 80 ellipses: the torque that the inner wall
+// holds against, over that without bodies, is 1.10814; the positions are read off a figure, hence
+// the tolerance.
 
 #include <filesystem>
 

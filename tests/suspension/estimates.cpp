@@ -1,5 +1,5 @@
-// The error estimate is honest: on random scenes with as few nodes as the solver accepts, it is no less than a third of
-// the true error, and no more than 1e4 times as large.
+// The error estimate is honest: on random scenes with as few nodes as the solver accepts, it is no
+// less than a third of the true error, and no more than 1e4 times as large.
 
 #include "scenes.hpp"
 

@@ -1,5 +1,5 @@
-// The velocity field of a solution is a Stokes flow: free of divergence, with a biharmonic velocity, continuous up to the
-// boundary, decaying as its loads and stresslets say.
+// The velocity field of a solution is a Stokes flow: free of divergence, with a biharmonic
+// velocity, continuous up to the boundary, decaying as its loads and stresslets say.
 
 #include "circle_averages.hpp"
 #include "suspension/background_flow.hpp"
@@ -62,8 +62,9 @@ BOOST_AUTO_TEST_CASE(divergence) {
   }
 }
 
-// In a disk without bodies the laws of circle_averages.hpp hold without force and torque: <u>(r) - u(0) = d r^2, which makes
-// u biharmonic, and <u_theta> = A r, which makes the vorticity harmonic. Together: momentum.
+// In a disk without bodies the laws of circle_averages.hpp hold without force and torque: <u>(r) -
+// u(0) = d r^2, which makes u biharmonic, and <u_theta> = A r, which makes the vorticity harmonic.
+// Together: momentum.
 BOOST_AUTO_TEST_CASE(momentum) {
   for (const Units& units : all_units) {
     const Solved solved(in_units(loaded_trio(52), units));
@@ -80,8 +81,8 @@ BOOST_AUTO_TEST_CASE(momentum) {
   }
 }
 
-// Between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape. There the field errs like the tail of the
-// density; motions, with their tolerance of 1e-12, like its square.
+// Between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape. There the field
+// errs like the tail of the density; motions, with their tolerance of 1e-12, like its square.
 BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
   for (const Units& units : all_units) {
     const Solved solved(in_units(loaded_trio(53), units));
@@ -127,7 +128,8 @@ BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   }
 }
 
-// Far away a load-free suspension is its stresslets, -(r.S.r) r / (2 pi mu rho^4), up to terms of order rho^-2.
+// Far away a load-free suspension is its stresslets, -(r.S.r) r / (2 pi mu rho^4), up to terms of
+// order rho^-2.
 BOOST_AUTO_TEST_CASE(far_field_of_stresslets) {
   std::mt19937_64 random(55);
   const Solved solved(resolved(scene(random_bodies(random), ShearFlow{1})));
@@ -149,7 +151,8 @@ BOOST_AUTO_TEST_CASE(far_field_of_stresslets) {
   BOOST_TEST(remainder(100) / remainder(400) == 16.0, boost::test_tools::tolerance(0.1));
 }
 
-// A net force leaves -log(rho / ell) F / (4 pi mu) and r (r.F) / (4 pi mu rho^2), about its centre of action.
+// A net force leaves -log(rho / ell) F / (4 pi mu) and r (r.F) / (4 pi mu rho^2), about its centre
+// of action.
 BOOST_AUTO_TEST_CASE(far_field_of_forces) {
   Scene trio = loaded_trio(56);
   trio.flow = QuiescentFlow{};
@@ -167,7 +170,8 @@ BOOST_AUTO_TEST_CASE(far_field_of_forces) {
   BOOST_TEST(remainder(1e3) / remainder(1e4) == 10.0, boost::test_tools::tolerance(0.05));
 }
 
-// Beside a held body in a stream without net force, the fluid far away moves at the reported uniform velocity.
+// Beside a held body in a stream without net force, the fluid far away moves at the reported
+// uniform velocity.
 BOOST_AUTO_TEST_CASE(uniform_velocity_at_infinity) {
   Scene held = loaded_trio(57);
   held.flow = QuiescentFlow{};

@@ -1,5 +1,5 @@
-// What no frame or unit may change: rotation, translation and Galilean boost of the whole scene, units of length, time and
-// viscosity, walls that carry everything rigidly, superposition.
+// What no frame or unit may change: rotation, translation and Galilean boost of the whole scene,
+// units of length, time and viscosity, walls that carry everything rigidly, superposition.
 
 #include <functional>
 
@@ -82,7 +82,8 @@ BOOST_AUTO_TEST_CASE(rotation) {
   }
 }
 
-// In a linear flow a translation is a boost by the difference of the flow, which held bodies must share.
+// In a linear flow a translation is a boost by the difference of the flow, which held bodies must
+// share.
 BOOST_AUTO_TEST_CASE(translation_and_boost) {
   Scene mixed = mixed_scene(44);
   const Solved solved(mixed);

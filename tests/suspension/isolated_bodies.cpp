@@ -1,5 +1,6 @@
-// One body in an unbounded fluid: reference numbers C1, C2, C3, N1, N2 of the specification in six systems of units, and the
-// field around a loaded circle in closed form. Stresslets come from the density, which they verify.
+// One body in an unbounded fluid: reference numbers C1, C2, C3, N1, N2 of the specification in six
+// systems of units, and the field around a loaded circle in closed form. Stresslets come from the
+// density, which they verify.
 
 #include "../closure/closed_forms.hpp"
 #include "expected.hpp"
@@ -85,7 +86,8 @@ BOOST_AUTO_TEST_CASE(loaded_ellipses) {
   }
 }
 
-// A free ellipse moves with the flow at its centre and turns by Jeffery's formula in any linear flow.
+// A free ellipse moves with the flow at its centre and turns by Jeffery's formula in any linear
+// flow.
 BOOST_AUTO_TEST_CASE(ellipses_in_linear_flows) {
   Eigen::Matrix2d gradient;
   gradient << 0.4, -1.1, 0.3, -0.4;

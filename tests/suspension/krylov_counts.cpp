@@ -1,5 +1,5 @@
-// GMRES takes the published iterations, independent of the nodes once gaps are resolved, and the block-diagonal
-// preconditioner pays for slender bodies.
+// GMRES takes the published iterations, independent of the nodes once gaps are resolved, and the
+// block-diagonal preconditioner pays for slender bodies.
 
 #include "suspension/scenes.hpp"
 
@@ -55,7 +55,8 @@ Scene taylor_green(int n_nodes) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(nine_circles_take_sixteen_iterations_at_any_resolution) {
-  // Extension is antisymmetric in more ways than shear; its last residual lies close to the tolerance.
+  // Extension is antisymmetric in more ways than shear; its last residual lies close to the
+  // tolerance.
   for (const int n : {64, 96, 128}) {
     const Scene shear = nine_circles(n, ShearFlow{1.0}),
                 extension = nine_circles(n, ExtensionalFlow{1.0});
@@ -80,7 +81,8 @@ BOOST_AUTO_TEST_CASE(slender_ellipses_need_the_preconditioner_and_no_finer_mesh_
 
 BOOST_AUTO_TEST_CASE(taylor_green_start) {
   const Scene start = taylor_green(96);
-  // Published counts of this start are of another code, which stops by another norm: one more or less.
+  // Published counts of this start are of another code, which stops by another norm: one more or
+  // less.
   const int with = iterations(start, PreconditionerKind::block_diagonal, 1e-8);
   const int without = iterations(start, PreconditionerKind::none, 1e-8);
   BOOST_TEST(std::abs(with - 53) <= 1);

@@ -1,4 +1,5 @@
-// The mobility matrix of any bodies is symmetric and positive definite, unbounded within a gauge length and in a container.
+// The mobility matrix of any bodies is symmetric and positive definite, unbounded within a gauge
+// length and in a container.
 
 #include "support/dense.hpp"
 #include "units.hpp"
@@ -30,7 +31,8 @@ void check_mobility(const Scene& scene) {
     const Eigen::MatrixXd matrix = mobility(scene, units);
     const double largest = matrix.cwiseAbs().maxCoeff();
     BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-12 * largest);
-    // The smallest eigenvalue belongs to the body that is hardest to move alone: of order 1 / (4 pi).
+    // The smallest eigenvalue belongs to the body that is hardest to move alone: of order 1 / (4
+    // pi).
     const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
     BOOST_TEST(symmetric_eigenvalues(symmetric)[0] > 1e-4);
   }

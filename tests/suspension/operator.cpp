@@ -1,5 +1,5 @@
-// The matrix-free operator is the dense system that closure and null_space assemble, and its iteration counts on nine
-// circles are those of the specification, unresolved and resolved.
+// The matrix-free operator is the dense system that closure and null_space assemble, and its
+// iteration counts on nine circles are those of the specification, unresolved and resolved.
 
 #include "suspension/operator.hpp"
 
@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(is_the_dense_system) {
   BOOST_TEST((interleaved(rhs) - dense.rhs).cwiseAbs().maxCoeff() < 1e-15);
 }
 
-// With 16 nodes a circle the plain rule leaves the sums between circles unresolved; taking rigid parts out
-// of them keeps the count of the resolved system.
+// With 16 nodes a circle the plain rule leaves the sums between circles unresolved; taking rigid
+// parts out of them keeps the count of the resolved system.
 BOOST_AUTO_TEST_CASE(iterations_of_nine_unresolved_circles) {
   for (const BackgroundFlow& flow :
        {BackgroundFlow{ShearFlow{1}}, BackgroundFlow{ExtensionalFlow{1}}}) {

@@ -1,5 +1,6 @@
-// Lorentz reciprocity: any two problems on the same bodies exchange velocities and loads, whichever of the two is given
-// on each body; and what loads do at a distance equals what a distant flow does to the loaded bodies.
+// Lorentz reciprocity: any two problems on the same bodies exchange velocities and loads, whichever
+// of the two is given on each body; and what loads do at a distance equals what a distant flow does
+// to the loaded bodies.
 
 #include "units.hpp"
 
@@ -30,7 +31,8 @@ double power(const RigidMotion& motion, const Load& load) {
   return dot(motion.velocity, load.force) + motion.omega * load.torque;
 }
 
-// Sum over all components of the work that the loads of one problem would do on the motions of the other.
+// Sum over all components of the work that the loads of one problem would do on the motions of the
+// other.
 double mutual_power(const Solved& moving, const Solved& loading) {
   double sum = 0.0;
   for (std::size_t k = 0; k < moving.solution.motions.size(); ++k) {
@@ -97,9 +99,9 @@ BOOST_AUTO_TEST_CASE(bounded) {
   }
 }
 
-// Loads F, L on free bodies at rest in the mean, against load-free bodies in a straining flow E: the bodies' motions in the
-// flow relative to the flow at their centres do as much work on the loads as the flow does on the stresslets,
-// sum [(U - E c).F + omega L] = -sum E : S.
+// Loads F, L on free bodies at rest in the mean, against load-free bodies in a straining flow E:
+// the bodies' motions in the flow relative to the flow at their centres do as much work on the
+// loads as the flow does on the stresslets, sum [(U - E c).F + omega L] = -sum E : S.
 BOOST_AUTO_TEST_CASE(loads_and_distant_flows) {
   std::mt19937_64 random(34);
   const double e11 = 0.7, e12 = -0.4;

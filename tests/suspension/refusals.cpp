@@ -1,5 +1,5 @@
-// The solver gives no answer it cannot stand behind: what it refuses names the components, the values, and what to
-// change; and what it recommends is then accepted and right.
+// The solver gives no answer it cannot stand behind: what it refuses names the components, the
+// values, and what to change; and what it recommends is then accepted and right.
 
 #include <limits>
 

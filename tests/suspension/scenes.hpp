@@ -78,7 +78,8 @@ struct Solved {
   }
 };
 
-/// Gives every component as many nodes as its shape and the gaps ask for, and a few more for densities.
+/// Gives every component as many nodes as its shape and the gaps ask for, and a few more for
+/// densities.
 inline Scene resolved(Scene scene) {
   const auto set_nodes = [&](auto nodes_of) {
     std::size_t k = 0;

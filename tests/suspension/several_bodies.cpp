@@ -1,5 +1,5 @@
-// Pairs and lattices without a closed form: reference numbers N4, N6, N8 of the specification (N4 and N6 confirmed there by an
-// independent first-kind method), in six systems of units.
+// Pairs and lattices without a closed form: reference numbers N4, N6, N8 of the specification (N4
+// and N6 confirmed there by an independent first-kind method), in six systems of units.
 
 #include "expected.hpp"
 

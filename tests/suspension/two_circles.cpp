@@ -1,5 +1,6 @@
-// Two unit circles at gaps .5, .1, .01 and .001: reference numbers C11, C12, N3, N3F, N3G of the specification, most of them
-// closed forms. The closer the pair, the more nodes its densities need, about 35 / sqrt(gap).
+// Two unit circles at gaps .5, .1, .01 and .001: reference numbers C11, C12, N3, N3F, N3G of the
+// specification, most of them closed forms. The closer the pair, the more nodes its densities need,
+// about 35 / sqrt(gap).
 
 #include "../closure/closed_forms.hpp"
 #include "expected.hpp"

@@ -12,7 +12,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Integrates f(t) = (1, t, t^2, t^3) by a step from 1 to 1.5; each component has an exact primitive.
+// Integrates f(t) = (1, t, t^2, t^3) by a step from 1 to 1.5; each component has an exact
+// primitive.
 constexpr double t0 = 1.0, dt = 0.5;
 
 VectorXd monomials(double t, const VectorXd&) {

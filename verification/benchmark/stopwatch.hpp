@@ -6,7 +6,8 @@
 
 namespace stokesbook {
 
-/// Returns the least time that a piece of work takes, in seconds: other processes only ever add to it.
+/// Returns the least time that a piece of work takes, in seconds: other processes only ever add to
+/// it.
 ///
 /// @param  work    called again and again
 /// @param  budget  seconds to spend; at least three calls are made

@@ -4,8 +4,8 @@
 
 namespace stokesbook {
 
-/// Times set-up, matrix-vector product and solve for 48 slender ellipses in a Taylor-Green flow, where
-/// their published simulation starts, with all threads.
+/// Times set-up, matrix-vector product and solve for 48 slender ellipses in a Taylor-Green flow,
+/// where their published simulation starts, with all threads.
 ///
 /// @param  quick   only the published 32 nodes an ellipse
 /// @param  budget  seconds to spend on each number
