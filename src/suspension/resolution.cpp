@@ -80,7 +80,7 @@ TailEstimate tail_estimate(const ComplexVector& density, double scale) {
   const double beyond =
       late * std::exp(-0.125 * rate * static_cast<double>(n)) / -std::expm1(-rate);
   const double sum = std::max(beyond, 3.0 * last);
-  return {60.0 * (sum / scale) * (sum / largest), decay};
+  return {sum / scale * std::min(60.0 * sum / largest, 10.0), decay};
 }
 
 }  // namespace stokesbook

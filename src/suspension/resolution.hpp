@@ -54,7 +54,8 @@ struct TailEstimate {
 };
 
 /// Estimates the error of velocities from the tail of a computed density on one component: sixty
-/// times the square of the sum of the modes beyond its grid.
+/// times the square of the sum of the modes beyond its grid, over its largest value; at most ten
+/// times the sum itself, which is all that a density of mere rounding errors can do.
 ///
 /// The sum is extrapolated from the middle of the spectrum. The last modes enter without
 /// extrapolation: near a close neighbour they are aliases, which harm velocities less. Measured on

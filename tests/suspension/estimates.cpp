@@ -91,6 +91,15 @@ BOOST_AUTO_TEST_CASE(are_honest) {
   }
 }
 
+// A component without density of its own has nothing to resolve, whatever rounding leaves there.
+BOOST_AUTO_TEST_CASE(rounding_errors_have_no_tail) {
+  std::mt19937_64 random(62);
+  std::normal_distribution<double> normal(0, 1e-15);
+  const ComplexVector noise =
+      ComplexVector::NullaryExpr(96, [&] { return Complex{normal(random), normal(random)}; });
+  BOOST_TEST(tail_estimate(noise, 1.0).error < 1e-12);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stokesbook::test
