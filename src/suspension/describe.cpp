@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/number_text.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
@@ -50,8 +51,8 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
     const auto n = references[k]->curve.size();
     lines.push_back(
         aligned("components", std::to_string(members) + " x " + shape_name(references[k]->shape) +
-                                  ", " + std::to_string(n) + " nodes; shape and gaps ask for " +
-                                  std::to_string(nodes) + (nodes > n ? " (too few)" : "")));
+                                  ", " + std::to_string(n) + " nodes; " + std::to_string(nodes) +
+                                  " recommended for shape and gaps"));
   }
   return lines;
 }
@@ -88,8 +89,8 @@ std::string time_line(const Scene& scene) {
   const char* names[] = {"explicit Euler", "Adams-Bashforth 2", "Runge-Kutta 4"};
   const double steps = std::ceil(scene.time->t_final / scene.time->dt - 1e-9);
   return std::string(names[static_cast<int>(scene.time->method)]) + ", about " +
-         short_number(steps) + " steps of " + short_number(scene.time->dt) +
-         " to t = " + short_number(scene.time->t_final);
+         short_number(steps, 9) + " steps of " + short_number(scene.time->dt) +
+         " to t = " + short_number(scene.time->t_final, 6);
 }
 
 }  // namespace

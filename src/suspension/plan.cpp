@@ -1,17 +1,12 @@
 #include "suspension/plan.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "record/number_text.hpp"
 
 namespace stokesbook {
 
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 std::string count(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -53,14 +48,14 @@ Plan::Line problem_line(const Census& census, const Scene& scene) {
                        count(census.held, "held body", "held bodies") + ", " +
                        count(census.inner, "inner wall", "inner walls") + ", " +
                        (census.outer > 0 ? "one" : "no") + " enclosing wall";
-  if (scene.viscosity != 1.0) reason += ", viscosity " + number(scene.viscosity);
+  if (scene.viscosity != 1.0) reason += ", viscosity " + short_number(scene.viscosity);
   return {"problem", decision, reason};
 }
 
 Plan::Line far_field_line(const Census& census, const Scene& scene) {
   if (census.outer > 0) return {"far field", "none", "the fluid ends at the enclosing wall"};
   if (scene.gauge_length) {
-    return {"far field", "Stokeslets of gauge length " + number(*scene.gauge_length),
+    return {"far field", "Stokeslets of gauge length " + short_number(*scene.gauge_length),
             "flow.gauge_length is given"};
   }
   if (census.held + census.inner > 0) {
@@ -121,17 +116,17 @@ Plan make_plan(const Scene& scene) {
       scene.solver.near_singular == NearSingular::off ? "solver.near_singular = \"off\""
       : census.components == 1                        ? "a single component"
                                : "Cauchy scheme where the trapezoid rule errs by more than " +
-                                     number(plan.near_tolerance);
+                                     short_number(plan.near_tolerance);
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
   plan.lines.push_back(
       {"preconditioner", plan.block_diagonal ? "block diagonal, from the right" : "none",
        scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
        : only_circles ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
                       : "own blocks of slender and lobed shapes spread the spectrum"});
-  plan.lines.push_back({"GMRES", "to " + number(plan.gmres_tolerance) + ", without restart",
+  plan.lines.push_back({"GMRES", "to " + short_number(plan.gmres_tolerance) + ", without restart",
                         scene.solver.gmres_tol
                             ? "solver.gmres_tol"
-                            : "solver.tolerance = " + number(tolerance) + " / 100"});
+                            : "solver.tolerance = " + short_number(tolerance) + " / 100"});
   plan.lines.push_back({"contact", "none", "no [contact]: an overlap stops the run"});
   return plan;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "double_layer/double_layer.hpp"
 #include "near_singular/near_test.hpp"
+#include "record/number_text.hpp"
 
 namespace stokesbook {
 
@@ -69,12 +69,6 @@ std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution&
 }
 
 }  // namespace
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 std::string density_refusal(const Scene& scene, std::size_t component, Eigen::Index n_nodes,
                             const TailEstimate& tail, const std::vector<Gap>& gaps) {

@@ -39,9 +39,6 @@ std::string density_refusal(const Scene& scene, std::size_t component, Eigen::In
 /// @return           multiple of 16 above at_least, or 0 when 4096 nodes are not enough
 int nodes_for_shape(const Reference& reference, double tolerance, int at_least);
 
-/// Formats a value for a message: three significant digits.
-std::string short_number(double value);
-
 /// @}
 
 }  // namespace stokesbook

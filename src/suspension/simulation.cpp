@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "record/number_text.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
@@ -126,7 +127,7 @@ Solution Simulation::solve(const VectorXd& state) {
     totals_.matvecs += solution.gmres.iterations + 1;
     return solution;
   } catch (const NumericsRefused& refusal) {
-    throw NumericsRefused("t = " + short_number(t_) + ": " + refusal.what());
+    throw NumericsRefused("t = " + short_number(t_, 6) + ": " + refusal.what());
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
+#include "record/number_text.hpp"
 #include "suspension/background_flow.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/operator.hpp"
