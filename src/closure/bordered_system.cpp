@@ -5,7 +5,6 @@
 
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
-#include "double_layer/stresslet_sum.hpp"
 
 namespace stokesbook {
 
@@ -16,23 +15,11 @@ using Eigen::VectorXd;
 namespace {
 
 // Double layer with jump, -1/2 + D, of all components on all.
-MatrixXd layer_matrix(const StokesProblem& problem, const std::vector<Index>& offsets) {
-  const Index n = offsets.back();
-  MatrixXd matrix(2 * n, 2 * n);
-  ComplexVector unit = ComplexVector::Zero(n);
+MatrixXd layer_matrix(const StokesProblem& problem) {
   std::vector<Curve> curves;
   for (const Component& component : problem.components) curves.push_back(component.curve);
-  const StressletSum sum(curves, KernelStorage::streamed);
-  for (Index column = 0; column < 2 * n; ++column) {
-    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
-    ComplexVector velocity = sum(unit) - 0.5 * unit;
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-      velocity.segment(offsets[k], curves[k].size()) +=
-          diagonal_velocity(curves[k], unit.segment(offsets[k], curves[k].size()));
-    }
-    matrix.col(column) = interleaved(velocity);
-    unit[column / 2] = 0.0;
-  }
+  MatrixXd matrix = double_layer_matrix(curves);
+  matrix.diagonal().array() -= 0.5;
   return matrix;
 }
 
@@ -96,7 +83,7 @@ DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Ind
     unit[column / 2] = 0.0;
   }
   const ComplexVector rhs = closure.right_hand_side();
-  return {layer_matrix(problem, offsets) * rest + added, interleaved(rhs)};
+  return {layer_matrix(problem) * rest + added, interleaved(rhs)};
 }
 
 DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
@@ -108,7 +95,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
   }
   DenseSystem system{MatrixXd::Zero(2 * n + 3 * inner, 2 * n + 3 * inner),
                      VectorXd::Zero(2 * n + 3 * inner)};
-  system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem, offsets);
+  system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem);
   Index border = 2 * n;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];

@@ -9,6 +9,21 @@ namespace stokesbook {
 
 using Eigen::Index;
 
+namespace {
+
+// factor / pi times the dyad of a direction's unit vector.
+Eigen::Matrix2d dyad(Complex direction, double factor) {
+  const Eigen::Vector2d r{direction.real(), direction.imag()};
+  return factor * std::numbers::inv_pi / r.squaredNorm() * r * r.transpose();
+}
+
+// The kernel (w / pi) (r.n) r r^T / rho^4.
+Eigen::Matrix2d kernel_block(Complex r, double weight, Complex normal) {
+  return dyad(r, weight * dot(r, normal) / std::norm(r));
+}
+
+}  // namespace
+
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density) {
   const Eigen::VectorXd w = weights(curve);
   const Eigen::VectorXd kappa = curvatures(curve);
@@ -23,23 +38,44 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
 
 Eigen::MatrixXd double_layer_matrix(const Curve& curve) {
   const Index n = curve.size();
+  Eigen::MatrixXd matrix(2 * n, 2 * n);
   const Eigen::VectorXd w = weights(curve);
   const Eigen::VectorXd kappa = curvatures(curve);
   const ComplexVector normal = normals(curve);
-  Eigen::MatrixXd matrix(2 * n, 2 * n);
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < n; ++i) {
-      // Off the diagonal (w/pi) (r.n) r r^T / rho^4, on it its limit along the tangent.
-      Complex direction = curve.dx[j];
-      double factor = -0.5 * curve.sign() * kappa[j] * w[j] * std::numbers::inv_pi;
-      if (i != j) {
-        direction = curve.x[i] - curve.x[j];
-        factor = w[j] * std::numbers::inv_pi * dot(direction, normal[j]) / std::norm(direction);
-      }
-      factor /= std::norm(direction);
-      const Eigen::Vector2d r{direction.real(), direction.imag()};
-      matrix.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
+      matrix.block<2, 2>(2 * i, 2 * j) =
+          i == j ? dyad(curve.dx[j], -0.5 * curve.sign() * kappa[j] * w[j])
+                 : kernel_block(curve.x[i] - curve.x[j], w[j], normal[j]);
     }
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
+  Index n = 0;
+  for (const Curve& curve : curves) n += curve.size();
+  Eigen::MatrixXd matrix(2 * n, 2 * n);
+  Index column = 0;
+  for (const Curve& source : curves) {
+    const Eigen::VectorXd w = weights(source);
+    const ComplexVector normal = normals(source);
+    Index row = 0;
+    for (const Curve& target : curves) {
+      if (row == column) {
+        matrix.block(row, column, 2 * source.size(), 2 * source.size()) =
+            double_layer_matrix(source);
+        row += 2 * source.size();
+        continue;
+      }
+      for (Index i = 0; i < target.size(); ++i, row += 2) {
+        for (Index j = 0; j < source.size(); ++j) {
+          matrix.block<2, 2>(row, column + 2 * j) =
+              kernel_block(target.x[i] - source.x[j], w[j], normal[j]);
+        }
+      }
+    }
+    column += 2 * source.size();
   }
   return matrix;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "trapezoid/curve.hpp"
@@ -25,6 +27,15 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
 /// @par Accuracy  geometric in N for analytic curves and densities
 /// @par Cost      N^2 kernel evaluations
 Eigen::MatrixXd double_layer_matrix(const Curve& curve);
+
+/// Assembles the double layer of several curves on all their nodes, by the trapezoid rule.
+///
+/// @param  curves  n nodes in all, no two of them at the same place
+/// @return         2n x 2n, dimensionless; curve by curve, interleaved; blocks of one curve are
+///                 those of double_layer_matrix() of that curve
+/// @par Accuracy  geometric in the distance of two curves over the node spacing
+/// @par Cost      n^2 kernel evaluations
+Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
 
 /// Measures how well a curve's nodes resolve its own double layer: the residual of
 /// \f$ (\frac{s}{2} + D) v = 0 \f$ over the rigid motions v, in the Fourier modes |k| <= 4 that
