@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace stokesbook {
@@ -16,5 +17,8 @@ struct BuildInfo {
 
 /// Returns the information compiled into this program.
 BuildInfo build_info();
+
+/// Returns the name of the processor that this program runs on, or "unknown".
+std::string machine_name();
 
 }  // namespace stokesbook

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
@@ -35,14 +34,6 @@ Scene load_scene(const RunOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw SceneError(options.scene.string() + ": " + error.what());
   }
-}
-
-std::string machine_name() {
-  std::ifstream cpus("/proc/cpuinfo");
-  for (std::string line; std::getline(cpus, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
 }
 
 RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {

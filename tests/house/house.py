@@ -25,7 +25,7 @@ MAY_USE = {
     "suspension": METHODS | {"scene", "record"},
     "scene": {"trapezoid"},
     "record": {"trapezoid"},
-    "study": set(),
+    "study": {"record", "trapezoid"},
     "cli": METHODS | {"suspension", "scene", "record", "study"},
 }
 

@@ -16,17 +16,9 @@ namespace stokesbook {
 
 namespace {
 
-std::string processor() {
-  std::ifstream information("/proc/cpuinfo");
-  for (std::string line; std::getline(information, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
 void print_machine() {
   const BuildInfo build = build_info();
-  std::cout << "processor  " << processor() << "\nthreads    " << omp_get_max_threads()
+  std::cout << "processor  " << machine_name() << "\nthreads    " << omp_get_max_threads()
             << "\ncompiler   " << build.compiler << "\nflags      " << build.flags << '\n';
 }
 

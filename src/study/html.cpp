@@ -1,0 +1,41 @@
+#include "study/html.hpp"
+
+#include <cmath>
+
+#include "record/number_text.hpp"
+
+namespace stokesbook::study {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string html_number(double x) {
+  if (std::isnan(x)) return "&ndash;";
+  const std::string text = short_number(x);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  return text.substr(0, e) + "&middot;10<sup>" + std::to_string(std::stoi(text.substr(e + 1))) +
+         "</sup>";
+}
+
+}  // namespace stokesbook::study

@@ -1,0 +1,226 @@
+#include "study/plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "record/number_text.hpp"
+#include "record/svg.hpp"
+
+namespace stokesbook::study {
+
+namespace {
+
+/// @name Layout, pixels
+/// @{
+constexpr double width = 520.0;
+constexpr double left = 62.0, right = 16.0, top = 34.0, bottom = 44.0;
+constexpr double drawn_width = width - left - right;
+constexpr double drawn_height = 280.0;
+constexpr double legend_row = 19.0;
+constexpr double marker = 3.6;  ///< half the size of a point
+/// @}
+
+/// Colours of the lines, told apart by colour-blind readers too (Okabe and Ito 2008, darkened for
+/// the light page); markers differ as well.
+constexpr std::array light{"#0072b2", "#c2410c", "#00805f", "#a03c78", "#7a6200", "#3f5d75"};
+constexpr std::array dark{"#56b4e9", "#f59e4b", "#2fc796", "#e08fc0", "#e3cf4a", "#a9bfd0"};
+
+std::string style_element() {
+  std::string rules, dark_rules;
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    const std::string selector = ".stokesbook-picture .line-" + std::to_string(k) + "{color:";
+    rules += selector + light[k] + '}';
+    dark_rules += selector + dark[k] + '}';
+  }
+  return "<style>" + rules + "@media(prefers-color-scheme:dark){" + dark_rules + "}</style>\n";
+}
+
+std::string class_of(std::size_t line) {
+  return "class=\"line-" + std::to_string(line % light.size()) + '"';
+}
+
+/// One axis: numbers to fractions of its length.
+struct Axis {
+  bool logarithmic;
+  double low = 0.0, high = 0.0;  ///< in the axis's own scale, logarithms to base 10
+
+  double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
+  double fraction(double value) const { return (scaled(value) - low) / (high - low); }
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0.0); }
+};
+
+/// Numbers to write along an axis.
+std::vector<double> ticks(const Axis& axis) {
+  constexpr double most = 7.0;
+  std::vector<double> values;
+  const double range = axis.high - axis.low;
+  if (axis.logarithmic && range < 2.2) {  // powers of two: node counts are
+    for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
+         e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
+      values.push_back(std::exp2(e));
+    }
+    return values;
+  }
+  double step = 1.0;
+  if (axis.logarithmic) {
+    step = std::ceil(range / most);
+  } else {
+    step = std::pow(10.0, std::floor(std::log10(range / most)));
+    for (const double factor : {2.0, 2.5, 2.0}) {
+      if (range / step > most) step *= factor;
+    }
+  }
+  for (double v = step * std::ceil(axis.low / step - 1e-9); v <= axis.high + 1e-9 * range;
+       v += step) {
+    values.push_back(axis.logarithmic ? std::pow(10.0, v) : v);
+  }
+  return values;
+}
+
+/// A plot laid out: axes, and how numbers become pixels.
+struct Layout {
+  Axis x, y;
+
+  Complex pixel(double px, double py) const {
+    const double up = y.shows(py) ? std::clamp(y.fraction(py), 0.0, 1.0) : 0.0;
+    return {left + drawn_width * x.fraction(px), top + drawn_height * (1.0 - up)};
+  }
+};
+
+Axis spanning(const std::vector<double>& values, bool logarithmic) {
+  Axis axis{.logarithmic = logarithmic};
+  const auto [low, high] = std::ranges::minmax(values);
+  axis.low = axis.scaled(low);
+  axis.high = axis.scaled(high);
+  return axis;
+}
+
+/// Nothing where no point can be shown.
+std::optional<Layout> lay_out(const Plot& plot) {
+  std::vector<double> xs, ys(plot.floors);
+  for (const PlotLine& line : plot.lines) {
+    for (const PlotPoint& point : line.points) {
+      if (std::isfinite(point.x) && (!plot.log_x || point.x > 0.0)) xs.push_back(point.x);
+      if (std::isfinite(point.y) && point.y > 0.0) ys.push_back(point.y);
+    }
+  }
+  if (xs.empty() || ys.empty()) return std::nullopt;
+  Layout layout{spanning(xs, plot.log_x), spanning(ys, true)};
+  const double margin = 0.03 * (layout.x.high - layout.x.low) + (plot.log_x ? 0.02 : 1e-9);
+  layout.x.low -= margin;
+  layout.x.high += margin;
+  layout.y.low = std::floor(layout.y.low - 0.2);
+  layout.y.high = std::ceil(layout.y.high + 0.1);
+  return layout;
+}
+
+std::string frame(const Plot& plot, const Layout& layout) {
+  std::string svg, grid;
+  const double low = top + drawn_height;
+  for (const double value : ticks(layout.x)) {
+    const double x = layout.pixel(value, 1.0).real();
+    grid += svg::line({x, top}, {x, low});
+    svg += svg::label({x, low + 17.0}, short_number(value), "text-anchor=\"middle\"");
+  }
+  for (const double value : ticks(layout.y)) {
+    const double y = top + drawn_height * (1.0 - layout.y.fraction(value));
+    grid += svg::line({left, y}, {left + drawn_width, y});
+    svg += svg::label({left - 6.0, y + 4.0}, short_number(value), "text-anchor=\"end\"");
+  }
+  const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
+  svg += svg::label({left, 20.0}, plot.y_label, "font-weight=\"600\"");
+  svg += svg::label({left + 0.5 * drawn_width, low + 37.0}, plot.x_label,
+                    "text-anchor=\"middle\" font-weight=\"600\"");
+  return svg::path(grid, thin + "stroke-opacity=\"0.13\"") +
+         svg::path(svg::line({left, top}, {left, low}) +
+                       svg::line({left, low}, {left + drawn_width, low}),
+                   thin + "stroke-opacity=\"0.6\"") +
+         svg;
+}
+
+/// Circle, square, triangle, diamond about a point, as path data.
+std::string marker_path(std::size_t line, Complex at) {
+  if (line % 4 == 0) {
+    const std::string radius = svg::number(marker);
+    const std::string arc = 'a' + radius + ' ' + radius + " 0 1 0 ";
+    const std::string step = svg::number(2.0 * marker);
+    return 'M' + svg::number(at.real() - marker) + ' ' + svg::number(at.imag()) + arc + step +
+           " 0" + arc + '-' + step + " 0Z";
+  }
+  const int corners = line % 4 == 2 ? 3 : 4;
+  const double turn = line % 4 == 1 ? 0.5 : 0.0;  // a square is a diamond turned
+  ComplexVector points(corners);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * (k + turn) / corners - 0.5 * std::numbers::pi;
+    points[k] = at + std::polar(1.35 * marker, angle);
+  }
+  return svg::polygon(points);
+}
+
+std::string draw_line(const PlotLine& line, std::size_t index, const Layout& layout) {
+  std::string joined, filled, hollow;
+  for (const PlotPoint& point : line.points) {
+    if (!layout.x.shows(point.x) || !std::isfinite(point.y)) continue;
+    const Complex at = layout.pixel(point.x, point.y);
+    joined += (joined.empty() ? 'M' : 'L') + svg::number(at.real()) + ' ' + svg::number(at.imag());
+    (point.hollow ? hollow : filled) += marker_path(index, at);
+  }
+  return "<g " + class_of(index) + " stroke=\"currentColor\" stroke-width=\"1.4\">\n" +
+         svg::path(joined, "fill=\"none\" stroke-opacity=\"0.55\"") +
+         svg::path(filled, "fill=\"currentColor\"") + svg::path(hollow, "fill=\"none\"") + "</g>\n";
+}
+
+std::string draw_guide(const Guide& guide, const Layout& layout) {
+  const Complex from = layout.pixel(guide.from.x, guide.from.y);
+  const Complex to = layout.pixel(guide.to.x, guide.to.y);
+  std::string svg = "<g " + class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\">\n";
+  std::string text;
+  if (guide.triangle) {
+    const Complex below{0.0, 16.0};
+    const Complex corner{from.real(), to.imag()};
+    ComplexVector points(3);
+    points << from + below, to + below, corner + below;
+    svg += svg::path(svg::polygon(points), "stroke-width=\"1\"");
+    text = svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.label,
+                      "text-anchor=\"end\"");
+  } else {
+    svg += svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"");
+  }
+  return svg + "</g>\n" + text;
+}
+
+std::string legend(const Plot& plot) {
+  std::string svg;
+  double y = top + drawn_height + bottom + 12.0;
+  for (std::size_t k = 0; k < plot.lines.size(); ++k) {
+    svg += "<g " + class_of(k) + " stroke=\"currentColor\">" +
+           svg::path(marker_path(k, {left + 6.0, y - 4.0}), "fill=\"currentColor\"") + "</g>\n" +
+           svg::label({left + 20.0, y}, plot.lines[k].label);
+    y += legend_row;
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::string draw_plot(const Plot& plot) {
+  const std::optional<Layout> layout = lay_out(plot);
+  if (!layout) return "<p>Nothing to plot: all errors are zero.</p>\n";
+  const double height =
+      top + drawn_height + bottom + 4.0 + legend_row * static_cast<double>(plot.lines.size());
+  std::string svg = svg::open({width, height}, plot.title) + style_element() + frame(plot, *layout);
+  std::string floors;
+  for (const double level : plot.floors) {
+    const double y = top + drawn_height * (1.0 - layout->y.fraction(level));
+    floors += svg::line({left, y}, {left + drawn_width, y});
+  }
+  svg += svg::path(floors, "fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"1.5 4\"");
+  for (const Guide& guide : plot.guides) svg += draw_guide(guide, *layout);
+  for (std::size_t k = 0; k < plot.lines.size(); ++k) svg += draw_line(plot.lines[k], k, *layout);
+  return svg + legend(plot) + "</svg>\n";
+}
+
+}  // namespace stokesbook::study

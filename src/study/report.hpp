@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace stokesbook::study {
+
+/// @addtogroup study
+/// @{
+
+/// Where results come from.
+struct Provenance {
+  std::string version;
+  std::string git_hash;
+  std::string compiler;
+  std::string flags;
+  std::string machine;
+};
+
+/// Returns a study's results as CSV, a line for each measurement, numbers at full precision.
+///
+/// Controls are rows too, told by the last column: used by the check, left out, or control.
+std::string to_csv(const StudyResult& result);
+
+/// Returns a study's claims, verdicts, controls and measurements as JSON, with where they come
+/// from; numbers at full precision, null for what was not measured.
+std::string to_json(const StudyResult& result, const Provenance& provenance);
+
+/// Returns the numbers of a study as aliases of Doxygen, an `ALIASES += name="value"` line each:
+/// `val_<number>_<experiment>_<line>_<x>` for an error, `val_claim_<id>` for what was measured of a
+/// claim and `val_claim_<id>_claimed` for what was claimed.
+std::string to_aliases(const StudyResult& result);
+
+/// Returns the index of all claims as a page of Doxygen, with links to chapters and API.
+std::string claims_page(const std::vector<StudyResult>& results);
+
+/// Writes the files of a study into a directory: `<name>.csv`, `<name>.json`, `<name>.aliases`, and
+/// for each experiment `<name>_<experiment>_table.html` and `..._figure.html`, where they were
+/// asked for `..._work_table.html` and `..._work_figure.html`.
+///
+/// @throws RecordError when the disk does not take them
+void write_report(const StudyResult& result, const Provenance& provenance,
+                  const std::filesystem::path& directory);
+
+/// Writes what several studies share: `claims.md` for Doxygen, and `index.html`, which shows every
+/// table and figure without Doxygen.
+///
+/// @throws RecordError when the disk does not take them
+void write_index(const std::vector<StudyResult>& results, const Provenance& provenance,
+                 const std::filesystem::path& directory);
+
+/// @}
+
+}  // namespace stokesbook::study

@@ -1,0 +1,108 @@
+#include "study/study.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+
+namespace stokesbook::study {
+
+namespace {
+
+void require(bool condition, const std::string& what) {
+  if (!condition) throw std::logic_error("study: " + what);
+}
+
+bool is_key(const std::string& text) {
+  return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_';
+  });
+}
+
+/// Finds mistakes of a study before it spends any time.
+void validate(const Study& study) {
+  std::set<std::string> experiments, ids;
+  for (const Experiment& experiment : study.experiments) {
+    require(is_key(experiment.key), "key of an experiment: '" + experiment.key + "'");
+    require(experiments.insert(experiment.key).second, "two experiments " + experiment.key);
+    std::set<std::string> lines;
+    for (const Line& line : experiment.lines) {
+      const std::string name = experiment.key + '.' + line.key;
+      require(is_key(line.key), "key of a line: '" + name + "'");
+      require(lines.insert(line.key).second, "two lines " + name);
+      require(line.claim.has_value() == line.control.has_value(),
+              name + ": a claim and its control belong together");
+      if (!line.claim) continue;
+      require(line.claim->id.starts_with(study.number + '_') && is_key(line.claim->id),
+              name + ": the claim's id must be " + study.number + "_ and a number");
+      require(ids.insert(line.claim->id).second, "two claims " + line.claim->id);
+    }
+  }
+}
+
+LineResult measure(const Line& line, Size size) {
+  LineResult result;
+  result.measurements = line.measure(size);
+  if (!line.claim) return result;
+  result.verdict = check(*line.claim, result.measurements);
+  ControlResult control{.measurements = line.control->measure(size), .verdict = {}};
+  control.verdict = check(*line.claim, control.measurements);
+  result.control = std::move(control);
+  return result;
+}
+
+void report(std::ostream& progress, const Line& line, const LineResult& result) {
+  if (!line.claim) return;
+  progress << "  " << line.claim->id << "  " << to_string(result.verdict->outcome) << "  "
+           << line.label << ": " << result.verdict->explanation << '\n';
+  if (!result.control->rejected()) {
+    progress << "  " << line.claim->id << "  fails  not rejected, with the defect "
+             << line.control->defect << ": " << result.control->verdict.explanation << '\n';
+  }
+  progress.flush();
+}
+
+}  // namespace
+
+std::vector<CostMeasure> measured_costs(const Experiment& experiment,
+                                        const std::vector<LineResult>& lines) {
+  std::vector<CostMeasure> costs{{"unknowns", &Measurement::unknowns},
+                                 {experiment.operation, &Measurement::operations},
+                                 {"seconds on this machine", &Measurement::seconds}};
+  std::erase_if(costs, [&](const CostMeasure& cost) {
+    return std::ranges::none_of(lines, [&](const LineResult& line) {
+      return std::ranges::any_of(line.measurements, [&](const Measurement& point) {
+        return std::isfinite(point.*cost.value);
+      });
+    });
+  });
+  return costs;
+}
+
+bool LineResult::holds() const {
+  return !verdict || (verdict->outcome == Outcome::holds && control->rejected());
+}
+
+bool StudyResult::holds() const {
+  return std::ranges::all_of(experiments, [](const std::vector<LineResult>& lines) {
+    return std::ranges::all_of(lines, &LineResult::holds);
+  });
+}
+
+StudyResult run(const Study& study, Size size, std::ostream& progress) {
+  validate(study);
+  progress << study.number << ' ' << study.title << '\n';
+  StudyResult result{.study = study, .size = size, .experiments = {}};
+  for (const Experiment& experiment : study.experiments) {
+    std::vector<LineResult>& lines = result.experiments.emplace_back();
+    for (const Line& line : experiment.lines) {
+      lines.push_back(measure(line, size));
+      report(progress, line, lines.back());
+    }
+  }
+  return result;
+}
+
+}  // namespace stokesbook::study

@@ -1,0 +1,138 @@
+#include "study/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "study/html.hpp"
+
+namespace stokesbook::study {
+
+namespace {
+
+std::string cell(const std::string& content, const std::string& attributes = {}) {
+  return "<td" + attributes + '>' + content + "</td>";
+}
+
+std::string head(const std::string& content, const std::string& attributes = {}) {
+  return "<th" + attributes + '>' + content + "</th>";
+}
+
+std::string row(const std::string& cells) {
+  return "<tr>" + cells + "</tr>\n";
+}
+
+std::string span(std::size_t columns) {
+  return " colspan=\"" + std::to_string(columns) + '"';
+}
+
+/// The letter that a name of an axis ends with.
+std::string letter(const std::string& axis) {
+  return axis.substr(axis.rfind(' ') + 1);
+}
+
+/// The table's own width is its business: wide ones scroll on narrow screens.
+std::string table(const std::string& caption, const std::string& body) {
+  return "<div class=\"study-table\"><table>\n<caption>" + caption + "</caption>\n" + body +
+         "</table></div>\n";
+}
+
+std::string verdict_cell(const LineResult& result, const std::string& attributes) {
+  if (!result.verdict) return cell("shown for comparison", attributes);
+  if (result.verdict->outcome != Outcome::holds) {
+    return cell("<b>" + to_string(result.verdict->outcome) + "</b>", attributes);
+  }
+  return cell(result.holds() ? "holds" : "<b>holds, as does its defective control</b>", attributes);
+}
+
+std::string claim_link(const Claim& claim) {
+  return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
+}
+
+/// Error and local order of a line at x; dashes where it was not measured.
+std::string cells_at(const LineResult& line, const std::vector<double>& slopes, double x) {
+  for (std::size_t i = 0; i < line.measurements.size(); ++i) {
+    if (line.measurements[i].x != x) continue;
+    const bool used = !line.verdict || line.verdict->used[i];
+    const std::string grey = used ? "" : " class=\"left-out\"";
+    return cell(html_number(line.measurements[i].error), grey) + cell(html_number(slopes[i]), grey);
+  }
+  return cell("") + cell("");
+}
+
+}  // namespace
+
+std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
+  const bool orders = experiment.axes == Axes::log_log;
+  std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
+  std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
+  std::vector<std::vector<double>> slopes;
+  std::set<double> xs;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const Line& line = experiment.lines[k];
+    const LineResult& result = lines[k];
+    names += head(escaped(line.label), span(2));
+    columns += head("error") + head(orders ? "order" : "rate");
+    slopes.push_back(orders ? local_orders(result.measurements) : local_rates(result.measurements));
+    for (const Measurement& point : result.measurements) xs.insert(point.x);
+    claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
+                                     escaped(law_text(line.claim->law, letter(experiment.x)))
+                               : "",
+                    span(2));
+    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", span(2));
+    verdict += verdict_cell(result, span(2));
+  }
+  std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
+  for (const double x : xs) {
+    std::string cells = head(html_number(x));
+    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], x);
+    body += row(cells);
+  }
+  body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
+  return table(escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.', body);
+}
+
+std::string work_precision_table(const Experiment& experiment,
+                                 const std::vector<LineResult>& lines) {
+  std::vector<CostMeasure> columns = measured_costs(experiment, lines);
+  columns.insert(columns.begin(),
+                 {{experiment.x, &Measurement::x}, {"error", &Measurement::error}});
+  std::string names = head("method"), body;
+  for (const CostMeasure& column : columns) names += head(escaped(column.name));
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    for (const Measurement& point : lines[k].measurements) {
+      std::string cells = head(escaped(experiment.lines[k].label));
+      for (const CostMeasure& column : columns) cells += cell(html_number(point.*column.value));
+      body += row(cells);
+    }
+  }
+  return table(escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.',
+               "<thead>" + row(names) + "</thead>\n<tbody>\n" + body + "</tbody>");
+}
+
+std::string claims_table(const StudyResult& result) {
+  std::string body;
+  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
+    const Experiment& experiment = result.study.experiments[e];
+    for (std::size_t k = 0; k < experiment.lines.size(); ++k) {
+      const Line& line = experiment.lines[k];
+      const LineResult& found = result.experiments[e][k];
+      if (!line.claim) continue;
+      body += row(head("<a id=\"claim_" + line.claim->id + "\"></a>" + line.claim->id) +
+                  cell(escaped(line.claim->statement) + "<br><small>" +
+                       escaped(line.claim->reason) + "</small>") +
+                  cell(escaped(law_text(line.claim->law, letter(experiment.x)))) +
+                  cell(escaped(found.verdict->explanation)) +
+                  cell(escaped(line.control->defect) + ": " +
+                       (found.control->rejected() ? "rejected" : "<b>not rejected</b>")) +
+                  verdict_cell(found, ""));
+    }
+  }
+  return table(escaped(result.study.title),
+               "<thead>" +
+                   row(head("claim") + head("statement, reason") + head("law") + head("measured") +
+                       head("control") + head("verdict")) +
+                   "</thead>\n<tbody>\n" + body + "</tbody>");
+}
+
+}  // namespace stokesbook::study

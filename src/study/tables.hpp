@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+
+namespace stokesbook::study {
+
+/// @addtogroup study
+/// @{
+
+/// Writes an experiment's errors as an HTML table: a row for each x, for each line the error and
+/// the order (on logarithmic axes) or rate between rows; below, what was claimed and found.
+///
+/// Numbers that a check left out are grey.
+std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines);
+
+/// Writes an experiment's errors and costs as an HTML table, a row for each measurement; columns
+/// of costs that were not measured are left out.
+std::string work_precision_table(const Experiment& experiment,
+                                 const std::vector<LineResult>& lines);
+
+/// Writes the claims of a study as an HTML table: what was claimed and why, what was measured, the
+/// verdict, and the control with its defect.
+std::string claims_table(const StudyResult& result);
+
+/// @}
+
+}  // namespace stokesbook::study

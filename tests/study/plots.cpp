@@ -1,0 +1,85 @@
+// Figures: what is drawn where.
+
+#include <sstream>
+
+#include <boost/test/unit_test.hpp>
+
+#include "study/figures.hpp"
+#include "study/plot.hpp"
+#include "synthetic.hpp"
+
+using namespace stokesbook::study;
+using namespace stokesbook::test;
+
+namespace {
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+Plot decay(std::vector<PlotPoint> points) {
+  return {
+      .title = "decay", .x_label = "N", .y_label = "error", .lines = {{"a", std::move(points)}}};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(plots)
+
+BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
+  // One marker more in the legend.
+  const std::string svg = draw_plot(decay({{8, 1e-1}, {16, 1e-2}, {32, 1e-3, true}}));
+  BOOST_TEST(count(svg, "a3.6 3.6 0 1 0 7.2 0") == 4);
+  BOOST_TEST(count(svg, "fill=\"none\" d=\"M") >= 1);
+  BOOST_TEST(svg.starts_with("<svg"));
+  BOOST_TEST(svg.ends_with("</svg>\n"));
+}
+
+BOOST_AUTO_TEST_CASE(colours_follow_the_page) {
+  const std::string svg = draw_plot(decay({{8, 1e-1}, {16, 1e-2}}));
+  BOOST_TEST(count(svg, "prefers-color-scheme:dark") == 2);
+  BOOST_TEST(count(svg, "stroke=\"#") == 0);
+  BOOST_TEST(count(svg, "fill=\"#") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(axes_have_round_numbers) {
+  const std::string powers_of_two = draw_plot(decay({{8, 1e-1}, {128, 1e-9}}));
+  for (const char* tick : {">8<", ">16<", ">32<", ">64<", ">128<", ">1e-04<"}) {
+    BOOST_TEST(count(powers_of_two, tick) == 1);
+  }
+  Plot linear = decay({{0, 1e-1}, {100, 1e-9}});
+  linear.log_x = false;
+  for (const char* tick : {">0<", ">20<", ">100<"}) {
+    BOOST_TEST(count(draw_plot(linear), tick) == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(zeros_lie_on_the_lower_edge_and_nothing_is_not_drawn) {
+  BOOST_TEST(count(draw_plot(decay({{8, 1e-1}, {16, 0.0}, {32, 1e-3}})), "nan") == 0);
+  BOOST_TEST(draw_plot(decay({{8, 0.0}})).find("Nothing to plot") != std::string::npos);
+  BOOST_TEST(draw_plot(decay({})).find("Nothing to plot") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
+  Study study = sample_study();
+  std::ostringstream progress;
+  const StudyResult algebraic = run(study, Size::quick, progress);
+  const std::string triangle = convergence_figure(study.experiments[0], algebraic.experiments[0]);
+  BOOST_TEST(count(triangle, ">2</text>") == 1);
+  BOOST_TEST(count(triangle, "stroke-dasharray=\"6 4\"") == 0);
+
+  Line& line = study.experiments[0].lines[0];
+  line.claim->law = Geometric{0.1};
+  line.claim->window.floor = 1e-9;
+  study.experiments[0].axes = Axes::semi_log;
+  const StudyResult geometric = run(study, Size::quick, progress);
+  const std::string dashed = convergence_figure(study.experiments[0], geometric.experiments[0]);
+  BOOST_TEST(count(dashed, "stroke-dasharray=\"6 4\"") == 1);
+  BOOST_TEST(count(dashed, "stroke-dasharray=\"1.5 4\"") == 1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

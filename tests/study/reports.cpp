@@ -1,0 +1,89 @@
+// What a study writes: tables, CSV, JSON and the numbers of the chapters.
+
+#include <sstream>
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include "study/html.hpp"
+#include "study/report.hpp"
+#include "study/tables.hpp"
+#include "synthetic.hpp"
+
+using namespace stokesbook::study;
+using namespace stokesbook::test;
+
+namespace {
+
+StudyResult sample_result() {
+  std::ostringstream progress;
+  return run(sample_study(), Size::quick, progress);
+}
+
+const Provenance here{"0.1", "abc", "GNU", "-O3", "a machine"};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(reports)
+
+BOOST_AUTO_TEST_CASE(csv_restores_every_number) {
+  std::istringstream csv(to_csv(sample_result()));
+  std::string row;
+  std::getline(csv, row);
+  BOOST_TEST(row == "experiment,line,x,error,unknowns,operations,seconds,role");
+  std::getline(csv, row);
+  BOOST_TEST(row.starts_with("orders,method,8,"));
+  BOOST_TEST(row.ends_with(",nan,nan,nan,used"));
+  BOOST_TEST(std::stod(row.substr(std::string("orders,method,8,").size())) == 3.0 / 64.0);
+  int rows = 1, controls = 0;
+  for (; std::getline(csv, row); ++rows) controls += row.ends_with(",control") ? 1 : 0;
+  BOOST_TEST(rows == 15);
+  BOOST_TEST(controls == 5);
+}
+
+BOOST_AUTO_TEST_CASE(json_has_claim_verdict_and_origin) {
+  const auto json = nlohmann::json::parse(to_json(sample_result(), here));
+  BOOST_TEST(json["git_hash"] == "abc");
+  BOOST_TEST(json["holds"] == true);
+  const auto& line = json["experiments"]["orders"]["method"];
+  BOOST_TEST(line["verdict"]["outcome"] == "holds");
+  BOOST_TEST(line["verdict"]["measured"].get<double>() == 2.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(line["control"]["rejected"] == true);
+  BOOST_TEST(line["measurements"][1]["error"].get<double>() == 3.0 / 256.0);
+  BOOST_TEST(line["measurements"][1]["seconds"].is_null());
+}
+
+BOOST_AUTO_TEST_CASE(aliases_carry_the_numbers) {
+  const std::string aliases = to_aliases(sample_result());
+  BOOST_TEST(contains(aliases, "ALIASES += \"val_99_orders_method_16=0.0117\"\n"));
+  BOOST_TEST(contains(aliases, "ALIASES += \"val_claim_99_1=2\"\n"));
+  BOOST_TEST(contains(aliases, "ALIASES += \"val_claim_99_1_claimed=2\"\n"));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_for_people) {
+  BOOST_TEST(html_number(0.5) == "0.5");
+  BOOST_TEST(html_number(1.234e-12) == "1.23&middot;10<sup>-12</sup>");
+  BOOST_TEST(html_number(unmeasured) == "&ndash;");
+}
+
+BOOST_AUTO_TEST_CASE(tables_show_what_failed) {
+  Study study = sample_study();
+  study.experiments[0].lines[0].claim->law = Algebraic{3.0};
+  std::ostringstream progress;
+  const StudyResult result = run(study, Size::quick, progress);
+  BOOST_TEST(contains(progress.str(), "99_1  fails"));
+  BOOST_TEST(contains(convergence_table(study.experiments[0], result.experiments[0]), "<b>fails"));
+  BOOST_TEST(contains(claims_table(result), "<b>fails"));
+  BOOST_TEST(contains(claims_page({result}), "**fails**"));
+}
+
+BOOST_AUTO_TEST_CASE(text_is_escaped) {
+  BOOST_TEST(contains(claims_table(sample_result()), "a &lt; b &amp; c"));
+  BOOST_TEST(contains(claims_page({sample_result()}), "@anchor claim_99_1"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,82 @@
+// Runs the studies of the methods: checks every claim of the book, and writes tables, figures and
+// the numbers that the chapters quote.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/build_info.hpp"
+#include "record/record_error.hpp"
+#include "studies.hpp"
+#include "study/report.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+constexpr int exit_claim_fails = 2, exit_io = 3;
+
+/// Studies in reading order.
+std::vector<study::Study> all_studies() {
+  return {trapezoid_study()};
+}
+
+study::Provenance provenance() {
+  const BuildInfo build = build_info();
+  return {.version = std::string(build.version),
+          .git_hash = std::string(build.git_hash),
+          .compiler = std::string(build.compiler),
+          .flags = std::string(build.flags),
+          .machine = machine_name()};
+}
+
+int run_studies(const std::vector<study::Study>& studies, study::Size size,
+                const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw RecordError(directory, "cannot create", error);
+  std::vector<study::StudyResult> results;
+  for (const study::Study& study : studies) {
+    results.push_back(run(study, size, std::cout));
+    write_report(results.back(), provenance(), directory);
+  }
+  write_index(results, provenance(), directory);
+  std::cout << "tables and figures: " << (directory / "index.html").string() << '\n';
+  return std::ranges::all_of(results, &study::StudyResult::holds) ? 0 : exit_claim_fails;
+}
+
+}  // namespace
+
+}  // namespace stokesbook
+
+int main(int argc, char** argv) {
+  using namespace stokesbook;
+  CLI::App app{"Checks the claims of the book, one study a method"};
+  std::vector<study::Study> studies = all_studies();
+  std::vector<std::string> names, known;
+  for (const study::Study& study : studies) known.push_back(study.name);
+  study::Size size = study::Size::quick;
+  std::string directory = "out/study";
+  app.add_option("name", names, "methods to study [all]")->check(CLI::IsMember(known));
+  app.add_option("--size", size, "quick: enough for every claim; full: more and harder points")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, study::Size>{
+          {"quick", study::Size::quick}, {"full", study::Size::full}}));
+  app.add_option("--out", directory, "directory of the results [out/study]");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  std::erase_if(studies, [&](const study::Study& study) {
+    return !names.empty() && std::ranges::find(names, study.name) == names.end();
+  });
+  try {
+    return run_studies(studies, size, directory);
+  } catch (const RecordError& error) {
+    std::cerr << "stokes: " << error.what() << '\n';
+    return exit_io;
+  }
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "study/study.hpp"
+
+namespace stokesbook {
+
+/// @name The studies, one a method: what its chapter claims, and the planted defects
+/// @{
+study::Study trapezoid_study();
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,97 @@
+// The spectrum of the double layer of an ellipse, known in closed form: what collocation at the
+// trapezoid rule's nodes makes of an integral operator with an analytic kernel.
+#include <algorithm>
+#include <cmath>
+
+#include "double_layer/double_layer.hpp"
+#include "experiments.hpp"
+#include "support/dense.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+/// Eigenvalues of modes k = 1 ... 4: (+-c_k +- sqrt(c_k^2 + 4 m^{2k})) / 4 with
+/// c_k = (1 - m^2) k m^{k-1}.
+std::vector<double> lowest_eigenvalues(double m) {
+  std::vector<double> values;
+  for (int k = 1; k <= 4; ++k) {
+    const double c = (1.0 - m * m) * k * std::pow(m, k - 1);
+    const double root = std::hypot(c, 2.0 * std::pow(m, k));
+    for (const double lambda : {c + root, c - root, -c + root, -c - root}) {
+      values.push_back(0.25 * lambda);
+    }
+  }
+  return values;
+}
+
+/// Largest distance of a known eigenvalue from the nearest computed one.
+double spectrum_error(const Eigen::MatrixXd& layer, double m) {
+  const Eigen::VectorXcd computed = test::eigenvalues(layer);
+  double error = 0.0;
+  for (const double lambda : lowest_eigenvalues(m)) {
+    error = std::max(error, (computed.array() - lambda).abs().minCoeff());
+  }
+  return error;
+}
+
+/// A planted defect: the diagonal of the kernel with the curvature's other sign.
+Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
+  Eigen::MatrixXd matrix = double_layer_matrix(curve);
+  for (Index j = 0; j < curve.size(); ++j) matrix.block<2, 2>(2 * j, 2 * j) *= -1.0;
+  return matrix;
+}
+
+template <class Assemble>
+Measure errors(double aspect, const Assemble& assemble) {
+  const double m = (aspect - 1.0) / (aspect + 1.0);
+  return [=](Size size) {
+    const double step = (size == Size::full ? 1.0 : 3.0) / -std::log(m);
+    std::vector<Measurement> measurements;
+    Index last = 0;
+    for (double target = 12.0 / -std::log(m); target <= 42.0 / -std::log(m); target += step) {
+      const Index n = 2 * std::lround(0.5 * target);
+      if (n == last) continue;
+      last = n;
+      const Curve curve = sample(Ellipse{aspect, 1.0}, n, Side::fluid_inside);
+      measurements.push_back({.x = static_cast<double>(n),
+                              .error = spectrum_error(assemble(curve), m),
+                              .unknowns = 2.0 * static_cast<double>(n)});
+    }
+    return measurements;
+  };
+}
+
+Line ellipse_line(const std::string& key, const std::string& id, double aspect) {
+  const double m = (aspect - 1.0) / (aspect + 1.0);
+  const auto assemble = [](const Curve& curve) { return double_layer_matrix(curve); };
+  return {.key = key,
+          .label = "ellipse " + std::to_string(static_cast<int>(aspect)) + ":1",
+          .measure = errors(aspect, assemble),
+          .claim = Claim{.id = id,
+                         .statement = "Collocation gives the eigenvalues of the double layer of "
+                                      "an ellipse with an error N m^N, m = (a - b) / (a + b).",
+                         .law = Geometric{-std::log(m), 0.02, 1.0},
+                         .window = {.from = 20.0 / -std::log(m), .floor = 1e-15},
+                         .reason = "the kernel's modes k m^(k-1) alias by N",
+                         .api = {"stokesbook::double_layer_matrix"}},
+          .control = Control{"the diagonal with the other sign of the curvature",
+                             errors(aspect, with_wrong_diagonal)}};
+}
+
+}  // namespace
+
+Experiment ellipse_spectrum() {
+  return {.key = "spectrum",
+          .title = "Spectrum of the double layer of an ellipse",
+          .x = "nodes N",
+          .error = "largest error of the eigenvalues of the modes 1 to 4, all at most 1/2",
+          .axes = Axes::semi_log,
+          .lines = {ellipse_line("two", "01_12", 2.0), ellipse_line("three", "01_13", 3.0)}};
+}
+
+}  // namespace stokesbook

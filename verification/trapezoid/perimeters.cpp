@@ -1,0 +1,77 @@
+// Perimeters of ellipses: the speed |x'| has branch points, near the real axis when slender.
+#include <cmath>
+
+#include <gsl/gsl_sf_ellint.h>
+
+#include "experiments.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+double exact_perimeter(const Ellipse& e) {
+  // GSL's, since libstdc++'s errs by 1e-13.
+  return 4.0 * e.a * gsl_sf_ellint_Ecomp(std::sqrt(1.0 - e.b * e.b / (e.a * e.a)), GSL_PREC_DOUBLE);
+}
+
+/// A planted defect: the polygon through the nodes.
+double polygon_perimeter(const Curve& curve) {
+  double length = 0.0;
+  for (Index j = 0; j < curve.size(); ++j) {
+    length += std::abs(curve.x[(j + 1) % curve.size()] - curve.x[j]);
+  }
+  return length;
+}
+
+template <class Perimeter>
+Measure relative_errors(const Ellipse& ellipse, double distance, const Perimeter& length) {
+  return [=](Size size) {
+    const int points = size == Size::full ? 20 : 10;
+    std::vector<Measurement> measurements;
+    for (int k = 1; k <= points; ++k) {
+      const Index n = 2 * std::lround(15.0 * k / (points * distance));
+      const Curve curve = sample(ellipse, n, Side::fluid_outside);
+      measurements.push_back({.x = static_cast<double>(n),
+                              .error = std::abs(length(curve) / exact_perimeter(ellipse) - 1.0),
+                              .unknowns = static_cast<double>(n)});
+    }
+    return measurements;
+  };
+}
+
+Line ellipse_line(const std::string& key, const std::string& id, double aspect) {
+  const Ellipse ellipse{aspect, 1.0};
+  const double distance = std::atanh(1.0 / aspect);
+  return {.key = key,
+          .label = "ellipse " + std::to_string(static_cast<int>(aspect)) + ":1",
+          .measure = relative_errors(ellipse, distance, perimeter),
+          .claim = Claim{.id = id,
+                         .statement = "The perimeter of an ellipse converges as N^(-3/2) e^{-d N} "
+                                      "with tanh d = b / a: slender ellipses need N in proportion "
+                                      "to their aspect ratio.",
+                         .law = Geometric{distance, 0.03, -1.5},
+                         .window = {.from = 4.0 / distance, .floor = 1e-15},
+                         .reason = "|x'|^2 = a^2 sin^2 t + b^2 cos^2 t vanishes at t = +-i d: "
+                                   "square roots there",
+                         .api = {"stokesbook::perimeter", "stokesbook::sample"}},
+          .control = Control{"the polygon through the nodes",
+                             relative_errors(ellipse, distance, polygon_perimeter)}};
+}
+
+}  // namespace
+
+Experiment perimeters() {
+  return {.key = "perimeters",
+          .title = "Perimeters of slender ellipses",
+          .x = "nodes N",
+          .error = "relative error of the perimeter",
+          .axes = Axes::semi_log,
+          .lines = {ellipse_line("two", "01_9", 2.0), ellipse_line("five", "01_10", 5.0),
+                    ellipse_line("twenty", "01_11", 20.0)}};
+}
+
+}  // namespace stokesbook

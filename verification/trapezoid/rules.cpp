@@ -1,0 +1,96 @@
+// Work and precision: the trapezoid rule beside rules that are better on an interval.
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include <gsl/gsl_integration.h>
+
+#include "experiments.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+constexpr double distance = 0.3;
+const PoleFunction integrand(distance);
+
+double trapezoid(Index n) {
+  return trapezoid_rule(n, integrand);
+}
+
+/// Weights h/3 (4, 2, 4, 2, ...): what is best on an interval wastes every second node of a circle.
+double simpson(Index n) {
+  const double odd = trapezoid_rule(n, integrand), even = trapezoid_rule(n / 2, integrand);
+  return (4.0 * odd - even) / 3.0;
+}
+
+double gauss_legendre(Index n) {
+  const std::unique_ptr<gsl_integration_fixed_workspace, void (*)(gsl_integration_fixed_workspace*)>
+      rule(gsl_integration_fixed_alloc(gsl_integration_fixed_legendre, static_cast<std::size_t>(n),
+                                       -std::numbers::pi, std::numbers::pi, 0.0, 0.0),
+           gsl_integration_fixed_free);
+  const Eigen::Map<const Eigen::VectorXd> nodes(gsl_integration_fixed_nodes(rule.get()), n);
+  const Eigen::Map<const Eigen::VectorXd> w(gsl_integration_fixed_weights(rule.get()), n);
+  return w.dot(nodes.unaryExpr(integrand));
+}
+
+/// A planted defect: an interval that is not the whole period.
+double short_gauss_legendre(Index n) {
+  return 0.999 * gauss_legendre(n);
+}
+
+double seconds_of(double (*rule)(Index), Index n) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  constexpr int repeats = 20;
+  for (int k = 0; k < repeats; ++k) rule(n);
+  return std::chrono::duration<double>(Clock::now() - start).count() / repeats;
+}
+
+Measure measure(double (*rule)(Index)) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (Index n = 8; n <= 240; n += size == Size::full ? 8 : 16) {
+      measurements.push_back({.x = static_cast<double>(n),
+                              .error = std::abs(rule(n) / integrand.integral() - 1.0),
+                              .operations = static_cast<double>(n),
+                              .seconds = seconds_of(rule, n)});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment rules() {
+  // Poles at +-i d, seen from the interval [-pi, pi]: the ellipse through them with foci at its
+  // ends.
+  const double rho = distance / std::numbers::pi + std::hypot(1.0, distance / std::numbers::pi);
+  return {.key = "rules",
+          .title = "Rules for the same periodic function",
+          .x = "evaluations N",
+          .error = "relative error of the integral",
+          .axes = Axes::semi_log,
+          .lines = {{.key = "trapezoid", .label = "trapezoid", .measure = measure(trapezoid)},
+                    {.key = "gauss",
+                     .label = "Gauss-Legendre on one period",
+                     .measure = measure(gauss_legendre),
+                     .claim = Claim{.id = "01_14",
+                                    .statement = "Gauss-Legendre, the best rule on an interval, "
+                                                 "needs about pi / 2 times as many nodes as the "
+                                                 "trapezoid rule on a period.",
+                                    .law = Geometric{2.0 * std::log(rho), 0.04},
+                                    .window = {.from = 40.0, .floor = 1e-15},
+                                    .reason = "rho^{-2 N}, rho = d / pi + sqrt(1 + (d / pi)^2): "
+                                              "the ellipse through the poles"},
+                     .control = Control{"an interval too short by a thousandth",
+                                        measure(short_gauss_legendre)}},
+                    {.key = "simpson", .label = "Simpson", .measure = measure(simpson)}},
+          .work_precision = true,
+          .operation = "evaluations"};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,15 @@
+// Study of the trapezoid rule: rates that are numbers, predicted from singularities.
+#include "experiments.hpp"
+#include "studies.hpp"
+
+namespace stokesbook {
+
+study::Study trapezoid_study() {
+  return {.number = "01",
+          .name = "trapezoid",
+          .title = "The trapezoid rule on closed curves",
+          .experiments = {published_table(), smoothness(), pole_rates(), interpolation_rates(),
+                          perimeters(), ellipse_spectrum(), rules()}};
+}
+
+}  // namespace stokesbook
