@@ -17,8 +17,8 @@ std::vector<Index> node_counts(double rate, Size size) {
   const int points = size == Size::full ? 24 : 12;
   std::vector<Index> counts;
   for (int k = 1; k <= points; ++k) {
-    const auto n = static_cast<Index>(std::lround(18.0 * k / (points * rate)));
-    counts.push_back(2 * n);
+    const auto half = static_cast<Index>(std::lround(18.0 * k / (points * rate)));
+    counts.push_back(2 * half);
   }
   return counts;
 }
@@ -46,7 +46,7 @@ Line integral_line(const std::string& key, const std::string& id, double distanc
   const auto defective = [](Index n, const PoleFunction& g) { return rule_with_both_ends(n, g); };
   return {.key = key,
           .label = "poles at distance " + std::to_string(distance).substr(0, 3),
-          .measure = at_counts(2.0 * distance, integral_error(f, rule)),
+          .measure = at_counts(distance, integral_error(f, rule)),
           .claim = Claim{.id = id,
                          .statement = "The integral of a function with poles at a distance d from "
                                       "the real axis converges as e^{-d N}, no faster.",
@@ -55,7 +55,7 @@ Line integral_line(const std::string& key, const std::string& id, double distanc
                          .reason = "modes e^{-d |k|} alias: relative error 2 / (e^{d N} - 1)",
                          .api = {"stokesbook::weights"}},
           .control = Control{"the first node counted twice",
-                             at_counts(2.0 * distance, integral_error(f, defective))}};
+                             at_counts(distance, integral_error(f, defective))}};
 }
 
 /// Values at the nodes.
@@ -131,7 +131,7 @@ Experiment interpolation_rates() {
       .lines = {
           {.key = "value",
            .label = "interpolant between the nodes",
-           .measure = at_counts(distance, [=](Index n) { return interpolation_error(f, n); }),
+           .measure = at_counts(0.5 * distance, [=](Index n) { return interpolation_error(f, n); }),
            .claim = Claim{.id = "01_7",
                           .statement = "The trigonometric interpolant converges as e^{-d N / 2}: "
                                        "half the rate of the integral.",
@@ -145,7 +145,7 @@ Experiment interpolation_rates() {
                    at_counts(distance, [=](Index n) { return linear_interpolation_error(f, n); })}},
           {.key = "derivative",
            .label = "derivative at the nodes",
-           .measure = at_counts(distance, derivative_error(f, differentiate)),
+           .measure = at_counts(0.5 * distance, derivative_error(f, differentiate)),
            .claim =
                Claim{.id = "01_8",
                      .statement = "Its derivative converges as N e^{-d N / 2}.",
@@ -153,9 +153,9 @@ Experiment interpolation_rates() {
                      .window = {.from = 4.0 / distance, .floor = 3e-14},
                      .reason = "each mode is multiplied by its wave number, at most N / 2",
                      .api = {"stokesbook::differentiate", "stokesbook::differentiation_matrix"}},
-           .control = Control{
-               "the upper half of the modes counted as positive",
-               at_counts(distance, derivative_error(f, derivative_without_negative_modes))}}}};
+           .control = Control{"the upper half of the modes counted as positive",
+                              at_counts(0.5 * distance,
+                                        derivative_error(f, derivative_without_negative_modes))}}}};
 }
 
 }  // namespace stokesbook
