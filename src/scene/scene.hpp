@@ -20,31 +20,37 @@ namespace stokesbook {
 /// @{
 /// u = 0
 struct QuiescentFlow {
+  /// @return true when all members are equal
   bool operator==(const QuiescentFlow&) const = default;
 };
 /// u = velocity
 struct UniformFlow {
   Complex velocity{};
+  /// @return true when all members are equal
   bool operator==(const UniformFlow&) const = default;
 };
 /// u = (rate y, 0)
 struct ShearFlow {
   double rate = 0.0;
+  /// @return true when all members are equal
   bool operator==(const ShearFlow&) const = default;
 };
 /// u = rate (x, -y)
 struct ExtensionalFlow {
   double rate = 0.0;
+  /// @return true when all members are equal
   bool operator==(const ExtensionalFlow&) const = default;
 };
 /// u = rate (cos x sin y, -sin x cos y)
 struct TaylorGreenFlow {
   double rate = 0.0;
+  /// @return true when all members are equal
   bool operator==(const TaylorGreenFlow&) const = default;
 };
 /// u = gradient x, with a trace-free gradient
 struct LinearFlow {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+  /// @return true when all members are equal
   bool operator==(const LinearFlow&) const = default;
 };
 /// @}
@@ -57,26 +63,31 @@ using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, Exten
 /// @{
 /// u = 0 on the wall
 struct FixedWall {
+  /// @return true when all members are equal
   bool operator==(const FixedWall&) const = default;
 };
 /// Rigid rotation about the wall's position
 struct RotatingWall {
   double omega = 0.0;  ///< counter-clockwise, 1 / time
+  /// @return true when all members are equal
   bool operator==(const RotatingWall&) const = default;
 };
 /// u = velocity on the wall
 struct TranslatingWall {
   Complex velocity{};
+  /// @return true when all members are equal
   bool operator==(const TranslatingWall&) const = default;
 };
 /// u = gradient x on the wall, x in the laboratory frame; the curve itself stays
 struct LinearWall {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+  /// @return true when all members are equal
   bool operator==(const LinearWall&) const = default;
 };
 /// Normal velocity `speed` into the fluid, on circles; the curve itself stays
 struct RadialWall {
   double speed = 0.0;
+  /// @return true when all members are equal
   bool operator==(const RadialWall&) const = default;
 };
 /// @}
@@ -98,6 +109,7 @@ struct Wall {
   double orientation = 0.0;  ///< radians, counter-clockwise
   int n_nodes = 0;
   WallMotion motion{};
+  /// @return true when all members are equal
   bool operator==(const Wall&) const = default;
 };
 
@@ -112,6 +124,7 @@ struct Body {
   Complex velocity{};        ///< of a held body
   double omega = 0.0;        ///< of a held body
   int n_nodes = 0;
+  /// @return true when all members are equal
   bool operator==(const Body&) const = default;
 };
 
@@ -123,6 +136,7 @@ struct Fill {
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax; none: all of the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
   int n_nodes = 0;
+  /// @return true when all members are equal
   bool operator==(const Fill&) const = default;
 };
 
@@ -145,6 +159,7 @@ struct SolverSettings {
   Summation summation = Summation::automatic;
   NearSingular near_singular = NearSingular::automatic;
   PreconditionerKind preconditioner = PreconditionerKind::automatic;
+  /// @return true when all members are equal
   bool operator==(const SolverSettings&) const = default;
 };
 
@@ -153,6 +168,7 @@ struct TimeSettings {
   double t_final = 0.0;
   double dt = 0.0;
   SteppingMethod method = SteppingMethod::euler;
+  /// @return true when all members are equal
   bool operator==(const TimeSettings&) const = default;
 };
 
@@ -160,6 +176,7 @@ struct TimeSettings {
 struct OutputSettings {
   std::optional<double> dt_write{};  ///< none: every step
   std::vector<OutputFormat> formats = {OutputFormat::csv};
+  /// @return true when all members are equal
   bool operator==(const OutputSettings&) const = default;
 };
 
@@ -177,6 +194,7 @@ struct Scene {
   SolverSettings solver{};
   std::optional<TimeSettings> time{};
   OutputSettings output{};
+  /// @return true when all members are equal
   bool operator==(const Scene&) const = default;
 };
 
