@@ -20,7 +20,7 @@ inline constexpr std::array<std::array<int, 3>, 9> viridis{{{0x44, 0x01, 0x54},
                                                             {0xad, 0xdc, 0x30},
                                                             {0xfd, 0xe7, 0x25}}};
 
-/// Returns the colour of a fraction, linear between the samples of #viridis.
+/// Returns the colour of a fraction, linear between the samples of viridis.
 ///
 /// @param  fraction  0 dark to 1 light; beyond, the colours of the ends
 /// @return           `#rrggbb`

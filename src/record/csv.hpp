@@ -12,6 +12,7 @@ namespace stokesbook {
 
 /// @name The tables of a run: a header line, then rows of numbers that restore the values exactly
 /// @{
+
 /// Header of `trajectory.csv`.
 inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n";
 /// Header of `walls.csv`.
@@ -25,19 +26,19 @@ inline constexpr std::string_view steps_header =
 /// Writes the bodies of a frame.
 ///
 /// @param  frame  configuration at a written time
-/// @return        one line a body, as #trajectory_header says
+/// @return        one line a body, as trajectory_header says
 std::string trajectory_rows(const Frame& frame);
 
 /// Writes the walls of a frame.
 ///
 /// @param  frame  configuration at a written time
-/// @return        one line a wall, as #walls_header says
+/// @return        one line a wall, as walls_header says
 std::string wall_rows(const Frame& frame);
 
 /// Writes a step.
 ///
 /// @param  step  what it did
-/// @return       one line, as #steps_header says
+/// @return       one line, as steps_header says
 std::string step_row(const StepInfo& step);
 
 /// @}
