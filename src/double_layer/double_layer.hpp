@@ -53,8 +53,8 @@ double rigid_motion_residual(const Curve& curve);
 
 /// Views plane vectors as a real vector (x_0, y_0, x_1, y_1, ...): the same memory.
 ///
-/// @param  v      N plane vectors, which must outlive the view
-/// @return        2N numbers, unit of v
+/// @param  v  N plane vectors, which must outlive the view
+/// @return    2N numbers, unit of v
 /// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
   return {reinterpret_cast<const double*>(v.data()), 2 * v.size()};
@@ -62,8 +62,8 @@ inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
 
 /// Views a real vector (x_0, y_0, x_1, y_1, ...) as plane vectors: the same memory.
 ///
-/// @param  v      2N numbers, which must outlive the view
-/// @return        N plane vectors, unit of v
+/// @param  v  2N numbers, which must outlive the view
+/// @return    N plane vectors, unit of v
 /// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};

@@ -17,10 +17,10 @@ namespace stokesbook {
 ///
 /// The block turns with the component: \f$ A = Q \hat A Q^T \f$ with the rotation Q of every node
 /// vector. With the component's own gauge it does not depend on its size.
-/// @param  component    curve in any frame, centre in the same
-/// @param  gauge        Stokeslet gauge length of a prescribed component; none: its own,
+/// @param  component  curve in any frame, centre in the same
+/// @param  gauge      Stokeslet gauge length of a prescribed component; none: its own,
 ///   \f$ \sqrt e\, a \f$
-/// @return              2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
+/// @return            2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
 /// @par Cost            O(N^3) multiplications
 /// @par Not for         a gauge near the degenerate scale of a prescribed component,
 ///   \f$ a/\sqrt e \f$ for a circle: the block is singular there

@@ -15,31 +15,31 @@ namespace stokesbook::scene_text {
 /// Writes a number as the shortest float that gives it back exactly.
 ///
 /// @param  number  any, infinite or not a number too
-/// @return          `1.0`
+/// @return         `1.0`
 std::string toml_value(double number);
 
 /// Writes a vector as [x, y].
 ///
 /// @param  vector  plane vector
-/// @return          `[1.0, 2.0]`
+/// @return         `[1.0, 2.0]`
 std::string toml_value(Complex vector);
 
 /// Writes a matrix as the list of its rows.
 ///
 /// @param  matrix  its rows become lists
-/// @return          `[[1.0, 2.0], [3.0, 4.0]]`
+/// @return         `[[1.0, 2.0], [3.0, 4.0]]`
 std::string toml_value(const Eigen::Matrix2d& matrix);
 
 /// Writes text in double quotes.
 ///
 /// @param  text  any; quotes, backslashes and control characters are escaped
-/// @return        `"text"`
+/// @return       `"text"`
 std::string toml_value(std::string_view text);
 
 /// Writes an integer, or true or false.
 ///
 /// @param  value  number or Boolean
-/// @return         `12` or `true`
+/// @return        `12` or `true`
 std::string toml_value(std::integral auto value) {
   if constexpr (std::same_as<decltype(value), bool>) {
     return value ? "true" : "false";
@@ -51,31 +51,31 @@ std::string toml_value(std::integral auto value) {
 /// Writes a shape, `{ kind = "circle", radius = 1.0 }`.
 ///
 /// @param  shape  any; points of nodal curves are written out
-/// @return         an inline table
+/// @return        an inline table
 std::string toml_value(const Shape& shape);
 
 /// Writes a motion, `{ kind = "rotating", omega = 1.0 }`.
 ///
 /// @param  motion  any
-/// @return          an inline table
+/// @return         an inline table
 std::string toml_value(const WallMotion& motion);
 
 /// Writes numbers as [a, b, ...].
 ///
 /// @param  numbers  any
-/// @return           a list of floats
+/// @return          a list of floats
 std::string toml_value(std::span<const double> numbers);
 
 /// Writes points as [[x, y], ...].
 ///
 /// @param  points  plane vectors
-/// @return          a list of lists
+/// @return         a list of lists
 std::string toml_value(const ComplexVector& points);
 
 /// Writes formats as ["csv", ...].
 ///
 /// @param  formats  any
-/// @return           a list of words
+/// @return          a list of words
 std::string toml_value(const std::vector<OutputFormat>& formats);
 
 /// The text `key = value`.
@@ -93,13 +93,13 @@ struct Entry {
 /// Writes entries one a line.
 ///
 /// @param  entries  in order
-/// @return           lines, each with its end
+/// @return          lines, each with its end
 std::string lines(std::initializer_list<Entry> entries);
 
 /// Writes entries as an inline table.
 ///
 /// @param  entries  in order
-/// @return           `{ key = value, ... }`
+/// @return          `{ key = value, ... }`
 std::string inline_table(std::initializer_list<Entry> entries);
 
 }  // namespace stokesbook::scene_text

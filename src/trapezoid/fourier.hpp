@@ -92,8 +92,8 @@ class TrigonometricPolynomial {
 
   /// Evaluates at a parameter.
   ///
-  /// @param  t      parameter, radians, any real number
-  /// @return        p and its derivatives at t
+  /// @param  t  parameter, radians, any real number
+  /// @return    p and its derivatives at t
   /// @par Cost      O(N)
   Jet operator()(double t) const;
 
