@@ -14,8 +14,8 @@ namespace stokesbook {
 /// @return        the scene with their bodies after its own, and without fills
 /// @throws std::invalid_argument when a body finds no place in 20000 attempts (random sequential
 ///                addition jams above an area fraction of about 0.5)
-/// @par Cost      a bounding-circle test an obstacle in each attempt, closest_points() where circles
-///                meet
+/// @par Cost      a bounding-circle test an obstacle in each attempt, closest_points() where two
+///                circles meet
 Scene with_fills_placed(const Scene& scene);
 
 /// @}

@@ -24,8 +24,8 @@ struct Observer {
 /// Moves a scene from t = 0 to its end.
 ///
 /// Steps are no longer than time.dt, evened out so that written times, reversals and the end are
-/// hit exactly. Where there is no earlier rate, at the start and after a reversal, Adams-Bashforth 2
-/// takes a step by Runge-Kutta 4.
+/// hit exactly. Where there is no earlier rate, at the start and after a reversal,
+/// Adams-Bashforth 2 takes a step by Runge-Kutta 4.
 /// @par Accuracy  order 1, 2 or 4 in time.dt, as time.method says
 /// @par Cost      one solve a step, four by Runge-Kutta 4, and one at the end
 class Simulation {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+/// The libraries of the book.
 namespace stokesbook {
 
 /// @addtogroup trapezoid
