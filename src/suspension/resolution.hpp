@@ -71,7 +71,7 @@ struct TailEstimate {
 /// extrapolation: near a close neighbour they are aliases, which harm velocities less. Measured on
 /// 56 random scenes of two and three bodies: 0.5 to 4000 times the error, half of them within 20.
 ///
-/// @param  density  at the component's N nodes, N even and >= 12, without its rigid part, length /
+/// @param  density  at the component's N nodes, N even and >= 8, without its rigid part, length /
 ///                  time
 /// @param  scale    of velocities, > 0, length / time
 /// @return          estimated error and rate of decay; 0 and infinite for a density of zeros
