@@ -193,11 +193,12 @@ def api_violations(folder):
     for path in sorted(folder.glob("*.xml")):
         for compound in xml.etree.ElementTree.parse(path).getroot().findall("compounddef"):
             owner = compound.findtext("compoundname")
-            if compound.get("kind") not in ("namespace", "class", "struct", "group"):
+            kind = compound.get("kind")
+            if kind not in ("namespace", "class", "struct", "group") or compound.get("prot") in (
+                    "private", "protected"):
                 continue
-            if compound.get("kind") in ("class", "struct") and compound.get("prot") == "public":
-                if not has_text(compound.find("briefdescription")):
-                    violations.append(f"{owner} lacks a description")
+            if kind in ("class", "struct") and not has_text(compound.find("briefdescription")):
+                violations.append(f"{owner} lacks a description")
             for member in compound.iter("memberdef"):
                 qualified = member.findtext("qualifiedname") or ""
                 if (member.get("prot") != "public" or member.get("id") in seen
@@ -241,7 +242,7 @@ class Page(html.parser.HTMLParser):
 
 
 MATH = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]|\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.DOTALL)
-LEAK = re.compile(r"[@\\][A-Za-z_]\w*|\\f[$\[]|\?\?\?")
+LEAK = re.compile(r"[@\\][A-Za-z]\w+|\\f[$\[]|\?\?\?")
 
 
 def html_violations(folder):

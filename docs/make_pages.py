@@ -106,11 +106,13 @@ def exercise_page(chapter, exercise, text):
 
 def chapters_page(methods, written):
     lines = ["# Chapters {#chapters}", "",
-             "In reading order. Each is a text, a program, a study and exercises about one library.", ""]
+             "In reading order. Each is a text, a program, a study and exercises about one library.", "",
+             "| | chapter | library | what it adds |", "|---|---|---|---|"]
     for number, method, adds in methods:
-        chapter = f"@subpage chapter_{number}" if number in written else f"{number} (to come)"
-        lines.append(f"- {chapter}: @ref {method} \"`{method}`\", {adds}."
-                     if number in written else f"- {number} `{method}`, to come: {adds}.")
+        if number in written:
+            lines.append(f"| {number} | @subpage chapter_{number} | @ref {method} | {adds} |")
+        else:
+            lines.append(f"| {number} | to come | `{method}` | {adds} |")
     return "\n".join([*lines, ""])
 
 

@@ -48,10 +48,12 @@ class NearCorrection {
   ComplexVector operator()(const ComplexVector& density) const;
 
  private:
+  /// @cond Doxygen 1.9 would link to a list of nested types that it does not write.
   struct NearTargets {
     std::vector<Eigen::Index> index;  // which targets
     ComplexVector local;              // in the source's frame
   };
+  /// @endcond
   NearTargets find_targets(std::size_t source, const ComplexVector& targets, Targets kind,
                            double tolerance) const;
 
