@@ -48,7 +48,8 @@ class NearCorrection {
   ComplexVector operator()(const ComplexVector& density) const;
 
  private:
-  /// @cond Doxygen 1.9 would link to a list of nested types that it does not write.
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
   struct NearTargets {
     std::vector<Eigen::Index> index;  // which targets
     ComplexVector local;              // in the source's frame
