@@ -71,6 +71,11 @@ REPORT = r"""
 """
 
 
+def pages_of(folder):
+    """The pages with texts of ours: Doxygen's bare lists of members have none."""
+    return sorted(page for page in folder.glob("*.html") if not page.stem.endswith("-members"))
+
+
 def render(tab, page, width=PHONE):
     """What is wrong with one page on a screen of this size."""
     tab.look(*width)
@@ -137,7 +142,7 @@ def main(arguments):
     if arguments[:1] == ["--screenshots"]:
         screenshots = pathlib.Path(arguments[1])
         arguments = arguments[2:]
-    pages = [folder / name for name in arguments] or sorted(folder.glob("*.html"))
+    pages = [folder / name for name in arguments] or pages_of(folder)
     if screenshots:
         save_screenshots(pages, screenshots)
         return 0
