@@ -11,8 +11,8 @@ Results are not typed. In the prose of a chapter, these are refused:
 - decimal fractions of four significant digits or more: 0.1234, 12.34;
 - counts and times with their unit: 47 iterations, 2.5 s.
 In formulas, a decimal mantissa times a power of ten is: 1.3 \\cdot 10^{-12}.
-Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$), tolerances
-and parameters as code (`1e-12`), headings' numbers, and aliases, which carry the results.
+Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
+tolerances and parameters as code (`1e-12`), headings' numbers, and aliases, which carry the results.
 """
 
 import html.parser
@@ -129,7 +129,7 @@ def text_violations(name, text):
 def chapter_violations(name, text):
     """Breaches of the rules in one chapter.md."""
     if not re.match(r"# \S.* \{#chapter_\d\d\}\n", text):
-        return [f"{name}:1: the first line must be a title with its anchor: # Title {{#chapter_NN}}"]
+        return [f"{name}:1: the first line must be a title and anchor: # Title {{#chapter_NN}}"]
     prose, languages = without_code(text)
     violations = text_violations(name, text)
     violations += [f"{name}:{line}: a block of {language or 'code'}: show code by @snippet"
@@ -165,14 +165,16 @@ def member_violations(member, owner):
             member.find("detaileddescription")):
         lacks.append("a description")
     if member.get("kind") == "enum":
-        lacks += [f"a description of {value.findtext('name')}" for value in member.findall("enumvalue")
+        lacks += [f"a description of {value.findtext('name')}"
+                  for value in member.findall("enumvalue")
                   if not has_text(value.find("briefdescription"))
                   and not has_text(value.find("detaileddescription"))]
     if member.get("kind") == "function":
         documented = {item.findtext(".//parametername") for item in member.findall(
             ".//parameterlist[@kind='param']/parameteritem")
             if has_text(item.find("parameterdescription"))}
-        lacks += [f"@param {parameter.findtext('declname')}" for parameter in member.findall("param")
+        lacks += [f"@param {parameter.findtext('declname')}"
+                  for parameter in member.findall("param")
                   if parameter.findtext("declname")
                   and parameter.findtext("declname") not in documented]
         result = "".join(member.find("type").itertext()).strip()

@@ -1,4 +1,5 @@
-// The conventions of the book as identities: each pins a sign or a scale, and is computed both ways.
+// The conventions of the book as identities: each pins a sign or a scale, computed both
+// ways.
 // conventions [FOLDER] prints them all, and writes each to FOLDER/conventions_NAME.txt for the page
 // of conventions. The exit status tells whether all hold.
 #include <algorithm>

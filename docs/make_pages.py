@@ -3,7 +3,8 @@
 make_pages.py ROOT FOLDER
 
 Methods and what each adds are the table of the README; what builds on what is the rule of includes
-that tests/house checks. A chapter is there when its chapter.md is; an exercise when its README.md is.
+that tests/house checks. A chapter is there when its chapter.md is, an
+exercise when its README.md is.
 """
 
 import html
@@ -106,7 +107,8 @@ def exercise_page(chapter, exercise, text):
 
 def chapters_page(methods, written):
     lines = ["# Chapters {#chapters}", "",
-             "In reading order. Each is a text, a program, a study and exercises about one library.", "",
+             "In reading order. Each is a text, a program, a study and exercises about one library.",
+             "",
              "| | chapter | library | what it adds |", "|---|---|---|---|"]
     for number, method, adds in methods:
         if number in written:
@@ -118,9 +120,9 @@ def chapters_page(methods, written):
 
 def exercises_page(methods, exercises):
     lines = ["# Exercises {#exercises}", "",
-             "`./stokes exercise 03` copies the starters of a chapter into `exercises/` of the working",
-             "directory; `./stokes check 03.2` compiles your file and says what it got, what was expected,",
-             "the formula and the hint.", ""]
+             "`./stokes exercise 03` copies the starters of a chapter into `exercises/` of the",
+             "working directory; `./stokes check 03.2` compiles your file and says what it got, what",
+             "was expected, the formula and the hint.", ""]
     for number, method, _ in methods:
         pages = [f"- @subpage exercise_{number}_{exercise}"
                  for chapter, exercise, _ in exercises if chapter == number]

@@ -1,4 +1,4 @@
-"""A headless Chromium, driven over pipes by its DevTools protocol: no package beside Python needed."""
+"""A headless Chromium, driven over pipes by its DevTools protocol: Python alone is enough."""
 
 import fcntl
 import json
@@ -16,7 +16,7 @@ class Browser:
         self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_commands, self._write = os.pipe()
         self._read, write_events = os.pipe()
-        # The browser reads descriptor 3 and writes 4; moved up first, so that neither is overwritten.
+        # The browser reads descriptor 3 and writes 4; moved up first, so none is overwritten.
         ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (read_commands, write_events)]
 
         def take_ends():

@@ -24,8 +24,7 @@ REPORT = r"""
   for (const jax of window.MathJax && MathJax.Hub ? MathJax.Hub.getAllJax() : []) {
     const holder = document.getElementById(jax.inputID + "-Frame");
     const text = jax.originalText.trim();
-    if (jax.texError || (holder && holder.querySelector(".merror, .mjx-merror, [data-mjx-error]")) ||
-        /"?merror"?/.test(jax.root ? jax.root.type + " " + jax.root.toString() : "merror")) {
+    if (jax.texError || /"?merror"?/.test(jax.root ? jax.root.type + " " + jax.root.toString() : "merror")) {
       found.push("a formula is wrong: " + text);
     } else if (jax.root.toString().includes("???")) {
       found.push("a formula refers to an equation that is not on its page: " + text);
@@ -39,11 +38,12 @@ REPORT = r"""
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walker.nextNode()) {
     const text = walker.currentNode;
-    if (/\\\(|\\\[/.test(text.data) && !text.parentElement.closest("script, style, pre, code, .fragment")) {
+    if (/\\\(|\\\[/.test(text.data) &&
+        !text.parentElement.closest("script, style, pre, code, .fragment")) {
       found.push("TeX shows: " + text.data.trim().slice(0, 60));
     }
   }
-  for (const picture of document.querySelectorAll(".contents img, .contents svg, .contents object")) {
+  for (const picture of document.querySelectorAll(".contents img, .contents svg")) {
     if (picture.closest(".MathJax_SVG, .MathJax_SVG_Display, details:not([open])")) continue;
     const box = picture.getBoundingClientRect();
     const name = picture.getAttribute("src") || picture.getAttribute("class") || picture.tagName;
