@@ -46,7 +46,7 @@ CHAPTERS = pathlib.Path(__file__).resolve().parent
 TAG = re.compile(r"\s*//@ (?:(starter|solution|end)|wrong (\w+): (\S.*?))\s*$")
 OUTCOME = re.compile(r"^  task (\d+), .*: (passed|not done|wrong|stopped by an exception)$",
                      re.MULTILINE)
-SECONDS = 120  # for a reader's program, which may loop for ever
+SECONDS = 60  # for a reader's program, which may loop for ever
 
 
 class Failure(Exception):
@@ -90,18 +90,19 @@ def exercises(number=""):
 def variants(source):
     """Text of every variant of an exercise.cpp, and the texts that must reject the wrong ones."""
     pieces, group, block, rejections = [], None, None, {}
-    for number, line in enumerate(source.read_text().splitlines(keepends=True), 1):
-        def require(condition, message):
-            if not condition:
-                raise Failure(f"{source}:{number}: {message}")
 
+    def require(condition, message):
+        if not condition:
+            raise Failure(f"{source}:{number}: {message}")
+
+    for number, line in enumerate(source.read_text().splitlines(keepends=True), 1):
         if "//@" not in line:
             (pieces if group is None else block).append(line)
             continue
         tag = TAG.match(line)
         require(tag, "not a tag: starter, solution, wrong NAME: TEXT, or end")
         if tag[1] == "end":
-            require(group and {"starter", "solution"} <= group.keys(),
+            require({"starter", "solution"} <= (group or {}).keys(),
                     "this group has no starter or no solution")
             pieces.append(group)
             group = None
@@ -114,10 +115,13 @@ def variants(source):
         if tag[2]:
             rejections.setdefault(name, []).append(tag[3])
     require(group is None, "the last group has no end")
-    texts = {name: "".join(piece if isinstance(piece, str)
-                           else "".join(piece.get(name, piece["solution"])) for piece in pieces)
-             for name in ["starter", "solution", *rejections]}
-    return texts, rejections
+    names = ["starter", "solution", *rejections]
+    return {name: "".join(text_of(piece, name) for piece in pieces) for name in names}, rejections
+
+
+def text_of(piece, variant):
+    """A common line, or what a group has for a variant."""
+    return piece if isinstance(piece, str) else "".join(piece.get(variant, piece["solution"]))
 
 
 def write(path, text):
@@ -130,8 +134,9 @@ def write(path, text):
 def list_exercises():
     for exercise in exercises():
         copied = (pathlib.Path("exercises") / exercise.place).is_dir()
-        state = f"./stokes check {exercise.number} tells what is done" if copied else "not copied yet"
-        print(f"{exercise.number}  {exercise.title():50}  {state}")
+        print(f"{exercise.number}  {exercise.title():52} {'copied' if copied else 'not copied yet'}")
+    print("./stokes exercise NN copies the starters of a chapter to ./exercises/NN_METHOD;\n"
+          "./stokes check NN.K tells whether an exercise is done.")
 
 
 def copy(number):
@@ -154,9 +159,10 @@ def without_build_lines(output):
 
 
 def run(program, folder, **options):
-    """A program of the exercises; leaks are not their subject."""
-    return subprocess.run([program], cwd=folder, timeout=SECONDS,
-                          env={**os.environ, "ASAN_OPTIONS": "detect_leaks=0"}, **options)
+    """A program of the exercises; leaks are not their subject, and 1 is the code of a wrong task."""
+    sanitizers = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3", "UBSAN_OPTIONS": "exitcode=3"}
+    return subprocess.run([program], cwd=folder, timeout=SECONDS, stderr=subprocess.STDOUT,
+                          env={**os.environ, **sanitizers}, **options)
 
 
 def check_one(build, exercise):
@@ -207,8 +213,7 @@ def check(build, number):
 def outcomes(program):
     """Exit code, output and the outcome of every task."""
     with tempfile.TemporaryDirectory() as folder:
-        result = run(program.absolute(), folder, text=True, stdout=subprocess.PIPE,
-                     stderr=subprocess.STDOUT)
+        result = run(program.absolute(), folder, text=True, stdout=subprocess.PIPE)
     return result.returncode, result.stdout, dict(OUTCOME.findall(result.stdout))
 
 

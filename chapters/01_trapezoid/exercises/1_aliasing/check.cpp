@@ -49,11 +49,12 @@ void check_coefficient(double a, int k) {
           .expected = exact,
           .tolerance = 1e-12,
           .mistakes = {
+              // The first two agree for k < 0.
+              {std::pow(first / mean, k) * mean,
+               "this grows for negative wave numbers; f is even, so that c_{-k} = c_k"},
               {std::pow(mean / first, std::abs(k)) * mean,
                "this takes the root outside the unit circle: no Fourier coefficients of a smooth "
                "function grow"},
-              {std::pow(first / mean, k) * mean,
-               "this grows for negative wave numbers; f is even, so that c_{-k} = c_k"},
               {exact / mean, "the factor in front is missing, which the recurrence at k = 0 gives"},
               {2.0 * pi * exact, "the factor 1/(2 pi) of the definition is missing"}}});
 }
@@ -141,7 +142,7 @@ int main() {
                          .check =
                              [] {
                                for (double a : {0.3, 0.8, 0.95}) {
-                                 for (int n : {1, 2, 5, 10}) check_error(a, n);
+                                 for (int n : {1, 2, 5}) check_error(a, n);  // far above rounding
                                }
                              }},
                         {.title = "the nodes needed",

@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 #include <Eigen/Core>
 
-#include "record/svg.hpp"
 #include "trapezoid/curve.hpp"
 
 using namespace stokesbook;
@@ -50,66 +48,28 @@ double measured_rate(const Eigen::VectorXd& n, const Eigen::VectorXd& errors) {
   //@ starter
   not_done(n, errors);  // your code instead of this line
   //@ solution
-  const Eigen::ArrayXd used = (errors.array() >= 1e-13).cast<double>();
-  const Eigen::ArrayXd y = errors.array().max(1e-300).log();
-  const double n_mean = (used * n.array()).sum() / used.sum();
-  return -(used * (n.array() - n_mean) * y).sum() / (used * (n.array() - n_mean).square()).sum();
+  double count = 0.0, n_sum = 0.0, y_sum = 0.0, nn_sum = 0.0, ny_sum = 0.0;
+  for (Eigen::Index i = 0; i < n.size(); ++i) {
+    if (errors[i] < 1e-13) continue;
+    const double y = std::log(errors[i]);
+    count += 1.0;
+    n_sum += n[i];
+    y_sum += y;
+    nn_sum += n[i] * n[i];
+    ny_sum += n[i] * y;
+  }
+  return -(count * ny_sum - n_sum * y_sum) / (count * nn_sum - n_sum * n_sum);
   //@ wrong rounding: this fits the rounding errors too
-  const Eigen::ArrayXd y = errors.array().log();
-  const Eigen::ArrayXd centred = n.array() - n.mean();
-  return -(centred * y).sum() / centred.square().sum();
+  const Eigen::VectorXd centred = n.array() - n.mean();
+  return -centred.dot(errors.array().log().matrix()) / centred.squaredNorm();
   //@ wrong decades: this counts in decades
-  const Eigen::ArrayXd used = (errors.array() >= 1e-13).cast<double>();
-  const Eigen::ArrayXd y = errors.array().log10();
-  const double n_mean = (used * n.array()).sum() / used.sum();
-  return -(used * (n.array() - n_mean) * y).sum() / (used * (n.array() - n_mean).square()).sum();
+  Eigen::Index last = 0;
+  while (last + 1 < n.size() && errors[last + 1] >= 1e-13) ++last;
+  return std::log10(errors[0] / errors[last]) / (n[last] - n[0]);
   //@ end
 }
 
-// Task 4, as it is: errors at targets near the tip and near the side of an ellipse, over n = 8, 16,
-// ..., 320. Writes rates.csv and rates.svg; returns predicted and measured rates, one row a target.
-Eigen::MatrixX2d experiment() {
-  const Ellipse ellipse{2.0, 1.0};
-  const Eigen::VectorXd n = Eigen::VectorXd::LinSpaced(40, 8.0, 320.0);
-  const char* names[] = {"tip, d = 0.2", "tip, d = 0.1", "side, d = 0.2", "side, d = 0.1"};
-  const char* colours[] = {"#0969da", "#54aeff", "#cf222e", "#ff8182"};
-  const Complex targets[] = {1.8, 1.9, 0.8 * imaginary, 0.9 * imaginary};
-  Eigen::MatrixX2d rates(4, 2);
-  std::ofstream csv("rates.csv"), picture("rates.svg");
-  csv << "d,rate_predicted,rate_measured\n";
-  picture << svg::open({720.0, 420.0}, "Error of the winding number over the number of nodes");
-  // A factor of 10 is 24 pixels.
-  const auto pixel = [](double nodes, double error) {
-    return Complex{50.0 + 2.0 * nodes, 20.0 - 24.0 * std::log10(std::max(error, 1e-16))};
-  };
-  for (int power = 0; power >= -16; power -= 4) {
-    picture << svg::label(pixel(0.0, std::pow(10.0, power)) - 40.0, "1e" + std::to_string(power));
-  }
-  for (int nodes = 0; nodes <= 320; nodes += 80) {
-    picture << svg::label(pixel(nodes, 1e-16) + 18.0 * imaginary, "N = " + std::to_string(nodes));
-  }
-  for (int k = 0; k < 4; ++k) {
-    const Eigen::VectorXd errors = n.unaryExpr([&](double nodes) {
-      const Curve curve = sample(ellipse, static_cast<Eigen::Index>(nodes), Side::fluid_inside);
-      return std::abs(winding_number(curve, targets[k]) - 1.0);
-    });
-    rates.row(k) << predicted_rate(ellipse, targets[k]), measured_rate(n, errors);
-    csv << (k % 2 == 0 ? 0.2 : 0.1) << ',' << rates(k, 0) << ',' << rates(k, 1) << '\n';
-    // Dots are measured; the line is exp(-rho N), as predicted.
-    const std::string colour = std::string("stroke=\"") + colours[k] + "\" stroke-width=";
-    for (Eigen::Index i = 0; i < n.size(); ++i) {
-      const Complex dot = pixel(n[i], errors[i]);
-      picture << svg::path(svg::line(dot - 2.0, dot + 2.0), colour + "\"4\"");
-    }
-    const double end = std::min(320.0, std::log(1e16) / rates(k, 0));
-    picture << svg::path(svg::line(pixel(0.0, 1.0), pixel(end, std::exp(-rates(k, 0) * end))),
-                         colour + "\"1\"");
-    picture << svg::label({560.0, 30.0 + 20.0 * k}, names[k],
-                          std::string("style=\"fill:") + colours[k] + '"');
-  }
-  picture << "</svg>\n";
-  return rates;
-}
+// Task 4 is an experiment with these functions. You find it in the book's check.cpp.
 
 // Task 5: distance from the curve in spacings h of its nodes, at which the error is the tolerance.
 double safe_distance(double tolerance) {
