@@ -134,7 +134,8 @@ def write(path, text):
 def list_exercises():
     for exercise in exercises():
         copied = (pathlib.Path("exercises") / exercise.place).is_dir()
-        print(f"{exercise.number}  {exercise.title():52} {'copied' if copied else 'not copied yet'}")
+        state = "copied" if copied else "not copied yet"
+        print(f"{exercise.number}  {exercise.title():52} {state}")
     print("./stokes exercise NN copies the starters of a chapter to ./exercises/NN_METHOD;\n"
           "./stokes check NN.K tells whether an exercise is done.")
 
@@ -159,7 +160,7 @@ def without_build_lines(output):
 
 
 def run(program, folder, **options):
-    """A program of the exercises; leaks are not their subject, and 1 is the code of a wrong task."""
+    """A program of the exercises; leaks are not their subject, 1 is the code of a wrong task."""
     sanitizers = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3", "UBSAN_OPTIONS": "exitcode=3"}
     return subprocess.run([program], cwd=folder, timeout=SECONDS, stderr=subprocess.STDOUT,
                           env={**os.environ, **sanitizers}, **options)
