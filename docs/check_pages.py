@@ -12,7 +12,8 @@ Results are not typed. In the prose of a chapter, these are refused:
 - counts and times with their unit: 47 iterations, 2.5 s.
 In formulas, a decimal mantissa times a power of ten is: 1.3 \\cdot 10^{-12}.
 Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
-tolerances and parameters as code (`1e-12`), headings' numbers, and aliases, which carry the results.
+tolerances and parameters as code (`1e-12`), headings' and equations'
+numbers, (01.10), and aliases, which carry the results.
 """
 
 import html.parser
@@ -34,6 +35,7 @@ TYPED_RESULT = re.compile(
     r"|\b10\s*(?:\^|<sup>)|\b10[⁻⁰¹²³⁴-⁹]+"
     r"|(?<![\w.])(?=\d*\.\d)(?=(?:\.?\d){4})\d+\.\d+(?![\w.])"
     r"|(?<![\w.])\d+(?:\.\d+)?\s*(?:iterations?|seconds?|ms|µs|s)\b")
+EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-2])\.\d{1,2}\)")  # (01.10)
 TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
 
 
@@ -109,7 +111,7 @@ def typed_results(text):
     # What is no prose is overwritten, so that the rest keeps its place.
     prose = text
     for pattern in [FORMULA, re.compile(r"`[^`\n]*`"), re.compile(r"\]\([^)]*\)|<https?:[^>]*>"),
-                    re.compile(r"\{#\w+\}|[@\\]\w+")]:
+                    EQUATION_NUMBER, re.compile(r"\{#\w+\}|[@\\]\w+")]:
         prose = pattern.sub(lambda m: re.sub(r"[^\n]", "\0", m[0]), prose)
     look(TYPED_RESULT, prose, 0)
     return found
