@@ -18,14 +18,14 @@ using Eigen::Index;
 namespace {
 
 // [star]
-/// The curve r = 1 + 0.3 cos(5 t), sampled at n nodes.
+// The curve r = 1 + 0.3 cos(5 t), sampled at n nodes.
 Curve star(Index n) {
   return sample(Star{.radius = 1.0, .amplitude = 0.3, .arms = 5}, n, Side::fluid_outside);
 }
 // [star]
 
 // [integrals]
-/// Integrals over the curve, each a sum of node values times weights.
+// Integrals over the curve, each a sum of node values times weights.
 void print_integrals() {
   const double exact_area = std::numbers::pi * (1.0 + 0.5 * 0.3 * 0.3);
   const double fine_perimeter = perimeter(star(1024));
@@ -40,7 +40,7 @@ void print_integrals() {
 // [integrals]
 
 // [curvature]
-/// The curvature by differentiating node values twice, beside the exact one.
+// The curvature by differentiating node values twice, beside the exact one.
 double curvature_error(Index n) {
   const Curve curve = star(n);
   const ComplexVector dx = differentiate(curve.x);
@@ -67,7 +67,7 @@ void print_functions() {
   }
 }
 
-/// The curve through 400 points, its 40 nodes, and the normals there, which point out of the fluid.
+// The curve through 400 points, its 40 nodes, and the normals there, which point out of the fluid.
 std::string picture() {
   constexpr double scale = 130.0;
   const Complex middle{200.0, 200.0};
