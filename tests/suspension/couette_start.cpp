@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "scene/parse.hpp"
-#include "suspension/scenes.hpp"
+#include "scenes.hpp"
 
 namespace stokesbook::test {
 
