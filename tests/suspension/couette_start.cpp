@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "scene/parse.hpp"
-#include "scenes.hpp"
+#include "suspension/scenes.hpp"
 
 namespace stokesbook::test {
 
