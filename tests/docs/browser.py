@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import threading
 
+LOADED = "document.readyState === 'complete' ? location.href : ''"
+
 
 class Browser:
     """Starts the browser; commands may be sent from several threads, each with tabs of its own."""
@@ -109,7 +111,8 @@ class Tab:
         while not failure:
             event = self._events.get(timeout=60)
             errors += console_errors(event)
-            if event["method"] == "Page.loadEventFired":
+            # The empty page that a tab starts with may report itself first.
+            if event["method"] == "Page.loadEventFired" and self.evaluate(LOADED) == url:
                 break
         return errors
 

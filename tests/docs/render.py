@@ -102,19 +102,26 @@ def search_results(tab, page, words):
     tab.open(page.as_uri())
     return tab.evaluate(r"""
       (async () => {
-        const field = document.getElementById("MSearchField");
+        // What look() returns, once it returns something; the page makes its search box after loading.
+        const eventually = async look => {
+          for (let k = 0; k < 200; ++k) {
+            const found = look();
+            if (found) return found;
+            await new Promise(done => setTimeout(done, 50));
+          }
+        };
+        const field = await eventually(() => document.getElementById("MSearchField"));
+        if (!field) return [];
         field.focus();
         field.value = WORDS;
         searchBox.OnSearchFieldChange({keyCode: 0, preventDefault() {}, stopPropagation() {}});
-        for (let k = 0; k < 100; ++k) {
-          await new Promise(done => setTimeout(done, 50));
+        return await eventually(() => {
           const frame = document.getElementById("MSearchResults");
           const results = (frame.contentDocument || document).querySelectorAll(".SRResult");
           const titles = [...results].filter(r => getComputedStyle(r).display !== "none")
                                      .map(r => r.querySelector(".SRSymbol").textContent);
-          if (titles.length) return titles;
-        }
-        return [];
+          return titles.length ? titles : null;
+        }) || [];
       })()""".replace("WORDS", repr(words)))
 
 
