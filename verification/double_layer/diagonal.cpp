@@ -68,7 +68,7 @@ Experiment diagonal() {
       .key = "diagonal",
       .title = "The diagonal of the kernel, ellipse 2:1",
       .x = "nodes N",
-      .error = "largest error of D eta at the nodes, relative to its largest value",
+      .error = "error of D eta, relative to its largest value",
       .lines = {
           {.key = "limit",
            .label = "the limit, -s kappa t t^T / 2 pi",

@@ -126,7 +126,7 @@ Experiment dirichlet() {
       .key = "dirichlet",
       .title = "Dirichlet problems with a source at a known place",
       .x = "nodes N",
-      .error = "largest error of the velocity, relative to the largest velocity",
+      .error = "error of the velocity, relative to the largest",
       .axes = Axes::semi_log,
       .lines = {source_line("wall_near", "02_19", "inside 2:1, source at distance 0.15", wall_near,
                             0.15, 1.0, source_reason, "the normal into the fluid", inward_normal),
@@ -150,7 +150,7 @@ Experiment completion() {
       .key = "completion",
       .title = "A body that exerts a force and a torque",
       .x = "nodes N",
-      .error = "largest error of the velocity, relative to the largest velocity",
+      .error = "error of the velocity, relative to the largest",
       .axes = Axes::semi_log,
       .lines = {
           {.key = "completed",

@@ -59,7 +59,7 @@ Experiment green() {
   return {.key = "green",
           .title = "Green's representation",
           .x = "nodes N",
-          .error = "largest error of S[sigma n] - D[u], relative to the largest boundary velocity",
+          .error = "error of S[sigma n] - D[u], relative to the largest u",
           .axes = Axes::semi_log,
           .lines = {{.key = "fluid",
                      .label = "u in the fluid",

@@ -63,9 +63,7 @@ Experiment identities() {
       .key = "identities",
       .title = "Rigid motions and flux, body 3:1",
       .x = "nodes N",
-      .error =
-          "largest error, relative to the largest velocity; of the flux, to length times "
-          "the density",
+      .error = "largest error, relative to the largest density",
       .axes = Axes::semi_log,
       .lines = {
           {.key = "inside",

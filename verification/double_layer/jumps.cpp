@@ -104,7 +104,7 @@ Experiment jumps() {
   return {.key = "jumps",
           .title = "The jump of the double layer",
           .x = "inverse distance M",
-          .error = "largest difference from the claimed limit, relative to its largest value",
+          .error = "error of the limit, relative to its largest value",
           .lines = {{.key = "plain",
                      .label = "star from the fluid, without extrapolation",
                      .measure = plain_approach(body, Side::fluid_outside, from_the_fluid, -0.5)},

@@ -67,7 +67,7 @@ Experiment published_table() {
       .key = "published",
       .title = "The published table",
       .x = "nodes N",
-      .error = "difference from the printed error, units of its third digit",
+      .error = "difference from print, units of the third digit",
       .lines = {printed_line("near", "02_1", 1.9, {{32, 6.04e-1}, {128, 4.17e-5}, {256, 4.59e-11}}),
                 printed_line("nearer", "02_2", 1.99,
                              {{32, 2.07e1}, {128, 3.84}, {256, 1.13}, {512, 1.30e-1}})}};

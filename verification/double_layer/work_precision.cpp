@@ -94,7 +94,7 @@ Experiment near_target() {
       .key = "near",
       .title = "Sixteen targets close to a wall, by three methods",
       .x = "nodes N",
-      .error = "largest error of the velocity, relative to the largest velocity",
+      .error = "error of the velocity, relative to the largest",
       .axes = Axes::semi_log,
       .lines = {{.key = "plain",
                  .label = "trapezoid rule",
