@@ -5,10 +5,12 @@
 
 namespace stokesbook::test {
 
-/// Solves (-1/2 + D) eta = u densely on one curve, for the velocity limit u of a flow without force
-/// and torque (body) or net flux (enclosing wall). Of the many densities it is the one without
-/// rigid part (body) or with as much normal flux as makes the wall's system regular.
-inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocity) {
+/// Completes -1/2 + D of one curve to a regular system: its null space, rigid motions on a body or
+/// one density of normal flux on an enclosing wall, gets the eigenvalue -1.
+///
+/// @param  curve  nodes
+/// @param  layer  D, from double_layer_matrix(curve)
+inline Eigen::MatrixXd completed_system(const Curve& curve, const Eigen::MatrixXd& layer) {
   const Eigen::Index n = curve.size();
   const Eigen::VectorXd w = weights(curve).cwiseSqrt();
   Eigen::MatrixXd modes(2 * n, curve.side == Side::fluid_inside ? 1 : 3);
@@ -28,9 +30,15 @@ inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocit
   for (Eigen::Index i = 0; i < 2 * n; ++i) scale[i] = w[i / 2];
   const Eigen::MatrixXd projection =
       scale.cwiseInverse().asDiagonal() * modes * modes.transpose() * scale.asDiagonal();
-  const Eigen::MatrixXd system =
-      double_layer_matrix(curve) - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n) - projection;
-  const Eigen::VectorXd density = solve(system, interleaved(velocity));
+  return layer - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n) - projection;
+}
+
+/// Solves (-1/2 + D) eta = u densely on one curve, for the velocity limit u of a flow without force
+/// and torque (body) or net flux (enclosing wall). Of the many densities it is the one without
+/// rigid part (body) or with as much normal flux as makes the wall's system regular.
+inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocity) {
+  const Eigen::VectorXd density =
+      solve(completed_system(curve, double_layer_matrix(curve)), interleaved(velocity));
   return deinterleaved(density);
 }
 

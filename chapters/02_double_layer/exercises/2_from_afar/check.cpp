@@ -1,0 +1,221 @@
+// Check of exercise 02.2: loads that are known, double layers, and a Dirichlet problem.
+#include "chapters/check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <numbers>
+
+#include <Eigen/LU>
+
+#include "double_layer/double_layer.hpp"
+#include "double_layer/kernels.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "record/svg.hpp"
+#include "trapezoid/curve.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using exercise::expect;
+using std::numbers::pi;
+
+using Velocity = std::function<Complex(Complex)>;
+
+Complex force(const Velocity& u, double viscosity, double inner, double outer);
+double torque(const Velocity& u, double viscosity, double radius);
+double flux(const Velocity& u, double radius);
+Velocity completion(Complex force, double torque, double viscosity);
+
+namespace {
+
+constexpr double viscosity = 1.7;
+const Complex load{0.8, -0.5}, place{0.3, 0.1};
+constexpr double turn = 0.9;
+
+// A load away from the origin; its torque about the origin contains that of the force.
+Complex loaded_flow(Complex z) {
+  return stokeslet(z - place, load, viscosity, 1.0) + rotlet(z - place, turn, viscosity);
+}
+const double whole_torque = turn + cross(place, load);
+
+struct Layer {
+  Curve curve = sample(Ellipse{0.8, 0.5}, 128, Side::fluid_outside);
+  ComplexVector density =
+      (Complex{0.4, 0.7} * curve.x.array().square() + 0.6 * curve.x.array() + Complex{0.2, -1.0})
+          .matrix();
+
+  Complex operator()(Complex z) const {
+    return StressletSum({curve})(ComplexVector::Constant(1, z), density)[0];
+  }
+  double outflow() const {
+    return normals(curve).conjugate().cwiseProduct(density).real().dot(weights(curve));
+  }
+};
+
+void check_force() {
+  expect({.what = "Stokeslet and rotlet at (0.3, 0.1), radii 3 and 7",
+          .got = force(loaded_flow, viscosity, 3.0, 7.0),
+          .expected = load,
+          .tolerance = 1e-10,
+          .mistakes = {{-load,
+                        "this is the force by the fluid: near the body the velocity is that "
+                        "of the push"},
+                       {load / viscosity, "the viscosity is missing"},
+                       {load / (4.0 * pi * viscosity), "the factor 4 pi mu is missing"},
+                       {load * std::log(7.0 / 3.0),
+                        "the difference is to be divided by the "
+                        "logarithm of the radii's ratio"},
+                       {0.5 * load, "half of the force"}}});
+  expect({.what = "a double layer, radii 3 and 7",
+          .got = force(Layer(), viscosity, 3.0, 7.0),
+          .expected = Complex{},
+          .tolerance = 1e-10});
+}
+
+void check_torque() {
+  expect({.what = "Stokeslet and rotlet at (0.3, 0.1), radius 3",
+          .got = torque(loaded_flow, viscosity, 3.0),
+          .expected = whole_torque,
+          .tolerance = 1e-10,
+          .mistakes = {{0.5 * whole_torque,
+                        "this is the circulation times the viscosity: half of the torque"},
+                       {-whole_torque, "the torque is positive counter-clockwise"},
+                       {turn, "the force at (0.3, 0.1) has a torque about the origin too"},
+                       {whole_torque / 3.0, "a factor of the radius is missing"},
+                       {whole_torque / viscosity, "the viscosity is missing"}}});
+  expect({.what = "a double layer, radius 3",
+          .got = torque(Layer(), viscosity, 3.0),
+          .expected = 0.0,
+          .tolerance = 1e-10});
+}
+
+void check_flux() {
+  const Layer layer;
+  const double exact = layer.outflow();
+  expect({.what = "a double layer, radius 3: the integral of eta.n over the body",
+          .got = flux(layer, 3.0),
+          .expected = exact,
+          .tolerance = 1e-10,
+          .mistakes = {{-exact, "this is what flows in"},
+                       {exact / (2.0 * pi * 3.0), "the length of the circle is missing"},
+                       {exact / 3.0, "the radius is missing"},
+                       {exact / (2.0 * pi), "the factor 2 pi is missing"}}});
+  expect({.what = "Stokeslet and rotlet, radius 3",
+          .got = flux(loaded_flow, 3.0),
+          .expected = 0.0,
+          .tolerance = 1e-10});
+}
+
+void check_completion() {
+  const Complex z{1.1, -0.6};
+  const auto exact = [&](double of_force, double of_torque) {
+    return of_force * stokeslet(z, load, viscosity, 1.0) + of_torque * rotlet(z, turn, viscosity);
+  };
+  const double scale = 4.0 * pi * viscosity;
+  expect({.what = "the velocity at (1.1, -0.6)",
+          .got = completion(load, turn, viscosity)(z),
+          .expected = exact(1.0, 1.0),
+          .tolerance = 1e-12,
+          .mistakes = {{exact(1.0, -1.0), "the torque has the other sign: it is counter-clockwise"},
+                       {exact(-1.0, 1.0), "the force has the other sign"},
+                       {exact(scale, scale), "1/(4 pi mu) is missing: the strengths are loads"},
+                       {exact(1.0, scale), "1/(4 pi mu) is missing in the rotlet"},
+                       {exact(1.0, 0.0), "the rotlet is missing"},
+                       {exact(0.0, 1.0), "the Stokeslet is missing"}}});
+}
+
+// -1/2 + D less the mean rigid motion.
+Eigen::MatrixXd system_matrix(const Curve& body) {
+  const Index n = body.size();
+  Eigen::MatrixXd matrix =
+      double_layer_matrix(body) - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  const Eigen::VectorXd share = weights(body) / perimeter(body);
+  ComplexVector motion = ComplexVector::Ones(n);
+  for (int k = 0; k < 3; ++k) {
+    if (k == 1) motion *= imaginary;
+    if (k == 2)
+      motion = motion.cwiseProduct(body.x - boundary_centroid(body) * ComplexVector::Ones(n));
+    const ComplexVector mean = motion.cwiseProduct(share) / share.dot(motion.cwiseAbs2());
+    matrix -= interleaved(motion) * interleaved(mean).transpose();
+  }
+  return matrix;
+}
+
+// Largest error on the circle of radius 2 of the double layer completed by a velocity.
+double error_with(const Velocity& completing, Index n) {
+  const Curve body = sample(Ellipse{0.8, 0.5}, n, Side::fluid_outside);
+  const ComplexVector data =
+      body.x.unaryExpr([&](Complex z) { return loaded_flow(z) - completing(z); });
+  const Eigen::VectorXd density = system_matrix(body).partialPivLu().solve(interleaved(data));
+  const ComplexVector targets = 2.0 * sample(Circle{1.0}, 10, Side::fluid_outside).x;
+  const ComplexVector layer = StressletSum({body})(targets, deinterleaved(density));
+  double error = 0.0;
+  for (Index i = 0; i < targets.size(); ++i) {
+    error = std::max(error, std::abs(layer[i] + completing(targets[i]) - loaded_flow(targets[i])));
+  }
+  return error;
+}
+
+// Pixel of an error on the picture; a factor of 10 is 20 pixels.
+Complex pixel(double n, double error) {
+  return {60.0 + 5.0 * n, 30.0 - 20.0 * std::log10(std::max(error, 1e-16))};
+}
+
+void check_experiment() {
+  const Complex measured_force = force(loaded_flow, viscosity, 3.0, 7.0);
+  const double measured_torque = torque(loaded_flow, viscosity, 3.0);
+  const Velocity completed = completion(measured_force, measured_torque, viscosity);
+  const Velocity nothing = [](Complex) { return Complex{}; };
+  std::ofstream table("completion.csv"), picture("completion.svg");
+  table << "nodes,completed,alone\n";
+  picture << svg::open({620.0, 400.0}, "Error of the velocity by number of nodes")
+          << svg::label(pixel(70.0, 1e-1), "double layer alone")
+          << svg::label(pixel(70.0, 1e-6), "completed");
+  for (int power = 0; power >= -16; power -= 4) {
+    picture << svg::label(pixel(-11.0, std::pow(10.0, power)), "1e" + std::to_string(power));
+  }
+  double last = 1.0, alone = 0.0;
+  for (Index n = 10; n <= 90; n += 10) {
+    last = error_with(completed, n);
+    alone = error_with(nothing, n);
+    table << n << ',' << last << ',' << alone << '\n';
+    for (const double error : {last, alone}) {
+      const Complex dot = pixel(static_cast<double>(n), error);
+      picture << svg::path(svg::line(dot - 2.0, dot + 2.0),
+                           "stroke=\"#0969da\" stroke-width=\"4\"");
+    }
+    picture << svg::label(pixel(static_cast<double>(n), 1e-17), std::to_string(n));
+  }
+  picture << "</svg>\n";
+  expect({.what = "90 nodes, completed", .got = last, .expected = 0.0, .tolerance = 1e-11});
+  expect({.what = "90 nodes, alone, which must fail",
+          .got = alone > 0.05 ? 1.0 : 0.0,
+          .expected = 1.0,
+          .tolerance = 0.0});
+}
+
+}  // namespace
+
+int main() {
+  return exercise::run(
+      {{.title = "the force",
+        .formula = "4 pi mu (mean on the inner circle - mean on the outer)/log(outer/inner)",
+        .hint = "the mean of a Stokeslet falls with the logarithm of the radius",
+        .check = check_force},
+       {.title = "the torque",
+        .formula = "4 pi mu R times the mean of u.t, t = i exp(i t)",
+        .hint = "a rotlet turns with L/(4 pi mu R)",
+        .check = check_torque},
+       {.title = "the flux",
+        .formula = "2 pi R times the mean of u.n, n = exp(i t)",
+        .hint = "an integral over the arclength of the circle",
+        .check = check_flux},
+       {.title = "the completion",
+        .formula = "S F + R L, both with 1/(4 pi mu)",
+        .hint = "double_layer/kernels.hpp has both",
+        .check = check_completion},
+       {.title = "the experiment",
+        .formula = "double layer + completion = flow",
+        .hint = "look at completion.svg; the tasks before come first",
+        .check = check_experiment}});
+}

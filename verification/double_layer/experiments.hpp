@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "double_layer/double_layer.hpp"
+#include "double_layer/kernels.hpp"
+#include "study/study.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment published_table();
+study::Experiment rates_near_the_curve();
+study::Experiment spacings();
+study::Experiment jumps();
+study::Experiment identities();
+study::Experiment diagonal();
+study::Experiment green();
+study::Experiment dirichlet();
+study::Experiment completion();
+study::Experiment conditioning();
+study::Experiment cost();
+study::Experiment near_target();
+/// @}
+
+/// The point x(t) = a cos t + i b sin t of an ellipse's continuation to complex parameters t.
+///
+/// For small Im t it lies inside the ellipse where Im t > 0, outside where Im t < 0.
+inline Complex continued(const Ellipse& ellipse, Complex t) {
+  return ellipse.a * std::cos(t) + imaginary * ellipse.b * std::sin(t);
+}
+
+/// Sixteen points all around whose preimages have the same imaginary part: at the distance
+/// |height| from the real axis, inside for height > 0.
+inline ComplexVector points_at(const Ellipse& ellipse, double height) {
+  ComplexVector points(16);
+  for (Eigen::Index k = 0; k < points.size(); ++k) {
+    points[k] = continued(ellipse, Complex{0.4 * static_cast<double>(k) + 0.13, height});
+  }
+  return points;
+}
+
+/// ln(1/m), m = (a - b) / (a + b), a > b: the distance from the real axis at which the kernel of an
+/// ellipse on itself is singular, since x(t) = x(s) also where e^{i (t + s)} = m.
+inline double kernel_distance(const Ellipse& ellipse) {
+  return std::log((ellipse.a + ellipse.b) / (ellipse.a - ellipse.b));
+}
+
+/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
+/// has.
+inline ComplexVector plain_rule(const Curve& curve, const ComplexVector& density,
+                                const ComplexVector& targets) {
+  const Eigen::VectorXd w = weights(curve);
+  const ComplexVector normal = normals(curve);
+  return targets.unaryExpr([&](Complex target) {
+    Complex velocity{};
+    for (Eigen::Index j = 0; j < curve.size(); ++j) {
+      velocity += w[j] * stresslet(target - curve.x[j], normal[j], density[j]);
+    }
+    return velocity;
+  });
+}
+
+/// A planted defect: the matrix with the curvature's other sign on its diagonal.
+inline Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
+  Eigen::MatrixXd layer = double_layer_matrix(curve);
+  for (Eigen::Index j = 0; j < curve.size(); ++j) layer.block<2, 2>(2 * j, 2 * j) *= -1.0;
+  return layer;
+}
+
+/// Largest modulus of a vector's entries.
+inline double largest(const ComplexVector& v) {
+  return v.cwiseAbs().maxCoeff();
+}
+
+/// Largest error, relative to the largest exact value.
+inline double relative_error(const ComplexVector& got, const ComplexVector& exact) {
+  return largest(got - exact) / largest(exact);
+}
+
+/// Even node counts that lower e^{-rate n} from about 1 to rounding in that many steps.
+inline std::vector<Eigen::Index> node_counts(double rate, int steps) {
+  std::vector<Eigen::Index> counts;
+  for (int k = 1; k <= steps; ++k) {
+    const Eigen::Index n = 2 * std::lround(18.0 * k / (steps * rate));
+    if (n >= 4 && (counts.empty() || n > counts.back())) counts.push_back(n);
+  }
+  return counts;
+}
+
+/// Measures an error, a function of the number of nodes, at node counts that fit its rate.
+template <class Error>
+study::Measure errors_at(double rate, const Error& error) {
+  return [=](study::Size size) {
+    std::vector<study::Measurement> measurements;
+    for (const Eigen::Index n : node_counts(rate, size == study::Size::full ? 24 : 12)) {
+      measurements.push_back({.x = static_cast<double>(n),
+                              .error = error(n),
+                              .unknowns = 2.0 * static_cast<double>(n)});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,162 @@
+// Off the curve the rule errs as the preimage of the target says, and each spacing of distance
+// counts the same.
+#include <numbers>
+
+#include "experiments.hpp"
+#include "support/dirichlet.hpp"
+#include "support/exact_flows.hpp"
+#include "trapezoid/fourier.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+const Ellipse ellipse{2.0, 1.0};
+
+/// Sources so far away that 96 nodes resolve the density to rounding.
+const test::ExactFlow flow{{{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
+
+/// The flow's density on n nodes, without the error of a solve at n nodes.
+ComplexVector resolved_density(Index n) {
+  static const ComplexVector density = [] {
+    const Curve wall = sample(ellipse, 96, Side::fluid_inside);
+    return test::density_of(wall, flow.velocity(wall.x));
+  }();
+  return resample(density, n);
+}
+
+ComplexVector rule(Index n, const ComplexVector& targets) {
+  return plain_rule(sample(ellipse, n, Side::fluid_inside), resolved_density(n), targets);
+}
+
+/// A planted defect: the normal into the fluid.
+ComplexVector inward_normal(Index n, const ComplexVector& targets) {
+  return -rule(n, targets);
+}
+
+/// A planted defect: the kernel without 1/pi.
+ComplexVector forgotten_pi(Index n, const ComplexVector& targets) {
+  return std::numbers::pi * rule(n, targets);
+}
+
+/// A planted defect: densities of the next node.
+ComplexVector shifted_density(Index n, const ComplexVector& targets) {
+  ComplexVector density = resolved_density(n);
+  std::rotate(density.begin(), density.begin() + 1, density.end());
+  return plain_rule(sample(ellipse, n, Side::fluid_inside), density, targets);
+}
+
+using Rule = ComplexVector (*)(Index, const ComplexVector&);
+
+Measure errors_at_height(double height, Rule evaluate) {
+  return errors_at(height, [=](Index n) {
+    const ComplexVector targets = points_at(ellipse, height);
+    return relative_error(evaluate(n, targets), flow.velocity(targets));
+  });
+}
+
+Line height_line(const std::string& key, const std::string& id, double height,
+                 const std::string& defect, Rule defective) {
+  const std::string text = std::to_string(height).substr(0, 3);
+  return {
+      .key = key,
+      .label = "preimages at distance " + text,
+      .measure = errors_at_height(height, rule),
+      .claim = Claim{.id = id,
+                     .statement = "Off the curve the rule converges as N e^{-d N}, d = " + text +
+                                  " the distance of the target's preimage from the real "
+                                  "axis.",
+                     .law = Geometric{height, 0.03, 1.0},
+                     .window = {.from = 4.0 / height, .floor = 1e-14},
+                     .reason = "the kernel has a double pole in t where conj x(t) = conj z",
+                     .api = {"stokesbook::StressletSum", "stokesbook::stresslet"}},
+      .control = Control{defect, errors_at_height(height, defective)}};
+}
+
+/// Density that is an entire function of the parameter.
+Complex smooth_density(double t) {
+  return {std::cos(t) + 0.3 * std::sin(3.0 * t), std::exp(std::sin(t)) - 0.5};
+}
+
+ComplexVector smooth_densities(Index n) {
+  return ComplexVector::NullaryExpr(n, [n](Index j) {
+    return smooth_density(2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+  });
+}
+
+/// Targets on the fluid's side, so many local spacings from the curve, at sixteen places between
+/// its nodes.
+ComplexVector targets_off(const Curve& curve, double spacings) {
+  const TrigonometricPolynomial position(curve.x);
+  return ComplexVector::NullaryExpr(16, [&](Index k) {
+    const auto at = position(0.4 * static_cast<double>(k) + 0.13);
+    return at.value + spacings * curve.sign() * imaginary * at.first * 2.0 * std::numbers::pi /
+                          static_cast<double>(curve.size());
+  });
+}
+
+/// Errors over distance; the exact values are those of a rule for which no target is near. There
+/// are so many nodes that five spacings are small compared with the radius of curvature.
+Measure errors_over_spacings(const Shape& shape, Index n, Side side, double scale) {
+  return [=](Size size) {
+    const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);
+    const int steps = size == Size::full ? 20 : 10;
+    std::vector<Measurement> measurements;
+    for (int k = 1; k <= steps; ++k) {
+      const double distance = 5.0 * k / steps;
+      const ComplexVector targets = targets_off(curve, distance);
+      const ComplexVector exact = plain_rule(fine, smooth_densities(fine.size()), targets);
+      const ComplexVector got = scale * plain_rule(curve, smooth_densities(n), targets);
+      measurements.push_back({.x = distance, .error = relative_error(got, exact)});
+    }
+    return measurements;
+  };
+}
+
+Line spacing_line(const std::string& key, const std::string& id, const std::string& label,
+                  const Shape& shape, Index n, Side side) {
+  return {.key = key,
+          .label = label,
+          .measure = errors_over_spacings(shape, n, side, 1.0),
+          .claim = Claim{.id = id,
+                         .statement = "Each spacing h between curve and target is worth a factor "
+                                      "e^{-2 pi}, almost three digits.",
+                         .law = Geometric{2.0 * std::numbers::pi, 0.03, 1.0},
+                         .window = {.from = 0.7, .floor = 1e-14},
+                         .reason = "close to a resolved curve d = |x - z| / |x'| and h = 2 pi |x'| "
+                                   "/ N, so that d N = 2 pi |x - z| / h",
+                         .api = {"stokesbook::StressletSum"}},
+          .control = Control{"the kernel without 1/pi",
+                             errors_over_spacings(shape, n, side, std::numbers::pi)}};
+}
+
+}  // namespace
+
+Experiment rates_near_the_curve() {
+  return {
+      .key = "rates",
+      .title = "Convergence off the curve",
+      .x = "nodes N",
+      .error = "error of the velocity, relative to the largest",
+      .axes = Axes::semi_log,
+      .lines = {height_line("far", "02_3", 0.4, "the normal into the fluid", inward_normal),
+                height_line("near", "02_4", 0.2, "the kernel without 1/pi", forgotten_pi),
+                height_line("nearer", "02_5", 0.1, "densities of the next node", shifted_density)}};
+}
+
+Experiment spacings() {
+  return {.key = "spacings",
+          .title = "Error over the distance in spacings",
+          .x = "distance in local spacings x",
+          .error = "error of the velocity, relative to the largest",
+          .axes = Axes::semi_log,
+          .lines = {spacing_line("wall", "02_6", "inside an ellipse 2:1, N = 3200", ellipse, 3200,
+                                 Side::fluid_inside),
+                    spacing_line("body", "02_7", "outside a star of 5 arms, N = 6400",
+                                 Star{1.0, 0.2, 5}, 6400, Side::fluid_outside)}};
+}
+
+}  // namespace stokesbook
