@@ -1,0 +1,165 @@
+// Chapter 03: the mobility of a body without symmetry, the turn of an ellipse in shear, and the
+// flow around an ellipse that settles at an angle.
+//
+//   chapter_03 [DIRECTORY]     also draws DIRECTORY/chapter_03_settling.svg
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <Eigen/LU>
+
+#include "closure/bordered_system.hpp"
+#include "double_layer/double_layer.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "record/svg.hpp"
+
+using namespace stokesbook;
+
+constexpr double viscosity = 1.3;
+
+// [body]
+Component free_body(const Shape& shape, Eigen::Index nodes, double orientation) {
+  const Curve curve = place(sample(shape, nodes, Side::fluid_outside), 0.0, orientation);
+  return {.kind = ComponentKind::free_body,
+          .curve = curve,
+          .centre = 0.0,
+          .force = {},
+          .torque = 0.0,
+          .velocity = {}};
+}
+
+// r = 1 + 0.2 cos 2t + 0.15 cos(3t + 1), times a length.
+NodalCurve pebble(double length) {
+  NodalCurve shape{ComplexVector(16), {}};
+  for (int j = 0; j < 16; ++j) {
+    const double t = 2.0 * M_PI * j / 16.0;
+    const double r = length * (1.0 + 0.2 * std::cos(2.0 * t) + 0.15 * std::cos(3.0 * t + 1.0));
+    shape.points[j] = std::polar(r, t);
+  }
+  return shape;
+}
+// [body]
+
+// [solve]
+RigidMotion motion(const StokesProblem& problem, ClosureForm form) {
+  const DenseSystem system = assemble(problem, form);
+  const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
+  return complete_dense(problem, form, solution).motions[0];
+}
+// [solve]
+
+// [mobility]
+Eigen::Matrix3d mobility(StokesProblem problem) {
+  Eigen::Matrix3d matrix;
+  Component& body = problem.components[0];
+  for (int column = 0; column < 3; ++column) {
+    body.force = column == 0 ? Complex{1.0} : column == 1 ? imaginary : Complex{};
+    body.torque = column == 2 ? 1.0 : 0.0;
+    const RigidMotion m = motion(problem, ClosureForm::reduced);
+    matrix.col(column) << m.velocity.real(), m.velocity.imag(), m.omega;
+  }
+  return matrix;
+}
+// [mobility]
+
+// [condition]
+double condition(const StokesProblem& problem, ClosureForm form) {
+  const Eigen::MatrixXd matrix = assemble(problem, form).matrix;
+  const auto norm = [](const Eigen::MatrixXd& a) {
+    return a.cwiseAbs().rowwise().sum().maxCoeff();
+  };
+  return norm(matrix) * norm(matrix.partialPivLu().inverse());
+}
+// [condition]
+
+void print_mobility() {
+  const StokesProblem problem{{free_body(pebble(1.0), 128, 0.0)}, viscosity, {}, 100.0};
+  const Eigen::Matrix3d m = mobility(problem);
+  std::puts("Mobility of a pebble, (U_1, U_2, omega) by columns (F_1, F_2, L):");
+  for (int i = 0; i < 3; ++i) std::printf("%14.10f %14.10f %14.10f\n", m(i, 0), m(i, 1), m(i, 2));
+  std::printf("largest |M - M^T|: %.0e\n", (m - m.transpose()).cwiseAbs().maxCoeff());
+}
+
+void print_conditions() {
+  std::puts("\nCondition number in the maximum norm:");
+  std::puts("  size of the pebble     draft  scaled border  reduced");
+  for (const double length : {1e-3, 1.0, 1e3}) {
+    const StokesProblem problem{{free_body(pebble(length), 64, 0.0)}, viscosity, {}, {}};
+    std::printf(
+        "%20.0e %9.1e %14.1f %8.1f\n", length, condition(problem, ClosureForm::draft_bordered),
+        condition(problem, ClosureForm::scaled_bordered), condition(problem, ClosureForm::reduced));
+  }
+}
+
+// [jeffery]
+void print_turns() {
+  const double a = 3.0, b = 1.0, rate = 1.0;
+  std::puts("\nTurn of a free ellipse 3:1 in the shear flow (y, 0):");
+  std::puts("  angle     computed      Jeffery");
+  for (const double angle : {0.0, M_PI / 6.0, M_PI / 3.0, M_PI / 2.0}) {
+    const Component body = free_body(Ellipse{a, b}, 96, angle);
+    const ComplexVector flow = rate * body.curve.x.imag().cast<Complex>();
+    const double omega = motion({{body}, viscosity, flow, {}}, ClosureForm::reduced).omega;
+    const double jeffery = -rate *
+                           (std::pow(a * std::sin(angle), 2) + std::pow(b * std::cos(angle), 2)) /
+                           (a * a + b * b);
+    std::printf("%7.4f %12.9f %12.9f\n", angle, omega, jeffery);
+  }
+}
+// [jeffery]
+
+// [flow]
+ComplexVector flow_around(const StokesProblem& problem, const ComplexVector& points) {
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
+  const ComplexVector density = deinterleaved(solution);
+  const Closure closure(problem);
+  const StressletSum double_layer({problem.components[0].curve});
+  return double_layer(points, density) +
+         closure.singular_velocity(closure.complete(density), points);
+}
+// [flow]
+
+// Arrows of the velocity relative to the body's, around an ellipse that is pulled downwards.
+void draw_settling(const std::filesystem::path& file) {
+  Component body = free_body(Ellipse{1.0, 0.4}, 128, 0.6);
+  body.force = -imaginary;
+  const StokesProblem problem{{body}, viscosity, {}, 20.0};
+  const auto outside = [&](Complex z) {
+    const Complex own = z * std::polar(1.0, -0.6);
+    return std::hypot(own.real() / 1.15, own.imag() / 0.55) > 1.0;
+  };
+  std::vector<Complex> chosen;
+  for (double y = -2.4; y <= 2.4; y += 0.3) {
+    for (double x = -3.0; x <= 3.0; x += 0.3) {
+      if (outside({x, y})) chosen.emplace_back(x, y);
+    }
+  }
+  const auto points = Eigen::Map<const ComplexVector>(chosen.data(), std::ssize(chosen));
+  const ComplexVector velocity = flow_around(problem, points);
+  const auto pixel = [](Complex z) {
+    return Complex{320.0 + 96.0 * z.real(), 256.0 - 96.0 * z.imag()};
+  };
+  const double scale = 0.26 / velocity.cwiseAbs().maxCoeff();
+  std::string arrows;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    const Complex arrow = scale * velocity[i], tip = points[i] + 0.5 * arrow;
+    arrows += svg::line(pixel(points[i] - 0.5 * arrow), pixel(tip));
+    arrows += svg::line(pixel(tip - 0.35 * arrow * std::polar(1.0, 0.4)), pixel(tip));
+    arrows += svg::line(pixel(tip - 0.35 * arrow * std::polar(1.0, -0.4)), pixel(tip));
+  }
+  std::ofstream(file) << svg::open({640.0, 512.0},
+                                   "Flow around an ellipse that settles at an angle")
+                      << svg::path(svg::polygon(body.curve.x.unaryExpr(pixel)),
+                                   "fill=\"currentColor\" fill-opacity=\"0.2\" "
+                                   "stroke=\"currentColor\"")
+                      << svg::path(arrows, "fill=\"none\" stroke=\"currentColor\"") << "</svg>\n";
+}
+
+int main(int argc, char** argv) {
+  print_mobility();
+  print_conditions();
+  print_turns();
+  if (argc > 1) draw_settling(std::filesystem::path(argv[1]) / "chapter_03_settling.svg");
+}
