@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -110,56 +111,86 @@ void print_turns() {
 // [jeffery]
 
 // [flow]
-ComplexVector flow_around(const StokesProblem& problem, const ComplexVector& points) {
+// A settling ellipse: how it moves, and the fluid's velocity relative to it.
+struct Settling {
+  RigidMotion motion;
+  ComplexVector velocity;
+};
+
+Settling settle(const StokesProblem& problem, const ComplexVector& points) {
   const DenseSystem system = assemble(problem, ClosureForm::reduced);
   const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
   const ComplexVector density = deinterleaved(solution);
   const Closure closure(problem);
+  const Completion completion = closure.complete(density);
   const StressletSum double_layer({problem.components[0].curve});
-  return double_layer(points, density) +
-         closure.singular_velocity(closure.complete(density), points);
+  const ComplexVector velocity =
+      double_layer(points, density) + closure.singular_velocity(completion, points);
+  const RigidMotion motion = completion.motions[0];
+  return {motion, (velocity.array() - motion.velocity).matrix()};
 }
 // [flow]
 
-// Arrows of the velocity relative to the body's, around an ellipse that is pulled downwards.
-void draw_settling(const std::filesystem::path& file) {
-  Component body = free_body(Ellipse{1.0, 0.4}, 128, 0.6);
+constexpr double tilt = 0.6;
+
+StokesProblem settling_problem() {
+  Component body = free_body(Ellipse{1.0, 0.4}, 128, tilt);
   body.force = -imaginary;
-  const StokesProblem problem{{body}, viscosity, {}, 20.0};
-  const auto outside = [&](Complex z) {
-    const Complex own = z * std::polar(1.0, -0.6);
-    return std::hypot(own.real() / 1.15, own.imag() / 0.55) > 1.0;
-  };
-  std::vector<Complex> chosen;
+  return {{body}, viscosity, {}, 20.0};
+}
+
+// Points of a grid that are not too near the ellipse for plain sums.
+ComplexVector grid_around_ellipse() {
+  std::vector<Complex> points;
   for (double y = -2.4; y <= 2.4; y += 0.3) {
     for (double x = -3.0; x <= 3.0; x += 0.3) {
-      if (outside({x, y})) chosen.emplace_back(x, y);
+      const Complex own = Complex{x, y} * std::polar(1.0, -tilt);
+      if (std::hypot(own.real() / 1.15, own.imag() / 0.55) > 1.0) points.emplace_back(x, y);
     }
   }
-  const auto points = Eigen::Map<const ComplexVector>(chosen.data(), std::ssize(chosen));
-  const ComplexVector velocity = flow_around(problem, points);
-  const auto pixel = [](Complex z) {
-    return Complex{320.0 + 96.0 * z.real(), 256.0 - 96.0 * z.imag()};
-  };
-  const double scale = 0.26 / velocity.cwiseAbs().maxCoeff();
+  return Eigen::Map<const ComplexVector>(points.data(), std::ssize(points));
+}
+
+Complex pixel(Complex z) {
+  return {320.0 + 96.0 * z.real(), 256.0 - 96.0 * z.imag()};
+}
+
+std::string arrow(Complex from, Complex to) {
+  const Complex barb = 0.3 * (from - to);
+  return svg::line(pixel(from), pixel(to)) +
+         svg::line(pixel(to + barb * std::polar(1.0, 0.4)), pixel(to)) +
+         svg::line(pixel(to + barb * std::polar(1.0, -0.4)), pixel(to));
+}
+
+void draw(const Settling& settling, const ComplexVector& points,
+          const std::filesystem::path& file) {
+  const double scale = 0.3 / settling.velocity.cwiseAbs().maxCoeff();
   std::string arrows;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
-    const Complex arrow = scale * velocity[i], tip = points[i] + 0.5 * arrow;
-    arrows += svg::line(pixel(points[i] - 0.5 * arrow), pixel(tip));
-    arrows += svg::line(pixel(tip - 0.35 * arrow * std::polar(1.0, 0.4)), pixel(tip));
-    arrows += svg::line(pixel(tip - 0.35 * arrow * std::polar(1.0, -0.4)), pixel(tip));
+    arrows += arrow(points[i], points[i] + scale * settling.velocity[i]);
   }
-  std::ofstream(file) << svg::open({640.0, 512.0},
-                                   "Flow around an ellipse that settles at an angle")
-                      << svg::path(svg::polygon(body.curve.x.unaryExpr(pixel)),
-                                   "fill=\"currentColor\" fill-opacity=\"0.2\" "
-                                   "stroke=\"currentColor\"")
-                      << svg::path(arrows, "fill=\"none\" stroke=\"currentColor\"") << "</svg>\n";
+  const Complex course = settling.motion.velocity / std::abs(settling.motion.velocity);
+  const ComplexVector outline = settling_problem().components[0].curve.x.unaryExpr(&pixel);
+  std::ofstream(file) << svg::open({640.0, 512.0}, "Flow past an ellipse that settles at an angle")
+                      << svg::path(
+                             svg::polygon(outline),
+                             "fill=\"currentColor\" fill-opacity=\"0.15\" stroke=\"currentColor\"")
+                      << svg::path(arrows, "fill=\"none\" stroke=\"currentColor\"")
+                      << svg::path(arrow(0.0, 0.35 * course),
+                                   "fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"")
+                      << "</svg>\n";
 }
 
 int main(int argc, char** argv) {
   print_mobility();
   print_conditions();
   print_turns();
-  if (argc > 1) draw_settling(std::filesystem::path(argv[1]) / "chapter_03_settling.svg");
+  const ComplexVector points = grid_around_ellipse();
+  const Settling settling = settle(settling_problem(), points);
+  const double drift = std::arg(settling.motion.velocity / -imaginary);
+  std::printf(
+      "\nAn ellipse 5:2, tilted by %.0f degrees and pulled straight down, goes %.1f degrees"
+      " off that way.\n",
+      180.0 / M_PI * tilt, 180.0 / M_PI * drift);
+  if (argc > 1) draw(settling, points, std::filesystem::path(argv[1]) / "chapter_03_settling.svg");
 }

@@ -100,16 +100,16 @@ Experiment closure_values() {
       .key = "values",
       .title = "What the closure says does not matter",
       .x = "size of the change beta",
-      .error = "largest change of U, omega, F and L, relative to max(1, beta) for values",
+      .error = "largest change of U, omega, F, L",
       .lines = {
-          values_line("draft", "03_7", "values in the draft's border", ClosureForm::draft_bordered),
-          values_line("scaled", "03_8", "values in the scaled border",
+          values_line("draft", "03_8", "values in the draft's border", ClosureForm::draft_bordered),
+          values_line("scaled", "03_9", "values in the scaled border",
                       ClosureForm::scaled_bordered),
           {.key = "factor",
            .label = "factor between load and mean density of a held body",
            .measure = at(
                sizes, [](double b) { return std::max(change_by_factor(b), change_by_factor(-b)); }),
-           .claim = Claim{.id = "03_9",
+           .claim = Claim{.id = "03_10",
                           .statement = "On held bodies any factor between mean density and "
                                        "load, of either sign, gives the same loads.",
                           .law = Identity{1e-12},

@@ -52,7 +52,7 @@ Experiment degenerate_scale() {
                     {.key = "balance",
                      .label = "zero net force, uniform velocity free",
                      .measure = at(radii, condition_with_balance),
-                     .claim = Claim{.id = "03_25",
+                     .claim = Claim{.id = "03_26",
                                     .statement = "With zero net force and a free uniform velocity "
                                                  "no size is special.",
                                     .law = Algebraic{0.0, 1e-9},
@@ -75,7 +75,7 @@ Experiment near_degenerate_scale() {
       .lines = {{.key = "gauge",
                  .label = "Stokeslets of a fixed gauge length",
                  .measure = at(distances, condition_at(degenerate_radius())),
-                 .claim = Claim{.id = "03_26",
+                 .claim = Claim{.id = "03_27",
                                 .statement = "The resistance problem with a gauge length ell is "
                                              "singular for an ellipse of mean radius "
                                              "ell e^(a / (a + b)).",

@@ -70,14 +70,14 @@ Experiment spectrum() {
       .key = "spectrum",
       .title = "Spectrum of the reduced system",
       .x = "nodes N",
-      .error = "largest error of the eigenvalues, for the ellipse of the modes 1 to 4",
+      .error = "largest error of the eigenvalues",
       .axes = Axes::semi_log,
       .lines = {
           {.key = "circle",
            .label = "circle",
            .measure = at(circle_nodes,
                          [](double x) { return circle_error(reduced(body(Circle{0.7}, x))); }),
-           .claim = Claim{.id = "03_12",
+           .claim = Claim{.id = "03_13",
                           .statement = "On a circle the reduced system has the eigenvalues -1 and "
                                        "-1/2, and no others.",
                           .law = Identity{1e-14},
@@ -93,7 +93,7 @@ Experiment spectrum() {
            .label = "ellipse 3:1",
            .measure =
                at(nodes, [=](double x) { return ellipse_error(reduced(body(ellipse, x)), m); }),
-           .claim = Claim{.id = "03_13",
+           .claim = Claim{.id = "03_14",
                           .statement = "On an ellipse the reduced system has the eigenvalues of "
                                        "-1/2 + D, those of the rigid motions moved to -1.",
                           .law = Geometric{rate, 0.02, 1.0},
