@@ -49,10 +49,13 @@ class NearCorrection {
   ComplexVector operator()(const ComplexVector& density) const;
 
  private:
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
   struct NearTargets {
     std::vector<Eigen::Index> index;  // which targets
     ComplexVector local;              // in the source's frame
   };
+  /// @endcond
   NearTargets find_targets(std::size_t source, const ComplexVector& targets, Targets kind,
                            double tolerance) const;
 
