@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/LU>
@@ -13,9 +13,13 @@
 #include "closure/bordered_system.hpp"
 #include "double_layer/double_layer.hpp"
 #include "double_layer/stresslet_sum.hpp"
+#include "record/atomic_file.hpp"
 #include "record/svg.hpp"
 
 using namespace stokesbook;
+using std::numbers::pi;
+
+namespace {
 
 constexpr double viscosity = 1.3;
 
@@ -34,7 +38,7 @@ Component free_body(const Shape& shape, Eigen::Index nodes, double orientation) 
 NodalCurve pebble(double length) {
   NodalCurve shape{ComplexVector(16), {}};
   for (int j = 0; j < 16; ++j) {
-    const double t = 2.0 * M_PI * j / 16.0;
+    const double t = 2.0 * pi * j / 16.0;
     const double r = length * (1.0 + 0.2 * std::cos(2.0 * t) + 0.15 * std::cos(3.0 * t + 1.0));
     shape.points[j] = std::polar(r, t);
   }
@@ -98,7 +102,7 @@ void print_turns() {
   const double a = 3.0, b = 1.0, rate = 1.0;
   std::puts("\nTurn of a free ellipse 3:1 in the shear flow (y, 0):");
   std::puts("  angle     computed      Jeffery");
-  for (const double angle : {0.0, M_PI / 6.0, M_PI / 3.0, M_PI / 2.0}) {
+  for (const double angle : {0.0, pi / 6.0, pi / 3.0, pi / 2.0}) {
     const Component body = free_body(Ellipse{a, b}, 96, angle);
     const ComplexVector flow = rate * body.curve.x.imag().cast<Complex>();
     const double omega = motion({{body}, viscosity, flow, {}}, ClosureForm::reduced).omega;
@@ -171,15 +175,18 @@ void draw(const Settling& settling, const ComplexVector& points,
   }
   const Complex course = settling.motion.velocity / std::abs(settling.motion.velocity);
   const ComplexVector outline = settling_problem().components[0].curve.x.unaryExpr(&pixel);
-  std::ofstream(file) << svg::open({640.0, 512.0}, "Flow past an ellipse that settles at an angle")
-                      << svg::path(
-                             svg::polygon(outline),
-                             "fill=\"currentColor\" fill-opacity=\"0.15\" stroke=\"currentColor\"")
-                      << svg::path(arrows, "fill=\"none\" stroke=\"currentColor\"")
-                      << svg::path(arrow(0.0, 0.35 * course),
-                                   "fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"")
-                      << "</svg>\n";
+  const std::string picture =
+      svg::open({640.0, 512.0}, "Flow past an ellipse that settles at an angle") +
+      svg::path(svg::polygon(outline),
+                "fill=\"currentColor\" fill-opacity=\"0.15\" stroke=\"currentColor\"") +
+      svg::path(arrows, "fill=\"none\" stroke=\"currentColor\"") +
+      svg::path(arrow(0.0, 0.35 * course),
+                "fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"") +
+      "</svg>\n";
+  write_atomically(file, picture, SafeFrom::kill);
 }
+
+}  // namespace
 
 int main(int argc, char** argv) {
   print_mobility();
@@ -187,10 +194,11 @@ int main(int argc, char** argv) {
   print_turns();
   const ComplexVector points = grid_around_ellipse();
   const Settling settling = settle(settling_problem(), points);
-  const double drift = std::arg(settling.motion.velocity / -imaginary);
+  const double drift = std::arg(-imaginary / settling.motion.velocity);
   std::printf(
-      "\nAn ellipse 5:2, tilted by %.0f degrees and pulled straight down, goes %.1f degrees"
-      " off that way.\n",
-      180.0 / M_PI * tilt, 180.0 / M_PI * drift);
+      "\nAn ellipse 5:2, tilted by %.0f degrees and pulled straight down, slides %.1f degrees to "
+      "the "
+      "left.\n",
+      180.0 / pi * tilt, 180.0 / pi * drift);
   if (argc > 1) draw(settling, points, std::filesystem::path(argv[1]) / "chapter_03_settling.svg");
 }
