@@ -171,7 +171,8 @@ void draw(const Settling& settling, const ComplexVector& points,
   const double scale = 0.3 / settling.velocity.cwiseAbs().maxCoeff();
   std::string arrows;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
-    arrows += arrow(points[i], points[i] + scale * settling.velocity[i]);
+    const Complex half = 0.5 * scale * settling.velocity[i];
+    arrows += arrow(points[i] - half, points[i] + half);
   }
   const Complex course = settling.motion.velocity / std::abs(settling.motion.velocity);
   const ComplexVector outline = settling_problem().components[0].curve.x.unaryExpr(&pixel);
