@@ -8,6 +8,7 @@ namespace stokesbook {
 /// @{
 study::Study trapezoid_study();
 study::Study double_layer_study();
+study::Study closure_study();
 /// @}
 
 }  // namespace stokesbook

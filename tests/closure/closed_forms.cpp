@@ -1,11 +1,11 @@
 // Loaded and freely floating ellipses against their closed forms, in all three forms of the
 // closure: a wrong sign, scale or factor in a border, a functional or a singularity shows here.
 
-#include "closed_forms.hpp"
+#include "support/closed_forms.hpp"
 
 #include <boost/test/unit_test.hpp>
 
-#include "problems.hpp"
+#include "support/problems.hpp"
 
 namespace stokesbook::test {
 namespace {

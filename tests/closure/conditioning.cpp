@@ -5,28 +5,16 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "problems.hpp"
+#include "support/mean_square.hpp"
+#include "support/problems.hpp"
 
 namespace stokesbook::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The matrix between mean-square norms: node values count with the root of their share of the
-// length.
 double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
-  Eigen::MatrixXd matrix = assemble(problem, form).matrix;
-  Eigen::Index row = 0;
-  for (const Component& component : problem.components) {
-    const Eigen::VectorXd w = weights(component.curve);
-    for (Eigen::Index j = 0; j < w.size(); ++j) {
-      const double scale = std::sqrt(w[j] / w.sum());
-      matrix.middleRows(row, 2) *= scale;
-      matrix.middleCols(row, 2) /= scale;
-      row += 2;
-    }
-  }
-  return condition_number(matrix);
+  return condition_number(between_mean_squares(assemble(problem, form).matrix, problem));
 }
 
 StokesProblem circle_problem(double radius) {

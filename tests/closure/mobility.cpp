@@ -3,32 +3,10 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "problems.hpp"
+#include "support/mobility_matrix.hpp"
 
 namespace stokesbook::test {
 namespace {
-
-// Column by column: motions (U_1, U_2, omega of every body) of unit loads, all bodies free.
-Eigen::MatrixXd mobility(StokesProblem problem, ClosureForm form) {
-  const auto bodies = static_cast<Eigen::Index>(problem.components.size());
-  Eigen::MatrixXd matrix(3 * bodies, 3 * bodies);
-  for (Eigen::Index column = 0; column < 3 * bodies; ++column) {
-    for (Component& component : problem.components) {
-      component.force = 0.0;
-      component.torque = 0.0;
-    }
-    Component& loaded = problem.components[static_cast<std::size_t>(column / 3)];
-    if (column % 3 == 2) loaded.torque = 1.0;
-    if (column % 3 != 2) loaded.force = column % 3 == 0 ? Complex{1.0} : imaginary;
-    const Completion result = solve_dense(problem, form);
-    for (Eigen::Index k = 0; k < bodies; ++k) {
-      const RigidMotion& motion = result.motions[static_cast<std::size_t>(k)];
-      matrix.block<3, 1>(3 * k, column) << motion.velocity.real(), motion.velocity.imag(),
-          motion.omega;
-    }
-  }
-  return matrix;
-}
 
 ComplexVector shear(const ComplexVector& x) {
   return x.imag().cast<Complex>();
@@ -42,7 +20,7 @@ BOOST_AUTO_TEST_CASE(reference_star_N1) {
   const Component star = free_body(Star{1, 0.2, 5}, 192, {});
   const StokesProblem sheared{{star}, 1.0, shear(star.curve.x), {}};
   for (const ClosureForm form : all_forms) {
-    const Eigen::MatrixXd matrix = mobility({{star}, 1.0, {}, 1.0}, form);
+    const Eigen::MatrixXd matrix = mobility_matrix({{star}, 1.0, {}, 1.0}, form);
     const Eigen::Vector3d diagonal{0.031871196888335535, 0.031871196888335535,
                                    0.064313453523979353};
     BOOST_TEST((matrix - Eigen::MatrixXd(diagonal.asDiagonal())).cwiseAbs().maxCoeff() < 1e-14);
@@ -60,7 +38,7 @@ BOOST_AUTO_TEST_CASE(reference_lopsided_N2) {
   const RigidMotion exact_in_shear{{0.013264317184109857, 0.038045820996011732},
                                    -0.34278665599347508};
   for (const ClosureForm form : all_forms) {
-    const Eigen::MatrixXd matrix = mobility({{body}, 1.0, {}, 1.0}, form);
+    const Eigen::MatrixXd matrix = mobility_matrix({{body}, 1.0, {}, 1.0}, form);
     BOOST_TEST((matrix - exact).cwiseAbs().maxCoeff() < 1e-14);
     BOOST_TEST(distance(solve_dense(sheared, form).motions[0], exact_in_shear) < 1e-14);
   }
@@ -73,7 +51,7 @@ BOOST_AUTO_TEST_CASE(is_symmetric_and_positive) {
                               1.3,
                               {},
                               100.0};
-  const Eigen::MatrixXd matrix = mobility(problem, ClosureForm::reduced);
+  const Eigen::MatrixXd matrix = mobility_matrix(problem, ClosureForm::reduced);
   BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-13);
   // Bodies within a gauge length dissipate whatever the loads.
   BOOST_TEST(symmetric_eigenvalues(matrix)[0] > 0.0);
@@ -89,7 +67,7 @@ BOOST_AUTO_TEST_CASE(gauge_shifts_velocities) {
   StokesProblem other = problem;
   other.gauge_length = 50.0;
   Eigen::MatrixXd shift =
-      mobility(other, ClosureForm::reduced) - mobility(problem, ClosureForm::reduced);
+      mobility_matrix(other, ClosureForm::reduced) - mobility_matrix(problem, ClosureForm::reduced);
   const double expected = std::log(50.0 / 3.0) / (4 * std::numbers::pi * 1.3);
   for (Eigen::Index i = 0; i < 6; ++i) {
     for (Eigen::Index j = 0; j < 6; ++j) {

@@ -1,8 +1,8 @@
 // Cases at the edge: a gap of 1e-4, a body twenty times as long as wide, a tip in a valley, lengths
 // of 1e-6 and 1e6.
 
-#include "../closure/closed_forms.hpp"
 #include "expected.hpp"
+#include "support/closed_forms.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -2,8 +2,8 @@
 // systems of units, and the field around a loaded circle in closed form. Stresslets come from the
 // density, which they verify.
 
-#include "../closure/closed_forms.hpp"
 #include "expected.hpp"
+#include "support/closed_forms.hpp"
 
 namespace stokesbook::test {
 namespace {

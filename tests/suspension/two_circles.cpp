@@ -2,8 +2,8 @@
 // specification, most of them closed forms. The closer the pair, the more nodes its densities need,
 // about 35 / sqrt(gap).
 
-#include "../closure/closed_forms.hpp"
 #include "expected.hpp"
+#include "support/closed_forms.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "study/study.hpp"
+#include "support/mean_square.hpp"
+#include "support/problems.hpp"
+
+namespace stokesbook {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment loaded_ellipses();
+study::Experiment sheared_ellipses();
+study::Experiment closure_values();
+study::Experiment symmetry();
+study::Experiment spectrum();
+study::Experiment condition_and_size();
+study::Experiment condition_and_nodes();
+study::Experiment condition_and_viscosity();
+study::Experiment degenerate_scale();
+study::Experiment near_degenerate_scale();
+study::Experiment units();
+study::Experiment gaps();
+study::Experiment streams();
+study::Experiment pair_units();
+study::Experiment forms_at_work();
+/// @}
+
+/// Points from a to b, equidistant in their logarithm.
+inline std::vector<double> log_points(double a, double b, int count) {
+  std::vector<double> points;
+  for (int k = 0; k < count; ++k) points.push_back(a * std::pow(b / a, k / (count - 1.0)));
+  return points;
+}
+
+/// Numbers of nodes from a to b, rounded to even ones.
+inline std::vector<double> node_counts(double a, double b, int count) {
+  std::vector<double> points;
+  for (int k = 0; k < count; ++k) {
+    points.push_back(2.0 * std::round(0.5 * (a + (b - a) * k / (count - 1.0))));
+  }
+  return points;
+}
+
+/// Measures a number at each of the points; a quick study takes every second one.
+template <class Number>
+study::Measure at(const std::vector<double>& points, const Number& number) {
+  return [=](study::Size size) {
+    std::vector<study::Measurement> measurements;
+    const std::size_t step = size == study::Size::full ? 1 : 2;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+      measurements.push_back({.x = points[i], .error = number(points[i])});
+    }
+    return measurements;
+  };
+}
+
+/// Number of nodes of a point on the axis "nodes N".
+inline Eigen::Index count(double x) {
+  return static_cast<Eigen::Index>(x);
+}
+
+/// Condition number of a problem's dense matrix between mean-square norms.
+inline double mean_square_condition(const Eigen::MatrixXd& matrix, const StokesProblem& problem) {
+  return test::condition_number(test::between_mean_squares(matrix, problem));
+}
+
+inline double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
+  return mean_square_condition(assemble(problem, form).matrix, problem);
+}
+
+/// P as a matrix on the nodes of one free body, from the border of its scaled system: minus the
+/// columns of U and a omega, times the rows of their means. For a centre that is the centroid.
+inline Eigen::MatrixXd projection_matrix(const StokesProblem& body) {
+  const Eigen::MatrixXd system = assemble(body, ClosureForm::scaled_bordered).matrix;
+  const Eigen::Index n = system.rows() - 3;
+  return -system.topRightCorner(n, 3) * system.bottomLeftCorner(3, n);
+}
+
+/// The fluid's undisturbed velocity in the shear flow (rate y, 0).
+inline ComplexVector shear(const ComplexVector& x, double rate) {
+  return rate * x.imag().cast<Complex>();
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,109 @@
+// The spectrum of the reduced system: on a circle nothing but -1 and -1/2, on an ellipse that of
+// the double layer with the rigid motions moved from 0 to -1.
+#include <algorithm>
+
+#include "double_layer/double_layer.hpp"
+#include "experiments.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+StokesProblem body(const Shape& shape, double x) {
+  return {{free_body(shape, count(x), {{0.3, 0.1}, 0.4})}, 1.3, {}, {}};
+}
+
+Eigen::MatrixXd reduced(const StokesProblem& problem) {
+  return assemble(problem, ClosureForm::reduced).matrix;
+}
+
+/// A planted defect: P with the other sign.
+Eigen::MatrixXd with_projection_added(const StokesProblem& problem) {
+  return reduced(problem) + 2.0 * projection_matrix(problem);
+}
+
+/// A planted defect: integrals instead of means in P.
+Eigen::MatrixXd with_integrals(const StokesProblem& problem) {
+  const double length = perimeter(problem.components[0].curve);
+  return reduced(problem) + (1.0 - length) * projection_matrix(problem);
+}
+
+/// Largest distance of a computed eigenvalue from the nearer one of -1 and -1/2.
+double circle_error(const Eigen::MatrixXd& matrix) {
+  double error = 0.0;
+  for (const std::complex<double> value : eigenvalues(matrix)) {
+    error = std::max(error, std::min(std::abs(value + 1.0), std::abs(value + 0.5)));
+  }
+  return error;
+}
+
+/// Largest distance of a known eigenvalue of the modes 1 to 4 from the nearest computed one; -1 is
+/// there four times, for the rigid motions and the normal.
+double ellipse_error(const Eigen::MatrixXd& matrix, double m) {
+  const Eigen::VectorXcd computed = eigenvalues(matrix);
+  Eigen::VectorXd from_minus_one = (computed.array() + 1.0).abs();
+  std::ranges::nth_element(from_minus_one, from_minus_one.begin() + 3);
+  double error = from_minus_one[3];
+  for (int k = 1; k <= 4; ++k) {
+    const double c = (1.0 - m * m) * k * std::pow(m, k - 1);
+    const double root = std::hypot(c, 2.0 * std::pow(m, k));
+    for (const double four_lambda : {c + root, c - root, -c + root, -c - root}) {
+      if (k == 1 && four_lambda == c + root) continue;  // the turn, which P moves to -1
+      error = std::max(error, (computed.array() + 0.5 - 0.25 * four_lambda).abs().minCoeff());
+    }
+  }
+  return error;
+}
+
+}  // namespace
+
+Experiment spectrum() {
+  constexpr double aspect = 3.0, m = (aspect - 1.0) / (aspect + 1.0);
+  const double rate = -std::log(m);
+  const Ellipse ellipse{aspect, 1.0};
+  const std::vector<double> circle_nodes = node_counts(8, 56, 13);
+  const std::vector<double> nodes = node_counts(12.0 / rate, 42.0 / rate, 15);
+  return {
+      .key = "spectrum",
+      .title = "Spectrum of the reduced system",
+      .x = "nodes N",
+      .error = "largest error of the eigenvalues",
+      .axes = Axes::semi_log,
+      .lines = {
+          {.key = "circle",
+           .label = "circle",
+           .measure = at(circle_nodes,
+                         [](double x) { return circle_error(reduced(body(Circle{0.7}, x))); }),
+           .claim = Claim{.id = "03_13",
+                          .statement = "On a circle the reduced system has the eigenvalues -1 and "
+                                       "-1/2, and no others.",
+                          .law = Identity{1e-14},
+                          .reason = "D maps the rigid motions to their half, the normal to minus "
+                                    "its half, and all else to 0",
+                          .api = {"stokesbook::Closure"}},
+           .control = Control{"the projection added, not subtracted",
+                              at(circle_nodes,
+                                 [](double x) {
+                                   return circle_error(with_projection_added(body(Circle{0.7}, x)));
+                                 })}},
+          {.key = "ellipse",
+           .label = "ellipse 3:1",
+           .measure =
+               at(nodes, [=](double x) { return ellipse_error(reduced(body(ellipse, x)), m); }),
+           .claim = Claim{.id = "03_14",
+                          .statement = "On an ellipse the reduced system has the eigenvalues of "
+                                       "-1/2 + D, those of the rigid motions moved to -1.",
+                          .law = Geometric{rate, 0.02, 1.0},
+                          .window = {.from = 20.0 / rate, .floor = 1e-15},
+                          .reason = "the kernel's modes k m^(k-1) alias by N, as in chapter 01",
+                          .api = {"stokesbook::Closure"}},
+           .control =
+               Control{"integrals instead of means in the projection", at(nodes, [=](double x) {
+                         return ellipse_error(with_integrals(body(ellipse, x)), m);
+                       })}}}};
+}
+
+}  // namespace stokesbook

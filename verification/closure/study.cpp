@@ -1,0 +1,17 @@
+// Study of the closure: motions against closed forms, and what its scales do to the conditioning.
+#include "experiments.hpp"
+#include "studies.hpp"
+
+namespace stokesbook {
+
+study::Study closure_study() {
+  return {.number = "03",
+          .name = "closure",
+          .title = "Closure: forces, torques and motions",
+          .experiments = {loaded_ellipses(), sheared_ellipses(), closure_values(), symmetry(),
+                          spectrum(), condition_and_size(), condition_and_nodes(),
+                          condition_and_viscosity(), degenerate_scale(), near_degenerate_scale(),
+                          units(), gaps(), streams(), pair_units(), forms_at_work()}};
+}
+
+}  // namespace stokesbook

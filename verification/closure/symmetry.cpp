@@ -1,0 +1,75 @@
+// The mobility matrix is symmetric: Lorentz' reciprocal theorem, seen by bodies without symmetry.
+#include "experiments.hpp"
+#include "support/mobility_matrix.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+constexpr double gauge = 100.0;
+
+StokesProblem one_body(Eigen::Index n) {
+  return {{free_body(lopsided_curve(), n, {{0.3, -0.2}, 0.5})}, 1.3, {}, gauge};
+}
+
+StokesProblem three_bodies(Eigen::Index n) {
+  return {{free_body(lopsided_curve(), n, {{-1.9, 0.2}, 1.0}),
+           free_body(Ellipse{1.0, 0.6}, n, {{1.2, 0.9}, 0.4}),
+           free_body(Star{0.8, 0.1, 3}, n, {{0.6, -1.9}})},
+          1.3,
+          {},
+          gauge};
+}
+
+double asymmetry(const Eigen::MatrixXd& mobility) {
+  return (mobility - mobility.transpose()).cwiseAbs().maxCoeff() / mobility.cwiseAbs().maxCoeff();
+}
+
+/// A planted defect: loads act at the bodies' centres, velocities are those of other points.
+Eigen::MatrixXd with_velocities_elsewhere(Eigen::MatrixXd mobility) {
+  const Complex arm{0.1, 0.2};
+  for (Eigen::Index k = 0; k < mobility.rows(); k += 3) {
+    mobility.row(k) += perp(arm).real() * mobility.row(k + 2);
+    mobility.row(k + 1) += perp(arm).imag() * mobility.row(k + 2);
+  }
+  return mobility;
+}
+
+Line symmetry_line(const std::string& key, const std::string& id, const std::string& label,
+                   StokesProblem (*bodies)(Eigen::Index), ClosureForm form) {
+  const std::vector<double> nodes = node_counts(16, 112, 13);
+  const auto mobility = [=](double x) { return mobility_matrix(bodies(count(x)), form); };
+  return {.key = key,
+          .label = label,
+          .measure = at(nodes, [=](double x) { return asymmetry(mobility(x)); }),
+          .claim = Claim{.id = id,
+                         .statement = "The mobility matrix is symmetric, once the bodies are "
+                                      "resolved.",
+                         .law = Identity{1e-13},
+                         .window = {.from = 80.0},
+                         .reason = "the reciprocal theorem; 1e-13: rounding",
+                         .api = {"stokesbook::Closure"}},
+          .control = Control{"velocities of other points than those at which forces act",
+                             at(nodes, [=](double x) {
+                               return asymmetry(with_velocities_elsewhere(mobility(x)));
+                             })}};
+}
+
+}  // namespace
+
+Experiment symmetry() {
+  return {.key = "symmetry",
+          .title = "Symmetry of the mobility matrix",
+          .x = "nodes of each body N",
+          .error = "largest |M - M^T|, relative to the largest entry",
+          .axes = Axes::semi_log,
+          .lines = {symmetry_line("one", "03_11", "one body without symmetry", one_body,
+                                  ClosureForm::reduced),
+                    symmetry_line("three", "03_12", "three bodies", three_bodies,
+                                  ClosureForm::scaled_bordered)}};
+}
+
+}  // namespace stokesbook

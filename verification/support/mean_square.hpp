@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "closure/problem.hpp"
+
+namespace stokesbook::test {
+
+/// The matrix of a problem's dense system between mean-square norms: values at a node count with
+/// the root of its share of the curve's length, the unknowns and rows of a border as they are.
+inline Eigen::MatrixXd between_mean_squares(Eigen::MatrixXd matrix, const StokesProblem& problem) {
+  Eigen::Index row = 0;
+  for (const Component& component : problem.components) {
+    const Eigen::VectorXd w = weights(component.curve);
+    for (Eigen::Index j = 0; j < w.size(); ++j, row += 2) {
+      const double scale = std::sqrt(w[j] / w.sum());
+      matrix.middleRows(row, 2) *= scale;
+      matrix.middleCols(row, 2) /= scale;
+    }
+  }
+  return matrix;
+}
+
+}  // namespace stokesbook::test
