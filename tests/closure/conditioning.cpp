@@ -5,7 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "problems.hpp"
+#include "support/problems.hpp"
 
 namespace stokesbook::test {
 namespace {

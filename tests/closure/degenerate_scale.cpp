@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "problems.hpp"
+#include "support/problems.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -2,13 +2,13 @@
 // motion, against its closed form: reference numbers C7a and C7b, and random annuli as close as
 // the plain trapezoid rule resolves.
 
-#include "eccentric_annulus.hpp"
+#include "support/eccentric_annulus.hpp"
 
 #include <random>
 
 #include <boost/test/unit_test.hpp>
 
-#include "walls.hpp"
+#include "support/walls.hpp"
 
 namespace stokesbook::test {
 namespace {

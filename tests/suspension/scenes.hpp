@@ -8,8 +8,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "../closure/distance.hpp"
-#include "../closure/lopsided_curve.hpp"
+#include "support/distance.hpp"
+#include "support/lopsided_curve.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook::test {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../closure/problems.hpp"
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
+#include "support/problems.hpp"
 
 namespace stokesbook::test {
 

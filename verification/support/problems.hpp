@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "closure/bordered_system.hpp"
-#include "distance.hpp"
-#include "lopsided_curve.hpp"
 #include "support/dense.hpp"
+#include "support/distance.hpp"
+#include "support/lopsided_curve.hpp"
 
 namespace stokesbook::test {
 
