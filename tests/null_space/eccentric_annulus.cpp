@@ -8,18 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "support/walls.hpp"
-
 namespace stokesbook::test {
 namespace {
 
 StokesProblem problem_of(const EccentricAnnulus& annulus, double mu) {
-  return {
-      {held_body(Circle{annulus.inner_radius}, 192, {annulus.inner_centre}, annulus.inner),
-       enclosing_wall(Circle{annulus.outer_radius}, 192, {annulus.outer_centre}, annulus.outer)},
-      mu,
-      {},
-      {}};
+  return annulus_problem(annulus, mu, 192, 192);
 }
 
 }  // namespace
