@@ -9,6 +9,7 @@ namespace stokesbook {
 study::Study trapezoid_study();
 study::Study double_layer_study();
 study::Study closure_study();
+study::Study null_space_study();
 /// @}
 
 }  // namespace stokesbook

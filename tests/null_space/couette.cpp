@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/stresslet_sum.hpp"
-#include "walls.hpp"
+#include "support/walls.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -2,24 +2,17 @@
 // motion, against its closed form: reference numbers C7a and C7b, and random annuli as close as
 // the plain trapezoid rule resolves.
 
-#include "eccentric_annulus.hpp"
+#include "support/eccentric_annulus.hpp"
 
 #include <random>
 
 #include <boost/test/unit_test.hpp>
 
-#include "walls.hpp"
-
 namespace stokesbook::test {
 namespace {
 
 StokesProblem problem_of(const EccentricAnnulus& annulus, double mu) {
-  return {
-      {held_body(Circle{annulus.inner_radius}, 192, {annulus.inner_centre}, annulus.inner),
-       enclosing_wall(Circle{annulus.outer_radius}, 192, {annulus.outer_centre}, annulus.outer)},
-      mu,
-      {},
-      {}};
+  return annulus_problem(annulus, mu, 192, 192);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // in six systems of units, and the whole resistance of eccentric circles against its closed form
 // down to small gaps.
 
-#include "../null_space/eccentric_annulus.hpp"
 #include "expected.hpp"
+#include "support/eccentric_annulus.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "suspension/operator.hpp"
 
-#include "../null_space/walls.hpp"
 #include "double_layer/double_layer.hpp"
 #include "scenes.hpp"
+#include "support/walls.hpp"
 
 namespace stokesbook::test {
 namespace {

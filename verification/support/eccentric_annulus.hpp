@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "closure/closure.hpp"
+#include "support/walls.hpp"
 
 namespace stokesbook::test {
 
@@ -42,6 +42,17 @@ inline Load inner_load(const EccentricAnnulus& annulus, double mu) {
   const auto fx = static_cast<double>(scale * f);
   const auto fy = static_cast<double>(scale * v / (2 * (tau - std::tanh(tau))));
   return {fx * x + fy * y, static_cast<double>(scale * (a + f * d1))};
+}
+
+/// The bounded problem of such circles: components 0 and 1 are the inner and the outer one.
+inline StokesProblem annulus_problem(const EccentricAnnulus& annulus, double mu,
+                                     Eigen::Index inner_nodes, Eigen::Index outer_nodes) {
+  const Circle inner{annulus.inner_radius}, outer{annulus.outer_radius};
+  return {{held_body(inner, inner_nodes, {annulus.inner_centre}, annulus.inner),
+           enclosing_wall(outer, outer_nodes, {annulus.outer_centre}, annulus.outer)},
+          mu,
+          {},
+          {}};
 }
 
 }  // namespace stokesbook::test

@@ -1,0 +1,17 @@
+// Study of the null space of an enclosing wall: identities of the fix, and rates between circles,
+// whose distance is known in closed form.
+#include "experiments.hpp"
+#include "studies.hpp"
+
+namespace stokesbook {
+
+study::Study null_space_study() {
+  return {.number = "04",
+          .name = "null_space",
+          .title = "Enclosing walls and their null space",
+          .experiments = {couette(), null_vectors(), without(), conditioning(), scale(),
+                          residuals(), iterations(), leak(), source(), eccentric(), density(),
+                          closing_gap(), balance(), work()}};
+}
+
+}  // namespace stokesbook
