@@ -21,7 +21,7 @@ constexpr int exit_claim_fails = 2, exit_io = 3;
 
 /// Studies in reading order.
 std::vector<study::Study> all_studies() {
-  return {trapezoid_study()};
+  return {trapezoid_study(), krylov_study()};
 }
 
 study::Provenance provenance() {

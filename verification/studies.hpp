@@ -7,6 +7,7 @@ namespace stokesbook {
 /// @name The studies, one a method: what its chapter claims, and the planted defects
 /// @{
 study::Study trapezoid_study();
+study::Study krylov_study();
 /// @}
 
 }  // namespace stokesbook
