@@ -62,13 +62,6 @@ BorderScales border_scales(const Component& component, ClosureForm form, double 
   return {{1, 1, a}, {load, load, load * a}, {1 / length, 1 / length, 1 / (length * a)}};
 }
 
-double stokeslet_gauge(const StokesProblem& problem, const Component& component, ClosureForm form) {
-  if (problem.gauge_length) return *problem.gauge_length;
-  if (form == ClosureForm::draft_bordered) return 1.0;
-  return std::sqrt(std::numbers::e) *
-         RigidModes(component.curve, component.centre).gyration_radius();
-}
-
 DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Index>& offsets) {
   const Closure closure(problem);
   const Index n = offsets.back();
@@ -105,7 +98,9 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     }
     if (component.kind == ComponentKind::enclosing_wall) continue;
     const BorderScales scales = border_scales(component, form, problem.viscosity);
-    const double gauge = stokeslet_gauge(problem, component, form);
+    // The draft has no gauge: its Stokeslet is -log(rho).
+    const double gauge = form == ClosureForm::draft_bordered ? problem.gauge_length.value_or(1.0)
+                                                             : stokeslet_gauge(problem, k);
     const VectorXd w = weights(component.curve);
     for (int mode = 0; mode < 3; ++mode, ++border) {
       const ComplexVector rigid = rigid_mode(component, mode);

@@ -64,6 +64,18 @@ bool has_net_force(const StokesProblem& problem) {
 
 }  // namespace
 
+double stokeslet_gauge(const StokesProblem& problem, std::size_t k) {
+  if (!is_bounded(problem) && problem.gauge_length) return *problem.gauge_length;
+  const std::vector<Component>& components = problem.components;
+  std::size_t owner = k;
+  if (components[k].kind == ComponentKind::free_body) {
+    owner = 0;
+    while (components[owner].kind != ComponentKind::free_body) ++owner;
+  }
+  const RigidModes modes(components[owner].curve, components[owner].centre);
+  return std::sqrt(std::numbers::e) * modes.gyration_radius();
+}
+
 Closure::Closure(const StokesProblem& problem)
     : problem_(problem), offsets_(node_offsets(problem)) {
   const bool bounded = is_bounded(problem);
@@ -72,13 +84,9 @@ Closure::Closure(const StokesProblem& problem)
     const Component& component = problem.components[k];
     nodes_.segment(offsets_[k], component.curve.size()) = component.curve.x;
     modes_.emplace_back();
-    gauges_.push_back(1.0);
+    gauges_.push_back(stokeslet_gauge(problem, k));
     if (component.kind == ComponentKind::enclosing_wall) continue;
     modes_.back().emplace(component.curve, component.centre);
-    // The gauge that makes the own block of a circle equal {-1, -1/2}; it cancels in a bounded
-    // fluid and where the total force is zero.
-    gauges_.back() = std::sqrt(std::numbers::e) * modes_.back()->gyration_radius();
-    if (!bounded && problem.gauge_length) gauges_.back() = *problem.gauge_length;
     prescribed_count_ += is_prescribed(component) ? 1 : 0;
   }
   free_uniform_velocity_ = !bounded && !problem.gauge_length && prescribed_count_ > 0;

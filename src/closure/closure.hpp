@@ -14,19 +14,35 @@ namespace stokesbook {
 /// Force and torque of a component on the fluid.
 struct Load {
   Complex force;        ///< force / length
-  double torque = 0.0;  ///< about the component's centre, counter-clockwise
+  double torque = 0.0;  ///< about the component's centre, counter-clockwise, force
 };
 
 /// Everything that a density says about one problem.
 struct Completion {
   std::vector<RigidMotion> motions;  ///< of free bodies; zero for other components
   std::vector<Load> loads;           ///< of every component, the enclosing wall included
-  Complex uniform_velocity;          ///< velocity of the fluid at infinity beside the background
+  Complex uniform_velocity;  ///< of the fluid at infinity beside the background, length / time
 };
 
 /// Sets the load of an enclosing wall: stress is divergence-free, so the wall holds what all others
 /// push.
+///
+/// @param  problem     its components
+/// @param  completion  with the loads of all inner components
+/// @return             the same with the wall's load; unchanged where no wall encloses the fluid
 Completion with_balance(const StokesProblem& problem, Completion completion);
+
+/// Chooses the gauge length of a component's Stokeslet: the problem's, where an unbounded fluid has
+/// one.
+///
+/// Else \f$ \ell = \sqrt e\, a \f$, which makes the own block of a prescribed circle equal
+/// {-1, -1/2}; it cancels in a bounded fluid, and where a uniform velocity is free. All free bodies
+/// share the first one's: where their forces balance, one gauge cancels and several would leave a
+/// uniform flow.
+/// @param  problem  its components
+/// @param  k        the component
+/// @return          length
+double stokeslet_gauge(const StokesProblem& problem, std::size_t k);
 
 /// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
 ///
@@ -46,22 +62,38 @@ Completion with_balance(const StokesProblem& problem, Completion completion);
 /// velocity at infinity, which the Stokeslets' different gauges share in:
 /// \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
 /// @par Accuracy  that of the rule: geometric in the nodes
+/// @par Cost      n_w n Stokeslets and rotlets for n_w loaded components, else O(n)
 class Closure {
  public:
-  /// @throws std::invalid_argument when an unbounded problem has a net force and no gauge length
+  /// Prepares the rigid motions of all inner components.
+  ///
+  /// @param  problem  components with their data, n nodes in all
+  /// @throws std::invalid_argument when an unbounded problem has a net force, and neither a gauge
+  ///                  length nor a prescribed component
   explicit Closure(const StokesProblem& problem);
 
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          the rest at all n nodes, length / time
   ComplexVector without_rigid_part(const ComplexVector& density) const;
 
   /// Evaluates what the closure adds at the nodes: \f$ -P\eta \f$ on free bodies, singularities and
   /// uniform velocity of the prescribed components everywhere. Linear in the density.
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          velocities at all n nodes, length / time
   ComplexVector velocity(const ComplexVector& density) const;
 
   /// Assembles the right-hand side of the system.
+  ///
+  /// @return velocities at all n nodes, length / time
   ComplexVector right_hand_side() const;
 
   /// Extracts motions and loads from a solution.
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          motions and loads of every component
   Completion complete(const ComplexVector& density) const;
 
   /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
@@ -69,6 +101,7 @@ class Closure {
   /// @param  completion  from complete()
   /// @param  targets     points in the fluid, length
   /// @return             velocities without background and double layer, length / time
+  /// @par Cost           a Stokeslet and a rotlet a target and loaded component
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:

@@ -20,9 +20,9 @@ enum class ComponentKind {
 
 /// One closed curve of the boundary with its data.
 struct Component {
-  ComponentKind kind = ComponentKind::free_body;
-  Curve curve;             ///< placed nodes; side fits the kind
-  Complex centre;          ///< c, inside the curve: forces act here, torques are about it
+  ComponentKind kind = ComponentKind::free_body;  ///< what is given
+  Curve curve;                                    ///< placed nodes; side fits the kind
+  Complex centre;          ///< c, inside the curve: forces act here, torques are about it; length
   Complex force;           ///< on the fluid, force / length (free bodies)
   double torque = 0.0;     ///< on the fluid about the centre, force (free bodies)
   ComplexVector velocity;  ///< at the nodes, length / time (prescribed and enclosing_wall)
@@ -31,19 +31,27 @@ struct Component {
 /// A boundary value problem of Stokes flow around rigid bodies and walls, at one instant.
 struct StokesProblem {
   std::vector<Component> components;  ///< densities are ordered by component, then node
-  double viscosity = 1.0;
-  ComplexVector background;            ///< undisturbed velocity at all nodes; empty: none
+  double viscosity = 1.0;             ///< mu, force time / length^2
+  ComplexVector background;  ///< undisturbed velocity at all nodes, length / time; empty: none
   std::optional<double> gauge_length;  ///< unbounded fluid: Stokeslets are -log(r / gauge_length)
 };
 
-/// Position of each component's first node in the vector of all nodes; one more entry holds the
-/// total.
+/// Returns the position of each component's first node in the vector of all nodes.
+///
+/// @param  problem  components in order
+/// @return          one entry a component, and one more with the number of all nodes
 std::vector<Eigen::Index> node_offsets(const StokesProblem& problem);
 
-/// True when a wall encloses the fluid.
+/// Tells whether a wall encloses the fluid.
+///
+/// @param  problem  its components
+/// @return          true when one is an enclosing wall
 bool is_bounded(const StokesProblem& problem);
 
-/// Sum of the forces given on free bodies, force / length.
+/// Adds up the forces given on free bodies.
+///
+/// @param  problem  its components
+/// @return          total force on the fluid, force / length
 Complex total_given_force(const StokesProblem& problem);
 
 /// @}

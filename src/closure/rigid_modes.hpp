@@ -23,17 +23,28 @@ struct RigidMotion {
 ///     a^2 = \langle|x-b|^2\rangle. \f]
 class RigidModes {
  public:
-  /// @param  curve   nodes
+  /// Prepares the projection of one curve.
+  ///
+  /// @param  curve   N nodes
   /// @param  centre  c, the point about which motions are reported, length
+  /// @par Cost       O(N), as each projection
   RigidModes(const Curve& curve, Complex centre);
 
   /// Projects a density: the rigid motion about the centre that is nearest in the mean square.
+  ///
+  /// @param  density  at the N nodes, length / time
+  /// @return          motion about the centre
+  /// @par Accuracy    that of the rule: geometric in N; exact for rigid motions
   RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
 
   /// Evaluates a rigid motion at the nodes.
+  ///
+  /// @param  motion  about the centre
+  /// @return         velocities at the N nodes, length / time
   ComplexVector at_nodes(const RigidMotion& motion) const;
 
-  /// a, the root mean square distance of the curve from its centroid, length.
+  /// Returns the root mean square distance of the curve from its centroid.
+  /// @return a, length
   double gyration_radius() const { return gyration_radius_; }
 
  private:

@@ -17,11 +17,13 @@ namespace stokesbook {
 /// @param  curve    nodes
 /// @param  density  at the nodes, length / time
 /// @return          velocities at the nodes, length / time
+/// @par Cost      O(N)
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
 
 /// Assembles the double layer of a curve on itself, \f$ D[\eta](x_i) \f$ by the trapezoid rule.
 ///
-/// The principal value: the limit from the fluid is \f$ -\frac12\eta + D\eta \f$.
+/// The integral at the nodes, where the kernel is smooth; the limit from the fluid is
+/// \f$ -\frac12\eta + D\eta \f$.
 /// @param  curve  N nodes
 /// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
 /// @par Accuracy  geometric in N for analytic curves and densities
@@ -30,11 +32,12 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 
 /// Assembles the double layer of several curves on all their nodes, by the trapezoid rule.
 ///
-/// @param  curves  n nodes in all, no two of them at the same place
+/// @param  curves  n nodes in all, no two nodes at the same place
 /// @return         2n x 2n, dimensionless; curve by curve, interleaved; blocks of one curve are
 ///                 those of double_layer_matrix() of that curve
 /// @par Accuracy  geometric in the distance of two curves over the node spacing
 /// @par Cost      n^2 kernel evaluations
+/// @par Not for   curves nearer to each other than about 5 node spacings: use NearCorrection
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
 
 /// Measures how well a curve's nodes resolve its own double layer: the residual of
@@ -49,11 +52,19 @@ Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
 double rigid_motion_residual(const Curve& curve);
 
 /// Views plane vectors as a real vector (x_0, y_0, x_1, y_1, ...): the same memory.
+///
+/// @param  v  N plane vectors, which must outlive the view
+/// @return    2N numbers, unit of v
+/// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
   return {reinterpret_cast<const double*>(v.data()), 2 * v.size()};
 }
 
 /// Views a real vector (x_0, y_0, x_1, y_1, ...) as plane vectors: the same memory.
+///
+/// @param  v  2N numbers, which must outlive the view
+/// @return    N plane vectors, unit of v
+/// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};
 }

@@ -11,7 +11,7 @@ namespace stokesbook {
 /// @{
 
 /// Evaluates the stresslet kernel \f$ \frac1\pi \frac{(r\cdot n)(r\cdot\eta)}{\rho^4} r \f$,
-/// velocity of the double layer per unit length of curve.
+/// velocity of the double layer per unit length of curve, with \f$ \rho = |r| \f$.
 ///
 /// @param  r    target minus source, length, not zero
 /// @param  n    unit normal at the source, out of the fluid
@@ -25,11 +25,11 @@ inline Complex stresslet(Complex r, Complex n, Complex eta) {
 /// Evaluates the Stokeslet
 /// \f$ \frac{1}{4\pi\mu}\left[-\log\frac{\rho}{\ell} F + \frac{r (r\cdot F)}{\rho^2}\right] \f$.
 ///
-/// @param  r    target minus source, length, not zero
-/// @param  force  force on the fluid, force / length
-/// @param  mu   viscosity
-/// @param  ell  gauge length: the radius at which the logarithm vanishes
-/// @return      velocity, length / time
+/// @param  r      target minus source, length, not zero
+/// @param  force  F on the fluid, force / length
+/// @param  mu     viscosity, force time / length^2
+/// @param  ell    gauge length: the radius at which the logarithm vanishes
+/// @return        velocity, length / time
 inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
   const double rho = std::abs(r);
   return (-std::log(rho / ell) * force + r * (dot(r, force) / (rho * rho))) /
@@ -39,8 +39,8 @@ inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
 /// Evaluates the rotlet \f$ \frac{L\, r^\perp}{4\pi\mu\rho^2} \f$.
 ///
 /// @param  r       target minus source, length, not zero
-/// @param  torque  counter-clockwise torque on the fluid, force
-/// @param  mu      viscosity
+/// @param  torque  L, counter-clockwise, on the fluid, force
+/// @param  mu      viscosity, force time / length^2
 /// @return         velocity, length / time
 inline Complex rotlet(Complex r, double torque, double mu) {
   return perp(r) * (torque / (4.0 * std::numbers::pi * mu * std::norm(r)));

@@ -25,12 +25,15 @@ enum class KernelStorage {
 /// zero, whose limit is diagonal_velocity(), and keeps the terms of other curves' nearly touching
 /// nodes of the size of the density, so that a near correction, which subtracts this sum again,
 /// does not cancel.
-/// @par Accuracy  of the rule: geometric in the distance over the node spacing; see near_singular
-/// for near targets
+/// @par Accuracy  of the rule: geometric in the distance over the node spacing
 /// @par Cost      one kernel evaluation a pair; results do not depend on the number of threads
 class StressletSum {
  public:
-  /// Plans the sum over all nodes of the curves, in order.
+  /// Plans the sum over all nodes of the curves.
+  ///
+  /// @param  curves   n nodes in all, in this order
+  /// @param  storage  where the kernel is kept
+  /// @par Cost        O(n); stored: n^2 kernel evaluations and 32 n^2 bytes
   explicit StressletSum(const std::vector<Curve>& curves,
                         KernelStorage storage = KernelStorage::streamed);
 
@@ -38,6 +41,7 @@ class StressletSum {
   ///
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          velocities at the same nodes, length / time
+  /// @par Cost        n^2 kernel evaluations, or 4 n^2 multiplications by the stored matrix
   ComplexVector operator()(const ComplexVector& density) const;
 
   /// Evaluates the sum elsewhere, without storing a matrix.
@@ -45,14 +49,18 @@ class StressletSum {
   /// @param  targets  points, length
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          velocities at the targets, length / time
+  /// @par Cost        m n kernel evaluations for m targets
+  /// @par Not for     targets nearer than about 5 node spacings: add a NearCorrection
   ComplexVector operator()(const ComplexVector& targets, const ComplexVector& density) const;
 
-  /// Number of nodes.
+  /// Counts the nodes.
+  /// @return n
   Eigen::Index size() const { return x_.size(); }
 
   /// Chooses by the measured break-even: stored where the matrix stays in the fast cache.
   ///
   /// @param  n_nodes  number of nodes in the sum
+  /// @return          storage for which repeated application is faster
   static KernelStorage automatic_storage(Eigen::Index n_nodes);
 
  private:

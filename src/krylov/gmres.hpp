@@ -21,10 +21,10 @@ struct GmresOptions {
 
 /// Solution and history.
 struct GmresResult {
-  Eigen::VectorXd solution;
-  int iterations = 0;      ///< dimension of the Krylov space
-  bool converged = false;  ///< the recurrence's residual met the tolerance
-  double residual = 0.0;   ///< true relative residual |b - A x| / |b|
+  Eigen::VectorXd solution;  ///< x, as long as b
+  int iterations = 0;        ///< dimension of the Krylov space
+  bool converged = false;    ///< the recurrence's residual met the tolerance
+  double residual = 0.0;     ///< true relative residual |b - A x| / |b|
   std::vector<double>
       history;  ///< relative residual by the recurrence, before and after each iteration
 };
@@ -41,8 +41,9 @@ struct GmresResult {
 /// @param  precondition  r -> M^{-1} r; empty: none
 /// @param  b             right-hand side, finite
 /// @param  options       when to stop
-/// @throws std::domain_error when A x is not finite, or when the solution does not have the
-///                           residual that the recurrence converged to, as A is singular to rounding
+/// @return               solution and history; a solution that has not converged is returned too
+/// @throws std::domain_error when b or A x is not finite, or when the solution does not have the
+///                residual that the recurrence converged to, as A is singular to rounding
 /// @par Cost  iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of memory
 /// for k iterations
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856

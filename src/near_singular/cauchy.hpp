@@ -35,13 +35,16 @@ struct CauchyData {
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class CauchyCurve {
  public:
-  /// Prepares the matrices of one curve in its own frame. Cost: O(N^3) multiplications, 64 N^2
-  /// bytes.
+  /// Prepares the matrices of one curve.
+  ///
+  /// @param  reference  N nodes, in the curve's own frame
+  /// @par Cost          O(N^3) multiplications, 64 N^2 bytes
   explicit CauchyCurve(const Curve& reference);
 
   /// Computes the node values for densities given in the curve's frame, one a column.
   ///
   /// @param  densities  N x k, length / time
+  /// @return            limit and phi, N x k, length / time; dphi, N x k, 1 / time
   /// @par Cost          12 N^2 k real multiplications
   CauchyData data(const Eigen::MatrixXcd& densities) const;
 
@@ -57,17 +60,24 @@ class CauchyCurve {
   /// Evaluates what the trapezoid rule gives instead, see StressletSum.
   ///
   /// @param  density  at the nodes, in the curve's frame, length / time
-  /// @param  targets  in the curve's frame, length
+  /// @param  targets  m points, in the curve's frame, length
+  /// @return          m velocities in the curve's frame, length / time
+  /// @par Cost        m N kernel evaluations
   ComplexVector trapezoid_velocity(const ComplexVector& density,
                                    const ComplexVector& targets) const {
     return trapezoid_(targets, density);
   }
 
-  /// Tells on which side of the curve a point of its frame lies: true in the fluid,
-  /// \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
+  /// Tells on which side of the curve a point lies, by \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
+  ///
+  /// @param  point  in the curve's frame, length
+  /// @return        true in the fluid and on a node
+  /// @par Accuracy  the border is the curve, between nodes too, once its shape is resolved
+  /// @par Cost      O(N)
   bool in_fluid(Complex point) const;
 
-  /// The nodes.
+  /// Returns the nodes.
+  /// @return N nodes, in the curve's own frame
   const Curve& curve() const { return curve_; }
 
  private:

@@ -14,26 +14,35 @@ namespace stokesbook {
 struct SmoothCurve {
   Curve nodes;  ///< placed
   std::shared_ptr<const TrigonometricPolynomial>
-      reference;  ///< interpolant in the curve's own frame
-  Complex position;
-  double orientation = 0.0;
+      reference;             ///< interpolant in the curve's own frame
+  Complex position;          ///< of the frame's origin, length
+  double orientation = 0.0;  ///< radians, counter-clockwise
 
   /// Evaluates point and derivatives at a parameter, in the plane.
+  ///
+  /// @param  t  parameter, radians
+  /// @return    x, x' and x'' at t, length
+  /// @par Cost  O(N)
   TrigonometricPolynomial::Jet at(double t) const;
 };
 
 /// Where two curves come closest.
 struct ClosestPoints {
   double gap = 0.0;  ///< distance through the fluid; when the curves overlap, minus about the depth
-  double parameter_a = 0.0, parameter_b = 0.0;
-  Complex point_a, point_b;
+  double parameter_a = 0.0,  ///< of point_a on its curve, radians
+      parameter_b = 0.0;     ///< of point_b on its curve, radians
+  Complex point_a,           ///< on the one curve, length
+      point_b;               ///< on the other curve, length
 };
 
-/// Finds the least distance of two curves through the fluid between them.
+/// Measures the least distance of two curves through the fluid between them.
 ///
 /// Node distances give the candidates; Newton's method minimises the height of one curve over the
 /// other, which is regular at contact and beyond it. Curves that touch or overlap are told from
 /// near ones wherever their nodes are.
+/// @param  a  one curve, N_a nodes
+/// @param  b  the other, N_b nodes
+/// @return    gap and where it is
 /// @par Accuracy  rounding of the positions, gaps of 1e-8 included
 /// @par Cost      N_a N_b distances, O(N_a + N_b) a Newton step
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);

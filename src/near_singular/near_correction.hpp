@@ -12,9 +12,9 @@ namespace stokesbook {
 
 /// A curve placed in the plane: the shared reference and where it is.
 struct PlacedCauchyCurve {
-  std::shared_ptr<const CauchyCurve> reference;
-  Complex position;
-  double orientation = 0.0;
+  std::shared_ptr<const CauchyCurve> reference;  ///< shared by all curves of one shape
+  Complex position;                              ///< of the reference's origin, length
+  double orientation = 0.0;                      ///< radians, counter-clockwise
 };
 
 /// Whose nodes the targets of a near correction are.
@@ -34,9 +34,10 @@ class NearCorrection {
   /// Finds the near targets of every curve.
   ///
   /// @param  curves     placed curves, in the order of the densities
-  /// @param  targets    points, length
+  /// @param  targets    m points, length
   /// @param  kind       what the targets are
-  /// @param  tolerance  of velocities relative to densities; decides which targets are near
+  /// @param  tolerance  of velocities relative to densities, > 0; decides which targets are near
+  /// @par Cost          a bounding-circle test a target and curve, O(N) for a target inside it
   NearCorrection(std::vector<PlacedCauchyCurve> curves, const ComplexVector& targets, Targets kind,
                  double tolerance);
 
@@ -44,14 +45,17 @@ class NearCorrection {
   /// target.
   ///
   /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          velocities at the targets, length / time
+  /// @return          velocities at the m targets, length / time
   ComplexVector operator()(const ComplexVector& density) const;
 
  private:
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
   struct NearTargets {
     std::vector<Eigen::Index> index;  // which targets
     ComplexVector local;              // in the source's frame
   };
+  /// @endcond
   NearTargets find_targets(std::size_t source, const ComplexVector& targets, Targets kind,
                            double tolerance) const;
 

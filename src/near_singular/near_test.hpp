@@ -15,9 +15,15 @@ namespace stokesbook {
 /// @param  node    j, the nearest node for good accuracy
 /// @param  target  z, length
 /// @return         s, dimensionless
+/// @par Accuracy   second order in the distance over the radius of curvature
 Complex preimage(const Curve& curve, Eigen::Index node, Complex target);
 
-/// Returns the index of the node nearest to a point.
+/// Finds the node nearest to a point.
+///
+/// @param  curve   N nodes
+/// @param  target  point, length
+/// @return         its index, 0 to N - 1
+/// @par Cost       O(N)
 Eigen::Index nearest_node(const Curve& curve, Complex target);
 
 /// Returns \f$ N|\mathrm{Im}\,s| \f$ below which the trapezoid rule misses a relative tolerance:
@@ -25,19 +31,28 @@ Eigen::Index nearest_node(const Curve& curve, Complex target);
 ///
 /// Measured on resolved circles, ellipses and stars: error <= 200 exp(-N |Im s|) down to rounding,
 /// typically 10 to 20 times less.
+/// @param  tolerance  relative to the density, > 0
+/// @return            bound of N |Im s|, dimensionless
 double near_cut(double tolerance);
 
 /// Decides before any density is known whether the trapezoid rule of a curve is too coarse at a
 /// target.
 ///
-/// @param  curve      nodes
+/// @param  curve      N nodes
 /// @param  target     point of the fluid, length
 /// @param  tolerance  relative to the density, > 0
+/// @return            true when the rule is expected to miss the tolerance
+/// @par Cost          O(N)
 bool is_near(const Curve& curve, Complex target, double tolerance);
 
-/// Returns a distance from the curve beyond which no target is near, length:
+/// Returns a distance from the curve beyond which no target is near:
 /// \f$ \max(|x'||s| + \frac12|x''||s|^2) \f$ with \f$ N\,\mathrm{Im}\,s = cut \f$ and
 /// \f$ N|\mathrm{Re}\,s| \le \pi \f$, as the node is the nearest.
+///
+/// @param  curve      N nodes
+/// @param  tolerance  as of is_near()
+/// @return            distance, length
+/// @par Cost          O(N)
 double near_reach(const Curve& curve, double tolerance);
 
 /// @}

@@ -20,9 +20,16 @@ namespace stokesbook {
 /// @param  wall     the enclosing wall
 /// @param  density  at its nodes, length / time
 /// @return          velocities at its nodes, length / time
+/// @par Accuracy    that of the rule: geometric in N
+/// @par Cost        O(N)
+/// @par Not for     inner walls and bodies, whose flux the wall's fix balances
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);
 
-/// Assembles the matrix of null_space_velocity(), 2N x 2N, interleaved.
+/// Assembles the matrix of null_space_velocity().
+///
+/// @param  wall  the enclosing wall, N nodes
+/// @return       2N x 2N, of rank 1, dimensionless; vectors are interleaved (x_0, y_0, ...)
+/// @par Cost     4 N^2 entries
 Eigen::MatrixXd null_space_matrix(const Curve& wall);
 
 /// Computes the net flux of the prescribed velocities out of the fluid,
@@ -30,11 +37,15 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall);
 ///
 /// Rigid bodies carry none. An incompressible fluid needs Q = 0 where a wall encloses it; otherwise
 /// the system solves for \f$ g - nQ/|\Gamma_0| \f$ on the wall without a sign of trouble.
-/// @return  flux, length^2 / time
+/// @param  problem  velocities of its prescribed components and walls
+/// @return          flux, length^2 / time
+/// @par Accuracy    that of the rule: geometric in the nodes
 double net_flux(const StokesProblem& problem);
 
-/// Computes the size that net_flux() is to be compared with, \f$ \int_{\partial\Omega} |g|\,ds \f$,
-/// length^2 / time.
+/// Computes the size that net_flux() is to be compared with, \f$ \int_{\partial\Omega} |g|\,ds \f$.
+///
+/// @param  problem  velocities of its prescribed components and walls
+/// @return          length^2 / time, >= |net_flux()|
 double flux_scale(const StokesProblem& problem);
 
 /// @}

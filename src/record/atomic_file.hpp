@@ -10,26 +10,42 @@ namespace stokesbook {
 /// @{
 
 /// What a file that has just been written is safe from; a power cut costs some milliseconds.
-enum class SafeFrom { kill, power_cut };
+enum class SafeFrom {
+  kill,      ///< the program may stop at any moment
+  power_cut  ///< the machine too: waits for the disk
+};
 
 /// Replaces a file by a new one holding text: at every moment the path holds the old file or the
 /// new one, whole.
 ///
 /// The text passes through `<path>.partial`, which a kill may leave behind.
+/// @param  path    of the file, new or old
+/// @param  text    all that it is to hold
+/// @param  danger  what it is to be safe from when this returns
 /// @throws RecordError when the disk does not take it; the old file then stays
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger);
 
-/// Returns whether a path is that of a file which write_atomically had not finished.
+/// Tells whether a path is that of a file which write_atomically() had not finished.
+///
+/// @param  path  of any file
+/// @return       true when its name ends in `.partial`
 bool is_partial(const std::filesystem::path& path);
 
 /// Makes a file that was written safe from a power cut.
+///
+/// @param  path  of the file
 /// @throws RecordError when the disk does not take it
 void sync_file(const std::filesystem::path& path);
 
 /// Makes the names of a directory's files safe from a power cut, on file systems that can.
+///
+/// @param  directory  whose names; nothing happens where it cannot be opened
 void sync_names(const std::filesystem::path& directory);
 
 /// Returns what a file holds.
+///
+/// @param  path  of the file
+/// @return       its bytes
 /// @throws RecordError when it cannot be read
 std::string read_text(const std::filesystem::path& path);
 

@@ -12,20 +12,33 @@ namespace stokesbook {
 
 /// @name The tables of a run: a header line, then rows of numbers that restore the values exactly
 /// @{
+
+/// Header of `trajectory.csv`.
 inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n";
+/// Header of `walls.csv`.
 inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
+/// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,error_estimate,"
     "seconds\n";
 /// @}
 
-/// Returns one line a body.
+/// Writes the bodies of a frame.
+///
+/// @param  frame  configuration at a written time
+/// @return        one line a body, as trajectory_header says
 std::string trajectory_rows(const Frame& frame);
 
-/// Returns one line a wall.
+/// Writes the walls of a frame.
+///
+/// @param  frame  configuration at a written time
+/// @return        one line a wall, as walls_header says
 std::string wall_rows(const Frame& frame);
 
-/// Returns one line.
+/// Writes a step.
+///
+/// @param  step  what it did
+/// @return       one line, as steps_header says
 std::string step_row(const StepInfo& step);
 
 /// @}

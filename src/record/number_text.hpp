@@ -9,15 +9,25 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Appends x with 17 significant digits, which restore it exactly, whatever the locale.
+/// Appends a number with 17 significant digits, which restore it exactly, whatever the locale.
+///
+/// @param  text  grows
+/// @param  x     any number, `inf` and `nan` included
 void append_number(std::string& text, double x);
 
 /// Appends an integer.
+///
+/// @param  text  grows
+/// @param  n     any integer
 void append_number(std::string& text, std::integral auto n) {
   text += std::to_string(n);
 }
 
-/// Returns x with at most the given number of significant digits, for people.
+/// Writes a number for people.
+///
+/// @param  x       any number
+/// @param  digits  significant digits at most
+/// @return         text without trailing zeros, `0.0125` or `1.25e-10`
 std::string short_number(double x, int digits = 3);
 
 /// @}

@@ -11,14 +11,24 @@ namespace stokesbook {
 
 /// A closed curve in its own frame, as it is drawn.
 struct Outline {
-  ComplexVector points;   ///< in order along the curve, the last not a repetition of the first
+  ComplexVector
+      points;  ///< in order along the curve, the last not a repetition of the first, length
   bool encloses = false;  ///< true: the fluid lies inside (outer wall)
 };
 
 /// Returns the points of an outline in the laboratory frame, \f$ c + e^{i\theta} x \f$.
+///
+/// @param  outline      in its own frame
+/// @param  position     c, length
+/// @param  orientation  theta, radians, counter-clockwise
+/// @return              points in the outline's order, length
 ComplexVector placed(const Outline& outline, Complex position, double orientation);
 
 /// Checks that every body and wall of a frame has its outline.
+///
+/// @param  frame   states of bodies and walls
+/// @param  bodies  outlines in the order of frame.bodies
+/// @param  walls   outlines in the order of frame.walls
 /// @throws std::invalid_argument when the numbers differ
 void require_outlines(const Frame& frame, const std::vector<Outline>& bodies,
                       const std::vector<Outline>& walls);

@@ -12,7 +12,7 @@ namespace stokesbook {
 
 /// How a picture looks.
 struct PictureOptions {
-  std::string title;
+  std::string title;     ///< above the picture and for screen readers; may be empty
   double width = 760.0;  ///< of the whole picture, pixels
 };
 
@@ -24,6 +24,7 @@ struct PictureOptions {
 /// @param  bodies   outlines in the order of frame.bodies
 /// @param  walls    outlines in the order of frame.walls
 /// @param  options  title and size
+/// @return          an SVG document
 /// @throws std::invalid_argument when the numbers of outlines and states differ, or there is
 ///                               nothing to draw
 std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,

@@ -16,7 +16,7 @@ struct BodyState {
   Complex velocity;          ///< length / time
   double omega = 0.0;        ///< counter-clockwise, 1 / time
   Complex force;             ///< by the body on the fluid, force / length
-  double torque = 0.0;       ///< by the body on the fluid, about position, counter-clockwise
+  double torque = 0.0;       ///< by the body on the fluid, about position, counter-clockwise, force
 };
 
 /// A wall at one time, in the user's units.
@@ -24,28 +24,28 @@ struct WallLoad {
   Complex position;          ///< length
   double orientation = 0.0;  ///< radians, counter-clockwise
   Complex force;             ///< by the wall on the fluid, force / length
-  double torque = 0.0;       ///< by the wall on the fluid, about position, counter-clockwise
+  double torque = 0.0;       ///< by the wall on the fluid, about position, counter-clockwise, force
 };
 
 /// The configuration at a written time.
 struct Frame {
-  double t = 0.0;
-  std::vector<BodyState> bodies;
-  std::vector<WallLoad> walls;
+  double t = 0.0;                 ///< time
+  std::vector<BodyState> bodies;  ///< in the scene's order
+  std::vector<WallLoad> walls;    ///< in the scene's order
 };
 
 /// What one time step did.
 struct StepInfo {
-  double t = 0.0;   ///< time at the end of the step
-  double dt = 0.0;  ///< length of the step
-  int gmres_iterations = 0;
-  int matvecs = 0;
-  int ncp_iterations = 0;
+  double t = 0.0;               ///< time at the end of the step
+  double dt = 0.0;              ///< length of the step, time
+  int gmres_iterations = 0;     ///< of all its solves
+  int matvecs = 0;              ///< applications of the operator
+  int ncp_iterations = 0;       ///< of the contact solver; 0 without contact
   int contacts = 0;             ///< pairs in contact
-  double min_gap = 0.0;         ///< least distance of two curves, length
-  double residual = 0.0;        ///< relative, of the last linear solve
-  double error_estimate = 0.0;  ///< of the time step
-  double seconds = 0.0;         ///< wall time
+  double min_gap = 0.0;         ///< least distance of two curves, length; infinite for a single one
+  double residual = 0.0;        ///< largest relative residual of its linear solves
+  double error_estimate = 0.0;  ///< largest of its solves: of velocities, relative to their scale
+  double seconds = 0.0;         ///< wall time of its solves
 };
 
 /// @}

@@ -29,7 +29,10 @@ struct RunContents {
 };
 
 /// What happens to a run that a directory holds already.
-enum class ExistingRun { refuse, overwrite };
+enum class ExistingRun {
+  refuse,    ///< it stays, and create() throws
+  overwrite  ///< its files are removed
+};
 
 struct ResumedRun;
 
@@ -44,36 +47,56 @@ class RunDirectory {
   /// Makes the directory, if need be, and the tables with their headers.
   ///
   /// Overwriting removes the files that a run writes and no others. An old scene.toml stays until
-  /// write_text replaces it: the new run may have been started from it.
+  /// write_text() replaces it: the new run may have been started from it.
+  /// @param  path      of the directory
+  /// @param  contents  what the run is about
+  /// @param  existing  what to do with a run that is there already
+  /// @return           the directory, without frames and steps
   /// @throws RecordError when the directory cannot be written, or holds a run (checkpoint, run.json
   ///         or trajectory.csv) that is not to be overwritten
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
   /// Goes back to the last checkpoint: tables and frames written after it are dropped.
-  /// @throws RecordError when there is no whole checkpoint, or it is of another scene
+  ///
+  /// @param  path      of the directory
+  /// @param  contents  as create() had them
+  /// @return           the directory and the checkpoint to go on from
+  /// @throws RecordError when there is no whole checkpoint, it is of another scene, or a table is
+  ///         missing or shorter than it says
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
   /// Adds a written time to all files asked for.
+  ///
+  /// @param  frame  the configuration at that time
   /// @throws std::invalid_argument when the frame has other bodies or walls than the contents
   /// @throws RecordError when the disk does not take it; what was written before stays valid
   void write_frame(const Frame& frame);
 
   /// Adds a row to steps.csv.
+  ///
+  /// @param  step  what it did
   /// @throws RecordError when the disk does not take it
   void write_step(const StepInfo& step);
 
   /// Makes all that was written so far, and the checkpoint, permanent.
+  ///
+  /// @param  checkpoint  what the solver can go on from
+  /// @throws std::invalid_argument when a name of the history is not one word
   /// @throws RecordError when the disk does not take it; the last checkpoint then stays
   /// @par Cost  a wait for the disk, some milliseconds, for each table and each other file written
   ///            since the last call
   void save(const Checkpoint& checkpoint);
 
   /// Replaces a file by text, as a whole and at once safe from a power cut.
+  ///
+  /// @param  name  of the file in the directory
+  /// @param  text  all that it is to hold
   /// @throws RecordError when the disk does not take it
   void write_text(const std::string& name, std::string_view text) const;
 
-  /// Returns the number of frames written so far.
+  /// Counts the frames written so far.
+  /// @return their number, those before a resumption included
   std::size_t frame_count() const { return frame_times_.size(); }
 
  private:
@@ -94,8 +117,8 @@ class RunDirectory {
 
 /// A run opened at its last checkpoint.
 struct ResumedRun {
-  RunDirectory directory;
-  Checkpoint checkpoint;
+  RunDirectory directory;  ///< cut back to the checkpoint
+  Checkpoint checkpoint;   ///< what the solver goes on from
 };
 
 /// @}

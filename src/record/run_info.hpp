@@ -10,28 +10,31 @@ namespace stokesbook {
 
 /// What a run has cost.
 struct RunTotals {
-  long long steps = 0;
-  long long solves = 0;
-  long long gmres_iterations = 0;
-  long long matvecs = 0;
+  long long steps = 0;             ///< of time
+  long long solves = 0;            ///< of the linear system
+  long long gmres_iterations = 0;  ///< of all solves
+  long long matvecs = 0;           ///< applications of the operator
 };
 
 /// Where a run came from, what it decided and how it ended.
 struct RunInfo {
-  std::string version;
-  std::string git_hash;
-  std::string compiler;
-  std::string flags;
-  std::string machine;
-  int threads = 1;
+  std::string version;            ///< of the program
+  std::string git_hash;           ///< commit that was built
+  std::string compiler;           ///< name and version
+  std::string flags;              ///< of the compiler
+  std::string machine;            ///< where it ran
+  int threads = 1;                ///< in parallel regions
   std::vector<std::string> plan;  ///< one decision with its reason a line
-  RunTotals totals;
-  double wall_seconds = 0.0;
-  int exit_status = 0;
-  std::string message;  ///< how the run ended, for people
+  RunTotals totals;               ///< what it has cost
+  double wall_seconds = 0.0;      ///< how long it took
+  int exit_status = 0;            ///< of the program
+  std::string message;            ///< how the run ended, for people
 };
 
-/// Returns the text of run.json, keys in the order of the struct.
+/// Returns the text of `run.json`, keys in the order of the struct.
+///
+/// @param  info  of one run
+/// @return       a JSON object in UTF-8; bytes that are not are replaced
 std::string to_json(const RunInfo& info);
 
 /// @}

@@ -18,6 +18,7 @@ inline constexpr Requirement<std::string> csv_file_name{"the name of a CSV file"
 /// @param  name       path relative to the directory, or absolute
 /// @param  directory  folder of the scene file
 /// @param  headers    those that are right
+/// @return            its rows, at least one
 /// @throws SceneError when the file cannot be read or its table is wrong
 CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
                        std::initializer_list<std::string_view> headers);

@@ -15,8 +15,8 @@ struct CsvRow {
 
 /// Numbers in named columns.
 struct CsvTable {
-  std::string header;  ///< without spaces, "x,y,theta"
-  std::vector<CsvRow> rows;
+  std::string header;        ///< without spaces, "x,y,theta"
+  std::vector<CsvRow> rows;  ///< in file order
 };
 
 /// Parses comma-separated numbers below a header line. Blank lines and comments (`#` to the end of
@@ -25,6 +25,7 @@ struct CsvTable {
 /// @param  text       of the file
 /// @param  file_name  what messages call it
 /// @param  headers    those that are right
+/// @return            the table, with at least one row
 /// @throws SceneError naming file, line, and the column and value if they are at fault
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers);

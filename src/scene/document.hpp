@@ -29,6 +29,7 @@ struct Node {
   std::string key_where;  ///< where the key stands
   std::string where;      ///< where the value stands, "couette.toml:12:11" or "--set time.dt"
   std::string text;       ///< the value as messages show it; empty for a table
+  /// The value itself.
   std::variant<bool, std::int64_t, double, std::string, DateTime, Array, Table> value;
 };
 
@@ -36,6 +37,7 @@ struct Node {
 ///
 /// @param  text       TOML
 /// @param  file_name  what messages call it
+/// @return            the whole document, a Table
 /// @throws SceneError when the text is no TOML
 Node parse_document(std::string_view text, std::string_view file_name);
 
@@ -44,10 +46,15 @@ Node parse_document(std::string_view text, std::string_view file_name);
 /// @param  text   the value
 /// @param  path   of the value in the document it will be part of
 /// @param  where  as messages say it
+/// @return        the value, without a key
 /// @throws SceneError when the text is no single TOML value
 Node parse_value(std::string_view text, const std::string& path, const std::string& where);
 
-/// Returns the path of an entry of the table at `path`.
+/// Returns the path of an entry of a table.
+///
+/// @param  path  of the table; empty: the whole document
+/// @param  key   of the entry
+/// @return       "time.dt"
 std::string child_path(const std::string& path, std::string_view key);
 
 }  // namespace stokesbook::scene_text

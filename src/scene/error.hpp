@@ -11,6 +11,7 @@ namespace stokesbook {
 /// `couette.toml:12:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try 32)`.
 class SceneError : public std::runtime_error {
  public:
+  /// Takes the message.
   using std::runtime_error::runtime_error;
 };
 

@@ -19,6 +19,7 @@ namespace stokesbook {
 /// @param  path       of the scene file; the files it names are relative to its folder
 /// @param  overrides  values of the command line, in order, that replace or add to the file's:
 ///                    `time.dt=0.01`, `bodies.0.n_nodes=64`; path, `=`, value in TOML's syntax
+/// @return            the scene, checked
 /// @throws SceneError at the first thing that is wrong, with place, value and what would be right
 Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
@@ -27,8 +28,9 @@ Scene read_scene(const std::filesystem::path& path, std::span<const std::string>
 /// @param  text       TOML
 /// @param  file_name  what messages call the text
 /// @param  directory  what the files it names are relative to
-/// @param  overrides  as read_scene takes them
-/// @throws SceneError as read_scene does
+/// @param  overrides  as read_scene() takes them
+/// @return            the scene, checked
+/// @throws SceneError as read_scene() does
 Scene parse_scene(std::string_view text, std::string_view file_name,
                   const std::filesystem::path& directory,
                   std::span<const std::string> overrides = {});

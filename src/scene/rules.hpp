@@ -15,12 +15,24 @@
 namespace stokesbook::scene_text {
 
 /// Throws the SceneError `where: path = value: problem`, where the value stands.
+///
+/// @param  node     the value
+/// @param  problem  what is wrong with it
+/// @throws SceneError always
 [[noreturn]] void fail(const Node& node, const std::string& problem);
 
-/// The same where the key stands, for a key that should not be there at all.
+/// Throws the same where the key stands, for a key that should not be there at all.
+///
+/// @param  node     the value of the key
+/// @param  problem  what is wrong with the key
+/// @throws SceneError always
 [[noreturn]] void fail_at_key(const Node& node, const std::string& problem);
 
 /// Throws the SceneError "must be `expected`, not a string", or whatever the type of the value is.
+///
+/// @param  node      the value
+/// @param  expected  completes "must be ..."
+/// @throws SceneError always
 [[noreturn]] void fail_type(const Node& node, std::string_view expected);
 
 /// Returns a value as T, one of those below. Integers will do for double, which must be finite; a
@@ -28,9 +40,12 @@ namespace stokesbook::scene_text {
 ///
 /// @param  node      the value
 /// @param  expected  completes "must be ..."
+/// @return           the value
 /// @throws SceneError when the value has another type, saying which
 template <class T>
 T value_as(const Node& node, std::string_view expected);
+
+/// @cond
 template <>
 bool value_as(const Node& node, std::string_view expected);
 template <>
@@ -49,9 +64,13 @@ template <>
 std::array<double, 4> value_as(const Node& node, std::string_view expected);
 template <>
 std::vector<double> value_as(const Node& node, std::string_view expected);
+/// @endcond
 
 /// Returns the elements of an array.
 ///
+/// @param  node      the value
+/// @param  expected  completes "must be ..."
+/// @return           its elements, part of the node
 /// @throws SceneError when the value is no array
 const Array& elements_of(const Node& node, std::string_view expected);
 
@@ -63,10 +82,17 @@ const Array& elements_of(const Node& node, std::string_view expected);
 /// A value of type T for which a condition holds.
 template <class T>
 struct Requirement {
-  std::string_view expected;
+  std::string_view expected;  ///< completes "must be ..."
+  /// Tells whether a value is right; unless given, all are.
   bool (*holds)(const T&) = [](const T&) { return true; };
 };
 
+/// Reads a value that meets a requirement.
+///
+/// @param  node  the value
+/// @param  rule  what it must be
+/// @return       the value as T
+/// @throws SceneError when it has another type or the condition does not hold
 template <class T>
 T read(const Node& node, const Requirement<T>& rule) {
   T value = value_as<T>(node, rule.expected);
@@ -74,12 +100,19 @@ T read(const Node& node, const Requirement<T>& rule) {
   return value;
 }
 
+/// Says what a requirement asks.
+///
+/// @param  rule  the requirement
+/// @return       text that completes "must be ..."
 template <class T>
 std::string describe(const Requirement<T>& rule) {
   return std::string(rule.expected);
 }
 
 /// Lists the words, without those of later releases.
+///
+/// @param  words  all that may stand in one place
+/// @return        "outer, inner"
 template <class T, std::size_t N>
 std::string list_of(const Words<T, N>& words) {
   std::string names;
@@ -91,12 +124,21 @@ std::string list_of(const Words<T, N>& words) {
   return names;
 }
 
-/// A word that stands for a T.
+/// Says which words may stand in a place.
+///
+/// @param  words  all of them
+/// @return        text that completes "must be ..."
 template <class T, std::size_t N>
 std::string describe(const Words<T, N>& words) {
   return "one of " + list_of(words);
 }
 
+/// Reads a word that stands for a T.
+///
+/// @param  node   the value
+/// @param  words  all that may stand in its place
+/// @return        its meaning
+/// @throws SceneError when it is another word, or one of a later release
 template <class T, std::size_t N>
 T read(const Node& node, const Words<T, N>& words) {
   const std::string expected = describe(words);
@@ -111,17 +153,42 @@ T read(const Node& node, const Words<T, N>& words) {
 
 /// Number of collocation nodes of a curve.
 struct NodeCount {};
+
+/// The only rule of its kind.
 inline constexpr NodeCount node_count;
+
+/// Reads a number of collocation nodes.
+///
+/// @param  node  the value
+/// @param  rule  #node_count
+/// @return       number of nodes
+/// @throws SceneError when it is no even integer >= 8; the message names one
 int read(const Node& node, NodeCount rule);
+
+/// Says what a number of nodes must be.
+///
+/// @param  rule  #node_count
+/// @return       text that completes "must be ..."
 std::string describe(NodeCount rule);
 
+/// A Boolean.
 inline constexpr Requirement<bool> any_flag{"true or false"};
+
+/// A finite number.
 inline constexpr Requirement<double> any_number{"a number"};
+
+/// A plane vector.
 inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
+
+/// A 2 x 2 matrix.
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
     "two rows of two numbers [[a, b], [c, d]]"};
+
+/// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",
                                                      [](const double& x) { return x > 0.0; }};
+
+/// An integer >= 1.
 inline constexpr Requirement<int> positive_integer{"an integer >= 1",
                                                    [](const int& k) { return k >= 1; }};
 /// @}

@@ -18,33 +18,50 @@ namespace stokesbook {
 
 /// @name Background flows, in units of the user; x = (x, y)
 /// @{
+
 /// u = 0
 struct QuiescentFlow {
+  /// @return true when all members are equal
   bool operator==(const QuiescentFlow&) const = default;
 };
+
 /// u = velocity
 struct UniformFlow {
-  Complex velocity{};
+  Complex velocity{};  ///< length / time
+
+  /// @return true when all members are equal
   bool operator==(const UniformFlow&) const = default;
 };
+
 /// u = (rate y, 0)
 struct ShearFlow {
-  double rate = 0.0;
+  double rate = 0.0;  ///< 1 / time
+
+  /// @return true when all members are equal
   bool operator==(const ShearFlow&) const = default;
 };
+
 /// u = rate (x, -y)
 struct ExtensionalFlow {
-  double rate = 0.0;
+  double rate = 0.0;  ///< 1 / time
+
+  /// @return true when all members are equal
   bool operator==(const ExtensionalFlow&) const = default;
 };
-/// u = rate (cos x sin y, -sin x cos y)
+
+/// u = rate (cos x sin y, -sin x cos y), lengths in the user's unit
 struct TaylorGreenFlow {
-  double rate = 0.0;
+  double rate = 0.0;  ///< largest velocity, length / time
+
+  /// @return true when all members are equal
   bool operator==(const TaylorGreenFlow&) const = default;
 };
+
 /// u = gradient x, with a trace-free gradient
 struct LinearFlow {
-  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
+
+  /// @return true when all members are equal
   bool operator==(const LinearFlow&) const = default;
 };
 /// @}
@@ -55,28 +72,42 @@ using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, Exten
 
 /// @name Motions of a wall
 /// @{
+
 /// u = 0 on the wall
 struct FixedWall {
+  /// @return true when all members are equal
   bool operator==(const FixedWall&) const = default;
 };
+
 /// Rigid rotation about the wall's position
 struct RotatingWall {
   double omega = 0.0;  ///< counter-clockwise, 1 / time
+
+  /// @return true when all members are equal
   bool operator==(const RotatingWall&) const = default;
 };
+
 /// u = velocity on the wall
 struct TranslatingWall {
-  Complex velocity{};
+  Complex velocity{};  ///< length / time
+
+  /// @return true when all members are equal
   bool operator==(const TranslatingWall&) const = default;
 };
+
 /// u = gradient x on the wall, x in the laboratory frame; the curve itself stays
 struct LinearWall {
-  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
+
+  /// @return true when all members are equal
   bool operator==(const LinearWall&) const = default;
 };
+
 /// Normal velocity `speed` into the fluid, on circles; the curve itself stays
 struct RadialWall {
-  double speed = 0.0;
+  double speed = 0.0;  ///< length / time
+
+  /// @return true when all members are equal
   bool operator==(const RadialWall&) const = default;
 };
 /// @}
@@ -92,91 +123,128 @@ enum class WallRole {
 
 /// Curve with a given velocity.
 struct Wall {
-  WallRole role = WallRole::inner;
-  Shape shape{};
-  Complex position{};
-  double orientation = 0.0;  ///< radians, counter-clockwise
-  int n_nodes = 0;
-  WallMotion motion{};
+  WallRole role = WallRole::inner;  ///< where the fluid lies
+  Shape shape{};                    ///< in its own frame
+  Complex position{};               ///< of the frame's origin, length
+  double orientation = 0.0;         ///< radians, counter-clockwise
+  int n_nodes = 0;                  ///< collocation nodes, even, >= 8
+  WallMotion motion{};              ///< velocity on the curve
+
+  /// @return true when all members are equal
   bool operator==(const Wall&) const = default;
 };
 
 /// Rigid body: free under a load, or held at a given velocity.
 struct Body {
-  Shape shape{};
-  Complex position{};
+  Shape shape{};             ///< in its own frame
+  Complex position{};        ///< of the frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise
   Complex force{};           ///< external load, force / length
-  double torque = 0.0;       ///< external load about position, counter-clockwise
+  double torque = 0.0;       ///< external load about position, counter-clockwise, force
   bool held = false;         ///< true: velocity and omega prescribed, force and torque come out
-  Complex velocity{};        ///< of a held body
-  double omega = 0.0;        ///< of a held body
-  int n_nodes = 0;
+  Complex velocity{};        ///< of a held body, length / time
+  double omega = 0.0;        ///< of a held body, counter-clockwise, 1 / time
+  int n_nodes = 0;           ///< collocation nodes, even, >= 8
+
+  /// @return true when all members are equal
   bool operator==(const Body&) const = default;
 };
 
 /// Random, non-overlapping, reproducible placement of equal bodies.
 struct Fill {
-  Shape shape{};
-  std::optional<double> area_fraction{};  ///< exactly one of area_fraction and count is given
-  std::optional<int> count{};
-  std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax; none: all of the fluid
+  Shape shape{};                               ///< of each body, in its own frame
+  std::optional<double> area_fraction{};       ///< of the region, > 0 and < 1; or count is given
+  std::optional<int> count{};                  ///< bodies, >= 1; or area_fraction is given
+  std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
-  int n_nodes = 0;
+  int n_nodes = 0;                             ///< collocation nodes of each body, even, >= 8
+
+  /// @return true when all members are equal
   bool operator==(const Fill&) const = default;
 };
 
 /// How the sums over all nodes are evaluated.
-enum class Summation { automatic, direct };
+enum class Summation {
+  automatic,  ///< the plan decides
+  direct      ///< every pair of nodes
+};
+
 /// How integrals are corrected where a target is near a curve.
-enum class NearSingular { automatic, cauchy, off };
+enum class NearSingular {
+  automatic,  ///< the plan decides
+  cauchy,     ///< spectral Cauchy scheme, see CauchyCurve
+  off         ///< not at all: gaps that need it are refused
+};
+
 /// Preconditioner of GMRES.
-enum class PreconditionerKind { automatic, none, block_diagonal };
+enum class PreconditionerKind {
+  automatic,      ///< the plan decides
+  none,           ///< none
+  block_diagonal  ///< every component alone, see BlockDiagonalPreconditioner
+};
+
 /// Method that advances the bodies in time.
-enum class SteppingMethod { euler, adams_bashforth2, rk4 };
-/// What a run writes; svg is a picture of the configuration.
-enum class OutputFormat { csv, vtk, svg };
+enum class SteppingMethod {
+  euler,             ///< order 1, see euler_step()
+  adams_bashforth2,  ///< order 2, see adams_bashforth2_step()
+  rk4                ///< order 4, see runge_kutta4_step()
+};
+
+/// What a run writes.
+enum class OutputFormat {
+  csv,  ///< tables of bodies and walls
+  vtk,  ///< polygons with data, for ParaView
+  svg   ///< a picture of the latest configuration
+};
 
 /// How one instant is solved.
 struct SolverSettings {
   double tolerance = 1e-8;  ///< accuracy asked of velocities, relative to the scene's largest
-  std::optional<double> gmres_tol{};  ///< relative residual; none: follows from tolerance
-  int gmres_max_iterations = 500;
-  Summation summation = Summation::automatic;
-  NearSingular near_singular = NearSingular::automatic;
-  PreconditionerKind preconditioner = PreconditionerKind::automatic;
+  std::optional<double> gmres_tol{};           ///< relative residual; none: follows from tolerance
+  int gmres_max_iterations = 500;              ///< the solve is refused if they do not do
+  Summation summation = Summation::automatic;  ///< of the double layer
+  NearSingular near_singular = NearSingular::automatic;               ///< corrections
+  PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< of GMRES
+
+  /// @return true when all members are equal
   bool operator==(const SolverSettings&) const = default;
 };
 
 /// How a run advances in time.
 struct TimeSettings {
-  double t_final = 0.0;
-  double dt = 0.0;
-  SteppingMethod method = SteppingMethod::euler;
+  double t_final = 0.0;                           ///< end of the run, > 0; it starts at 0
+  double dt = 0.0;                                ///< longest step, > 0, time
+  SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
+
+  /// @return true when all members are equal
   bool operator==(const TimeSettings&) const = default;
 };
 
 /// What a run writes, and when.
 struct OutputSettings {
-  std::optional<double> dt_write{};  ///< none: every step
-  std::vector<OutputFormat> formats = {OutputFormat::csv};
+  std::optional<double> dt_write{};  ///< time between frames; none: every step
+  std::vector<OutputFormat> formats = {OutputFormat::csv};  ///< distinct, at least one
+
+  /// @return true when all members are equal
   bool operator==(const OutputSettings&) const = default;
 };
 
 /// Everything a scene file says, checked, with defaults filled in.
 struct Scene {
-  std::string title{};
-  std::uint64_t seed = 0;
-  double viscosity = 1.0;
-  BackgroundFlow flow{};
-  std::optional<double> gauge_length{};  ///< Stokeslets are -log(r / gauge_length)
+  std::string title{};                   ///< for people
+  std::uint64_t seed = 0;                ///< of all randomness
+  double viscosity = 1.0;                ///< mu, > 0, force time / length^2
+  BackgroundFlow flow{};                 ///< quiescent where a wall encloses the fluid
+  std::optional<double> gauge_length{};  ///< Stokeslets are -log(r / gauge_length), length
   std::vector<double> reverse_at{};      ///< ascending times > 0 at which all driving changes sign
-  std::vector<Wall> walls{};
+  std::vector<Wall> walls{};             ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
-  std::vector<Fill> fills{};
-  SolverSettings solver{};
-  std::optional<TimeSettings> time{};
-  OutputSettings output{};
+  std::vector<Fill> fills{};   ///< in file order, see with_fills_placed()
+  SolverSettings solver{};     ///< how one instant is solved
+  std::optional<TimeSettings> time{};  ///< none: one solve at t = 0
+  OutputSettings output{};             ///< what is written
+
+  /// @return true when all members are equal
   bool operator==(const Scene&) const = default;
 };
 

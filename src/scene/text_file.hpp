@@ -6,7 +6,10 @@
 
 namespace stokesbook::scene_text {
 
-/// Returns what is in a file, or nothing when it cannot be read.
+/// Returns what is in a file.
+///
+/// @param  path  of the file
+/// @return       its bytes; none when it cannot be read
 std::optional<std::string> text_of(const std::filesystem::path& path);
 
 }  // namespace stokesbook::scene_text

@@ -13,18 +13,33 @@
 namespace stokesbook::scene_text {
 
 /// Writes a number as the shortest float that gives it back exactly.
+///
+/// @param  number  any, infinite or not a number too
+/// @return         `1.0`
 std::string toml_value(double number);
 
-/// Writes [x, y].
+/// Writes a vector as [x, y].
+///
+/// @param  vector  plane vector
+/// @return         `[1.0, 2.0]`
 std::string toml_value(Complex vector);
 
-/// Writes [[a, b], [c, d]].
+/// Writes a matrix as the list of its rows.
+///
+/// @param  matrix  its rows become lists
+/// @return         `[[1.0, 2.0], [3.0, 4.0]]`
 std::string toml_value(const Eigen::Matrix2d& matrix);
 
 /// Writes text in double quotes.
+///
+/// @param  text  any; quotes, backslashes and control characters are escaped
+/// @return       `"text"`
 std::string toml_value(std::string_view text);
 
 /// Writes an integer, or true or false.
+///
+/// @param  value  number or Boolean
+/// @return        `12` or `true`
 std::string toml_value(std::integral auto value) {
   if constexpr (std::same_as<decltype(value), bool>) {
     return value ? "true" : "false";
@@ -33,34 +48,58 @@ std::string toml_value(std::integral auto value) {
   }
 }
 
-/// Writes { kind = "circle", radius = 1.0 }; points of nodal curves are written out.
+/// Writes a shape, `{ kind = "circle", radius = 1.0 }`.
+///
+/// @param  shape  any; points of nodal curves are written out
+/// @return        an inline table
 std::string toml_value(const Shape& shape);
 
-/// Writes { kind = "rotating", omega = 1.0 }.
+/// Writes a motion, `{ kind = "rotating", omega = 1.0 }`.
+///
+/// @param  motion  any
+/// @return         an inline table
 std::string toml_value(const WallMotion& motion);
 
-/// Writes [a, b, ...].
+/// Writes numbers as [a, b, ...].
+///
+/// @param  numbers  any
+/// @return          a list of floats
 std::string toml_value(std::span<const double> numbers);
 
-/// Writes [[x, y], ...].
+/// Writes points as [[x, y], ...].
+///
+/// @param  points  plane vectors
+/// @return         a list of lists
 std::string toml_value(const ComplexVector& points);
 
-/// Writes ["csv", ...].
+/// Writes formats as ["csv", ...].
+///
+/// @param  formats  any
+/// @return          a list of words
 std::string toml_value(const std::vector<OutputFormat>& formats);
 
-/// `key = value`
+/// The text `key = value`.
 struct Entry {
+  /// Writes an entry.
+  /// @param  key    its name, bare
+  /// @param  value  anything that toml_value() writes
   template <class T>
   Entry(std::string_view key, const T& value)
       : text(std::string(key) + " = " + toml_value(value)) {}
 
-  std::string text;
+  std::string text;  ///< without end of line
 };
 
 /// Writes entries one a line.
+///
+/// @param  entries  in order
+/// @return          lines, each with its end
 std::string lines(std::initializer_list<Entry> entries);
 
-/// Writes { key = value, ... }.
+/// Writes entries as an inline table.
+///
+/// @param  entries  in order
+/// @return          `{ key = value, ... }`
 std::string inline_table(std::initializer_list<Entry> entries);
 
 }  // namespace stokesbook::scene_text

@@ -13,7 +13,7 @@ namespace stokesbook::scene_text {
 /// A word of the scene file.
 template <class T>
 struct Word {
-  std::string_view name;
+  std::string_view name;     ///< as it is written
   std::optional<T> meaning;  ///< none: a later release will have it
 };
 
@@ -24,23 +24,30 @@ using Words = std::array<Word<T>, N>;
 /// Meaning of a word that a later release will have.
 inline constexpr std::nullopt_t not_yet = std::nullopt;
 
-/// Returns the word for an enumerator; each has one.
+/// Returns the word for an enumerator.
+///
+/// @param  meaning  the enumerator, which must have a word
+/// @param  words    all that may stand in one place
+/// @return          its name
 template <class T, std::size_t N>
 std::string_view name_of(T meaning, const Words<T, N>& words) {
   return std::ranges::find(words, std::optional(meaning), &Word<T>::meaning)->name;
 }
 
+/// Words of `role` in [[walls]].
 inline constexpr Words<WallRole, 2> wall_roles{{
     {"outer", WallRole::outer},
     {"inner", WallRole::inner},
 }};
 
+/// Words of `summation` in [solver].
 inline constexpr Words<Summation, 3> summations{{
     {"auto", Summation::automatic},
     {"direct", Summation::direct},
     {"fmm", not_yet},
 }};
 
+/// Words of `near_singular` in [solver].
 inline constexpr Words<NearSingular, 4> near_singular_schemes{{
     {"auto", NearSingular::automatic},
     {"cauchy", NearSingular::cauchy},
@@ -48,12 +55,14 @@ inline constexpr Words<NearSingular, 4> near_singular_schemes{{
     {"off", NearSingular::off},
 }};
 
+/// Words of `preconditioner` in [solver].
 inline constexpr Words<PreconditionerKind, 3> preconditioners{{
     {"auto", PreconditionerKind::automatic},
     {"none", PreconditionerKind::none},
     {"block_diagonal", PreconditionerKind::block_diagonal},
 }};
 
+/// Words of `method` in [time].
 inline constexpr Words<SteppingMethod, 6> stepping_methods{{
     {"euler", SteppingMethod::euler},
     {"adams_bashforth2", SteppingMethod::adams_bashforth2},
@@ -63,6 +72,7 @@ inline constexpr Words<SteppingMethod, 6> stepping_methods{{
     {"dormand_prince", not_yet},
 }};
 
+/// Words of `formats` in [output].
 inline constexpr Words<OutputFormat, 3> output_formats{{
     {"csv", OutputFormat::csv},
     {"vtk", OutputFormat::vtk},

@@ -19,12 +19,15 @@ enum class Outcome {
   inconclusive  ///< fewer than three points in the window
 };
 
-/// Returns "holds", "fails" or "inconclusive".
+/// Names an outcome.
+///
+/// @param  outcome  of a check
+/// @return          "holds", "fails" or "inconclusive"
 std::string to_string(Outcome outcome);
 
 /// A claim held against measurements.
 struct Verdict {
-  Outcome outcome = Outcome::inconclusive;
+  Outcome outcome = Outcome::inconclusive;  ///< whether the claim holds
   double measured = unmeasured;  ///< order, rate, level or largest error, as the law has it
   double constant = unmeasured;  ///< C of the fitted law, where one was fitted
   std::string explanation;       ///< a line for people
@@ -43,11 +46,13 @@ Verdict check(const Claim& claim, std::span<const Measurement> measurements);
 
 /// Computes the order between successive points, \f$ -\log(e_i/e_{i-1})/\log(x_i/x_{i-1}) \f$.
 ///
+/// @param  measurements  ascending in x
 /// @return  as many as measurements; the first, and those next to a zero, are unmeasured
 std::vector<double> local_orders(std::span<const Measurement> measurements);
 
 /// Computes the rate between successive points, \f$ -\log(e_i/e_{i-1})/(x_i-x_{i-1}) \f$.
 ///
+/// @param  measurements  ascending in x
 /// @return  as local_orders()
 std::vector<double> local_rates(std::span<const Measurement> measurements);
 

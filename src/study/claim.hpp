@@ -34,7 +34,7 @@ struct Superalgebraic {
 
 /// The errors lie at a level, which is known.
 struct Floor {
-  double level;
+  double level;          ///< of the errors, > 0
   double factor = 10.0;  ///< the median lies within level / factor and level * factor
 };
 
@@ -72,9 +72,9 @@ struct Window {
 struct Claim {
   std::string id;         ///< chapter and number, "02_1"; the page's anchor is claim_02_1
   std::string statement;  ///< a sentence for people
-  Law law;
-  Window window = {};
-  std::string reason;  ///< where the law's numbers come from
+  Law law;                ///< what holds
+  Window window = {};     ///< where it holds
+  std::string reason;     ///< where the law's numbers come from
   std::vector<std::string> api =
       {};  ///< what of the library the claim is about, as Doxygen names it
 };
@@ -83,9 +83,13 @@ struct Claim {
 ///
 /// @param  law  what is claimed
 /// @param  x    letter of what is varied
+/// @return      one line
 std::string law_text(const Law& law, const std::string& x);
 
 /// Returns the number that a law claims: order, rate, level, tolerance.
+///
+/// @param  law  what is claimed
+/// @return      the number that Verdict::measured is compared with
 double claimed_number(const Law& law);
 
 /// @}

@@ -8,9 +8,15 @@ namespace stokesbook::study {
 /// @{
 
 /// Replaces the characters that HTML reserves.
+///
+/// @param  text  any text
+/// @return       the same as HTML shows it
 std::string escaped(const std::string& text);
 
-/// Returns a number of three digits as a page shows it, powers of ten as such: 1.3·10⁻¹².
+/// Writes a number of three digits for a page, powers of ten as such: 1.3·10⁻¹².
+///
+/// @param  x  a number; NaN is a dash
+/// @return    HTML
 std::string html_number(double x);
 
 /// @}

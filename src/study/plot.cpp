@@ -52,15 +52,30 @@ struct Axis {
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0.0); }
 };
 
-/// Numbers to write along an axis.
-std::vector<double> ticks(const Axis& axis) {
+/// A number to write along an axis.
+struct Tick {
+  double value;
+  std::string text;
+};
+
+/// A power of ten as text, 10⁻⁴.
+std::string power_of_ten(int exponent) {
+  constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) {
+    text += digits[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
+}
+
+std::vector<Tick> ticks(const Axis& axis) {
   constexpr double most = 7.0;
-  std::vector<double> values;
+  std::vector<Tick> values;
   const double range = axis.high - axis.low;
   if (axis.logarithmic && range < 2.2) {  // powers of two: node counts are
     for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
          e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
-      values.push_back(std::exp2(e));
+      values.push_back({std::exp2(e), short_number(std::exp2(e))});
     }
     return values;
   }
@@ -73,9 +88,12 @@ std::vector<double> ticks(const Axis& axis) {
       if (range / step > most) step *= factor;
     }
   }
-  for (double v = step * std::ceil(axis.low / step - 1e-9); v <= axis.high + 1e-9 * range;
+  // + 0 turns -0 into 0.
+  for (double v = step * std::ceil(axis.low / step - 1e-9) + 0.0; v <= axis.high + 1e-9 * range;
        v += step) {
-    values.push_back(axis.logarithmic ? std::pow(10.0, v) : v);
+    values.push_back(axis.logarithmic
+                         ? Tick{std::pow(10.0, v), power_of_ten(static_cast<int>(std::lround(v)))}
+                         : Tick{v, short_number(v)});
   }
   return values;
 }
@@ -120,15 +138,15 @@ std::optional<Layout> lay_out(const Plot& plot) {
 std::string frame(const Plot& plot, const Layout& layout) {
   std::string svg, grid;
   const double low = top + drawn_height;
-  for (const double value : ticks(layout.x)) {
-    const double x = layout.pixel(value, 1.0).real();
+  for (const Tick& tick : ticks(layout.x)) {
+    const double x = layout.pixel(tick.value, 1.0).real();
     grid += svg::line({x, top}, {x, low});
-    svg += svg::label({x, low + 17.0}, short_number(value), "text-anchor=\"middle\"");
+    svg += svg::label({x, low + 17.0}, tick.text, "text-anchor=\"middle\"");
   }
-  for (const double value : ticks(layout.y)) {
-    const double y = top + drawn_height * (1.0 - layout.y.fraction(value));
+  for (const Tick& tick : ticks(layout.y)) {
+    const double y = top + drawn_height * (1.0 - layout.y.fraction(tick.value));
     grid += svg::line({left, y}, {left + drawn_width, y});
-    svg += svg::label({left - 6.0, y + 4.0}, short_number(value), "text-anchor=\"end\"");
+    svg += svg::label({left - 6.0, y + 4.0}, tick.text, "text-anchor=\"end\"");
   }
   const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
   svg += svg::label({left, 20.0}, plot.y_label, "font-weight=\"600\"");

@@ -189,8 +189,9 @@ std::string claims_page(const std::vector<StudyResult>& results) {
     for_each_line(result, [&](const Experiment& experiment, const Line& line,
                               const LineResult& found) {
       if (!line.claim) return;
-      page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "** " +
-              escaped(line.claim->statement) + " \n<small>" + escaped(line.claim->reason) +
+      page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "**, " +
+              escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
+              escaped(line.claim->reason) +
               "</small>\n\n| claimed | measured | control | verdict | about "
               "|\n|---|---|---|---|---|\n| " +
               escaped(law_text(line.claim->law, "x")) + ", x: " + escaped(experiment.x) + " | " +

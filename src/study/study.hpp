@@ -27,14 +27,14 @@ using Measure = std::function<std::vector<Measurement>(Size)>;
 /// The same experiment with a planted defect; a check that accepts it checks nothing.
 struct Control {
   std::string defect;  ///< what is wrong, for people
-  Measure measure;
+  Measure measure;     ///< the defective method
 };
 
 /// One method in an experiment: a line of its figure and a column of its table.
 struct Line {
-  std::string key;    ///< of aliases: letters, digits, underscores
-  std::string label;  ///< for people
-  Measure measure;
+  std::string key;                      ///< of aliases: letters, digits, underscores
+  std::string label;                    ///< for people
+  Measure measure;                      ///< the method
   std::optional<Claim> claim = {};      ///< none: shown for comparison
   std::optional<Control> control = {};  ///< one for each claim
 };
@@ -47,58 +47,67 @@ enum class Axes {
 
 /// Several lines over the same quantity.
 struct Experiment {
-  std::string key;    ///< of files and aliases: letters, digits, underscores
-  std::string title;  ///< heading of table and figure
-  std::string x;      ///< what is varied, with its letter last: "nodes N"
-  std::string error;  ///< norm, and what the error is relative to
-  Axes axes = Axes::log_log;
-  std::vector<Line> lines;
+  std::string key;              ///< of files and aliases: letters, digits, underscores
+  std::string title;            ///< heading of table and figure
+  std::string x;                ///< what is varied, with its letter last: "nodes N"
+  std::string error;            ///< norm, and what the error is relative to
+  Axes axes = Axes::log_log;    ///< of the figure; the table has orders or rates accordingly
+  std::vector<Line> lines;      ///< one a method
   bool work_precision = false;  ///< also draw error against each cost that was measured
   std::string operation = {};   ///< what is counted: "kernel evaluations"
 };
 
 /// The study of one method: all that its chapter claims.
 struct Study {
-  std::string number;  ///< of the chapter, "02"
-  std::string name;    ///< of the method, "double_layer"
-  std::string title;
-  std::vector<Experiment> experiments;
+  std::string number;                   ///< of the chapter, "02"
+  std::string name;                     ///< of the method, "double_layer"
+  std::string title;                    ///< of the page
+  std::vector<Experiment> experiments;  ///< in the order of the page
 };
 
 /// A control's measurements, and whether the check rejected them.
 struct ControlResult {
-  std::vector<Measurement> measurements;
-  Verdict verdict;
+  std::vector<Measurement> measurements;  ///< of the defective method
+  Verdict verdict;                        ///< of the same check
+
+  /// Tells whether the check has found the defect.
+  /// @return  false also when the control was inconclusive
   bool rejected() const { return verdict.outcome == Outcome::fails; }
 };
 
 /// What came out of one line.
 struct LineResult {
-  std::vector<Measurement> measurements;
-  std::optional<Verdict> verdict;        ///< of the line's claim
-  std::optional<ControlResult> control;  ///< of the line's control
+  std::vector<Measurement> measurements;  ///< ascending in x
+  std::optional<Verdict> verdict;         ///< of the line's claim
+  std::optional<ControlResult> control;   ///< of the line's control
 
-  /// Whether there is nothing to hold, or the claim holds and its control was rejected.
+  /// Tells whether the claim holds and its control was rejected.
+  /// @return  true also where nothing is claimed
   bool holds() const;
 };
 
 /// A cost by its name on axes and in tables.
 struct CostMeasure {
-  std::string name;
-  double Measurement::*value;
+  std::string name;            ///< with its unit
+  double Measurement::*value;  ///< where measurements hold it
 };
 
-/// Returns the costs that some line of an experiment has measured: unknowns, operations, seconds.
+/// Lists the costs that some line of an experiment has measured: unknowns, operations, seconds.
+///
+/// @param  experiment  whose Experiment::operation names what was counted
+/// @param  lines       its results, in order
+/// @return             none to three of them
 std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                         const std::vector<LineResult>& lines);
 
 /// What came out of a study; its vectors are those of the study, in the same order.
 struct StudyResult {
-  Study study;
-  Size size = Size::quick;
-  std::vector<std::vector<LineResult>> experiments;
+  Study study;                                       ///< what was run
+  Size size = Size::quick;                           ///< how much of it
+  std::vector<std::vector<LineResult>> experiments;  ///< lines of experiments
 
-  /// Whether all claims hold and all controls were rejected.
+  /// Tells whether all claims hold and all controls were rejected.
+  /// @return  false also when one was inconclusive
   bool holds() const;
 };
 
@@ -107,6 +116,7 @@ struct StudyResult {
 /// @param  study     claims and measurements
 /// @param  size      how much to do
 /// @param  progress  told of each verdict, a line a claim
+/// @return           measurements, verdicts and controls
 /// @throws std::logic_error before any measurement, when a claim lacks its control, or keys or ids
 ///                          are not unique or not fit for file names
 StudyResult run(const Study& study, Size size, std::ostream& progress);

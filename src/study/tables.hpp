@@ -14,15 +14,25 @@ namespace stokesbook::study {
 /// the order (on logarithmic axes) or rate between rows; below, what was claimed and found.
 ///
 /// Numbers that a check left out are grey.
+/// @param  experiment  what was measured
+/// @param  lines       its results, in order
+/// @return             HTML
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines);
 
 /// Writes an experiment's errors and costs as an HTML table, a row for each measurement; columns
 /// of costs that were not measured are left out.
+///
+/// @param  experiment  what was measured
+/// @param  lines       its results, in order
+/// @return             HTML
 std::string work_precision_table(const Experiment& experiment,
                                  const std::vector<LineResult>& lines);
 
 /// Writes the claims of a study as an HTML table: what was claimed and why, what was measured, the
 /// verdict, and the control with its defect.
+///
+/// @param  result  of the study
+/// @return         HTML
 std::string claims_table(const StudyResult& result);
 
 /// @}

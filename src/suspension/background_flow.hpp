@@ -11,8 +11,8 @@ namespace stokesbook {
 /// Evaluates an undisturbed flow at points of the plane.
 ///
 /// @param  flow    kind and strength
-/// @param  points  length
-/// @return         velocities, length / time
+/// @param  points  m points, length
+/// @return         m velocities, length / time
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
 
 /// @}

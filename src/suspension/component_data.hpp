@@ -9,22 +9,31 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Kind of boundary component that a body is.
+/// Returns the kind of boundary component that a body is.
+///
+/// @param  body  free or held
+/// @return       free_body or prescribed
 ComponentKind kind_of(const Body& body);
 
-/// Kind of boundary component that a wall is.
+/// Returns the kind of boundary component that a wall is.
+///
+/// @param  wall  outer or inner
+/// @return       enclosing_wall or prescribed
 ComponentKind kind_of(const Wall& wall);
 
 /// Evaluates a wall's velocity at its nodes.
 ///
 /// @param  motion    kind and strength
-/// @param  curve     placed nodes
+/// @param  curve     N placed nodes
 /// @param  position  of the wall, about which it rotates, length
-/// @return           velocities, length / time
+/// @return           velocities at the N nodes, length / time
 ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Complex position);
 
-/// Returns the rigid motion that carries a wall; zero for fixed walls and for motions that leave
-/// the curve in place.
+/// Returns the rigid motion that carries a wall.
+///
+/// @param  motion  kind and strength
+/// @return         motion about the wall's position; zero for fixed walls and for motions that
+///                 leave the curve in place
 RigidMotion rigid_motion(const WallMotion& motion);
 
 /// @}

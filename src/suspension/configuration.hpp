@@ -11,7 +11,7 @@ namespace stokesbook {
 
 /// Where a component is.
 struct Placement {
-  Complex position;
+  Complex position;          ///< of its frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise
 };
 

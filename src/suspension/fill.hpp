@@ -7,13 +7,15 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Places the bodies of [[fill]] at random, one after another, wherever they keep their clearance;
-/// returns the scene with them as bodies and without fills.
+/// Places the bodies of [[fill]] at random, one after another, wherever they keep their clearance.
 ///
 /// Reproducible: the same seed gives the same bodies on every machine.
-/// @throws std::invalid_argument  when a body finds no place (random sequential addition jams above
-/// an area fraction of
-///                                about 0.5)
+/// @param  scene  with or without fills
+/// @return        the scene with their bodies after its own, and without fills
+/// @throws std::invalid_argument when a body finds no place in 20000 attempts (random sequential
+///                addition jams above an area fraction of about 0.5)
+/// @par Cost      a bounding-circle test an obstacle in each attempt, closest_points() where two
+///                circles meet
 Scene with_fills_placed(const Scene& scene);
 
 /// @}

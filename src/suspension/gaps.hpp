@@ -13,7 +13,11 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Names a component for messages and contact tables: "body 3", "wall 0".
+/// Names a component for messages and contact tables.
+///
+/// @param  scene      that it is part of
+/// @param  component  bodies first, then walls
+/// @return            "body 3" or "wall 0", both counted from 0
 std::string component_name(const Scene& scene, std::size_t component);
 
 /// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
@@ -21,8 +25,8 @@ std::string component_name(const Scene& scene, std::size_t component);
 ///
 /// @param  configuration  placements of all components
 /// @param  references     of each component
-/// @param  tolerance      of velocities; sets the reach
-/// @return             in ascending order of the gap; empty for a single component
+/// @param  tolerance      of velocities, > 0; sets the reach
+/// @return                in ascending order of the gap; empty for a single component
 /// @par Cost           a bounding-circle test a pair of components, N_a N_b distances a close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
                            double tolerance);
@@ -38,13 +42,15 @@ struct GapResolution {
 /// @param  gap            of two components, > 0
 /// @param  configuration  placements of all components
 /// @param  references     of each component
+/// @return                rates of decay and estimated error
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
                              const References& references);
 
 /// Places a component's nodes with their interpolant.
 ///
-/// @param  reference  shared nodes
+/// @param  reference  shared nodes, in the shape's own frame
 /// @param  placement  where they are
+/// @return            nodes in the plane, with the reference's interpolant
 SmoothCurve smooth_curve(const Reference& reference, const Placement& placement);
 
 /// @}

@@ -11,6 +11,7 @@ namespace stokesbook {
 /// values and what to change.
 class NumericsRefused : public std::runtime_error {
  public:
+  /// Takes the message.
   using std::runtime_error::runtime_error;
 };
 

@@ -19,26 +19,40 @@ namespace stokesbook {
 /// null-space fix add.
 class SuspensionOperator {
  public:
-  /// @param  problem  the boundary value problem
+  /// Plans sum, near correction and closure of one configuration.
+  ///
+  /// @param  problem  the boundary value problem, n nodes in all
   /// @param  placed   the same components for near corrections; empty: none
-  /// @param  plan     storage, tolerance and null-space fix
+  /// @param  plan     storage of the kernel and tolerance of the near corrections
+  /// @throws std::invalid_argument when Closure refuses the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCauchyCurve>& placed,
                      const Plan& plan);
 
-  /// Applies the operator to a density at all nodes, length / time.
+  /// Applies the operator.
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          velocities at all n nodes, length / time
+  /// @par Cost        n^2 kernel evaluations, and those of NearCorrection and Closure
   ComplexVector operator()(const ComplexVector& density) const;
 
   /// Evaluates the fluid's velocity of a density, without the background.
   ///
-  /// @param  density    at all nodes, length / time
-  /// @param  points     in the fluid, length
+  /// @param  density    at all n nodes, length / time
+  /// @param  points     m points in the fluid, length
   /// @param  placed     components for near corrections; empty: none
   /// @param  tolerance  of velocities relative to densities, for the near corrections
-  /// @return            velocities, length / time
+  /// @return            m velocities, length / time
+  /// @par Cost          m n kernel evaluations; near corrections are planned anew
+  /// @par Not for       points near the boundary without placed components
   ComplexVector velocity(const ComplexVector& density, const ComplexVector& points,
                          const std::vector<PlacedCauchyCurve>& placed, double tolerance) const;
 
+  /// Returns the closure of the problem.
+  /// @return what ties motions and loads to the density
   const Closure& closure() const { return closure_; }
+
+  /// Returns the near correction at the nodes.
+  /// @return none unless components were given for it
   const std::optional<NearCorrection>& near_correction() const { return near_; }
 
  private:

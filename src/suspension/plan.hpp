@@ -15,20 +15,25 @@ namespace stokesbook {
 struct Plan {
   /// One decision with its reason, for the reader.
   struct Line {
-    std::string topic, decision, reason;
+    std::string topic,  ///< what is decided
+        decision,       ///< how
+        reason;         ///< why
   };
 
-  Eigen::Index n_nodes = 0;      ///< in all components
-  bool null_space_fix = false;   ///< a wall encloses the fluid
-  bool near_correction = false;  ///< components may come close
-  bool block_diagonal = false;   ///< precondition by the components' own blocks
-  KernelStorage storage = KernelStorage::streamed;
-  double gmres_tolerance = 0.0;  ///< relative residual
-  double near_tolerance = 0.0;   ///< of the sums' quadrature, relative to the density
-  std::vector<Line> lines;
+  Eigen::Index n_nodes = 0;                         ///< in all components
+  bool null_space_fix = false;                      ///< a wall encloses the fluid
+  bool near_correction = false;                     ///< components may come close
+  bool block_diagonal = false;                      ///< precondition by the components' own blocks
+  KernelStorage storage = KernelStorage::streamed;  ///< of the direct sum
+  double gmres_tolerance = 0.0;                     ///< relative residual
+  double near_tolerance = 0.0;  ///< of the sums' quadrature, relative to the density
+  std::vector<Line> lines;      ///< all decisions, in the order in which they are told
 };
 
-/// Decides what a scene without fills needs.
+/// Decides what a scene needs.
+///
+/// @param  scene  without fills: with_fills_placed() comes first
+/// @return        what is to be built, and why
 Plan make_plan(const Scene& scene);
 
 /// @}

@@ -18,11 +18,11 @@ namespace stokesbook {
 /// What all components of one shape, node count and kind share, in the shape's own frame. Built
 /// once.
 struct Reference {
-  Shape shape;
-  ComponentKind kind;
-  Curve curve;
-  std::shared_ptr<const TrigonometricPolynomial> interpolant;
-  double rigid_motion_residual;               ///< see rigid_motion_residual()
+  Shape shape;                                                 ///< what was sampled
+  ComponentKind kind;                                          ///< sets the side of the curve
+  Curve curve;                                                 ///< nodes
+  std::shared_ptr<const TrigonometricPolynomial> interpolant;  ///< of the nodes
+  double rigid_motion_residual;               ///< of the curve, by the function of this name
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const Eigen::MatrixXd>
       inverse_block;  ///< none unless a preconditioner is planned
@@ -30,8 +30,8 @@ struct Reference {
 
 /// What a reference is to hold beside its nodes.
 struct ReferenceNeeds {
-  bool cauchy = false;
-  bool inverse_block = false;
+  bool cauchy = false;                 ///< matrices of the near corrections
+  bool inverse_block = false;          ///< of the preconditioner
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
 
@@ -41,12 +41,19 @@ using References = std::vector<std::shared_ptr<const Reference>>;
 /// Builds the distinct references of a scene, each once.
 class ReferenceShelf {
  public:
+  /// Starts with an empty shelf.
+  /// @param  needs  what each reference is to hold
   explicit ReferenceShelf(const ReferenceNeeds& needs) : needs_(needs) {}
 
-  /// Returns the reference of that shape, node count and kind.
+  /// Returns the reference of a shape, node count and kind; builds it when it is not there yet.
   ///
-  /// @throws std::domain_error  when its own block is singular
-  /// @par Cost  O(N^3) for a new one
+  /// @param  shape    in its own frame
+  /// @param  n_nodes  N, even, >= 4
+  /// @param  kind     of the component
+  /// @return          the one that all such components share
+  /// @throws std::invalid_argument when N is odd or too small
+  /// @throws std::domain_error when its own block is singular
+  /// @par Cost        O(N^3) for a new one, O(N^2) without near corrections and preconditioner
   std::shared_ptr<const Reference> get(const Shape& shape, int n_nodes, ComponentKind kind);
 
  private:

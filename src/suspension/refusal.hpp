@@ -11,13 +11,14 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Explains what is wrong with a geometry, or returns nothing when every shape and gap is resolved.
+/// Explains what is wrong with a geometry.
 ///
 /// @param  scene          names the components and the tolerance
 /// @param  gaps           in ascending order
 /// @param  configuration  placements of all components
 /// @param  references     of each component
-/// @return             a message naming components, values and what to change
+/// @return                a message naming components, values and what to change; empty when every
+///                        shape and gap is resolved
 std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
                              const Configuration& configuration, const References& references);
 
@@ -28,6 +29,7 @@ std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 /// @param  n_nodes    of the component
 /// @param  tail       its estimate, above the tolerance
 /// @param  gaps       in ascending order; names the neighbour that asks for nodes
+/// @return            a message with the estimate and a node count that should do
 std::string density_refusal(const Scene& scene, std::size_t component, Eigen::Index n_nodes,
                             const TailEstimate& tail, const std::vector<Gap>& gaps);
 
@@ -36,7 +38,8 @@ std::string density_refusal(const Scene& scene, std::size_t component, Eigen::In
 /// @param  reference  the shape with its side
 /// @param  tolerance  of rigid_motion_residual()
 /// @param  at_least   where the search starts
-/// @return           multiple of 16 above at_least, or 0 when 4096 nodes are not enough
+/// @return            multiple of 16, >= at_least, or 0 when 4096 nodes are not enough
+/// @par Cost          rigid_motion_residual() of each count that is tried, 16 or a quarter apart
 int nodes_for_shape(const Reference& reference, double tolerance, int at_least);
 
 /// @}

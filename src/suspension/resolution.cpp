@@ -71,7 +71,7 @@ TailEstimate tail_estimate(const ComplexVector& density, double scale) {
     }
     return most;
   };
-  const double early = largest_mode(3 * n / 16 - window / 2);
+  const double early = largest_mode(std::max<Eigen::Index>(1, 3 * n / 16 - window / 2));
   const double late = largest_mode(3 * n / 8 - window / 2);
   const double last = largest_mode(n / 2 - window);
   const double decay = std::max(0.0, std::log(early / late) / (0.1875 * static_cast<double>(n)));

@@ -12,14 +12,16 @@ namespace stokesbook {
 
 /// Two components and where they come closest.
 struct Gap {
-  std::size_t a = 0, b = 0;  ///< components
-  ClosestPoints points;
+  std::size_t a = 0,     ///< one component
+      b = 0;             ///< the other, after it
+  ClosestPoints points;  ///< point_a on a, point_b on b
 };
 
 /// A mode number's rates of decay on the two curves of a gap; infinite where the gap asks for
 /// nothing.
 struct DensityDecay {
-  double a, b;
+  double a,  ///< rate on the one curve, > 0
+      b;     ///< rate on the other curve, > 0
 };
 
 /// Estimates how fast the density's Fourier modes decay on the two curves of a gap,
@@ -34,17 +36,25 @@ struct DensityDecay {
 /// Exact for circles, local for other curves.
 /// @param  a       one curve
 /// @param  b       the other
-/// @param  points  where they come closest
+/// @param  points  where they come closest, gap > 0
+/// @return         a mode number's rates of decay, dimensionless
 DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const ClosestPoints& points);
 
 /// Estimates the error of velocities, relative to their scale, that n nodes leave at a rate of
 /// decay: functionals of the density, like rigid motions and loads, converge like the square of its
 /// tail: \f$ 150\,\alpha\, e^{-\alpha n} \f$.
+///
+/// @param  decay    alpha, from density_decay()
+/// @param  n_nodes  n, on the curve
+/// @return          relative error, dimensionless; 0 where the gap asks for nothing
 double resolution_error(double decay, Eigen::Index n_nodes);
 
 /// Recommends the number of nodes for which resolution_error() meets a hundredth of a tolerance, so
-/// that tail_estimate() mostly meets the tolerance too: a multiple of 16; 0 where the gap asks for
-/// nothing.
+/// that tail_estimate() mostly meets the tolerance too.
+///
+/// @param  decay      alpha, from density_decay()
+/// @param  tolerance  of velocities relative to their scale, > 0
+/// @return            multiple of 16; 0 where the gap asks for nothing
 int recommended_nodes(double decay, double tolerance);
 
 /// What the Fourier modes of a computed density say about its resolution.
@@ -61,8 +71,11 @@ struct TailEstimate {
 /// extrapolation: near a close neighbour they are aliases, which harm velocities less. Measured on
 /// 56 random scenes of two and three bodies: 0.5 to 4000 times the error, half of them within 20.
 ///
-/// @param  density  at the component's nodes, without its rigid part
-/// @param  scale    of velocities, > 0
+/// @param  density  at the component's N nodes, N even and >= 8, without its rigid part, length /
+///                  time
+/// @param  scale    of velocities, > 0, length / time
+/// @return          estimated error and rate of decay; 0 and infinite for a density of zeros
+/// @par Cost        O(N log N)
 TailEstimate tail_estimate(const ComplexVector& density, double scale);
 
 /// @}

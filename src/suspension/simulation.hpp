@@ -23,27 +23,42 @@ struct Observer {
 
 /// Moves a scene from t = 0 to its end.
 ///
-/// Steps are as long as time.dt, evened out so that written times, reversals and the end are hit
-/// exactly.
+/// Steps are no longer than time.dt, evened out so that written times, reversals and the end are
+/// hit exactly. Where there is no earlier rate, at the start and after a reversal,
+/// Adams-Bashforth 2 takes a step by Runge-Kutta 4.
+/// @par Accuracy  order 1, 2 or 4 in time.dt, as time.method says
+/// @par Cost      one solve a step, four by Runge-Kutta 4, and one at the end
 class Simulation {
  public:
-  /// @param  solver    of a scene with [time]; must outlive the simulation
-  /// @param  observer  what is told of the run
+  /// Takes the scene's initial configuration.
+  ///
+  /// @param  solver    of a scene with [time], unless only solve_once() is called; must outlive the
+  ///                   simulation
+  /// @param  observer  who is told what
   Simulation(const SuspensionSolver& solver, Observer observer);
 
-  /// Goes back to a checkpoint; the run then continues bit for bit as if it had not stopped.
+  /// Goes on from a checkpoint: the run continues bit for bit as if it had not stopped.
+  ///
+  /// @param  checkpoint  of a run of the same scene
   void resume(const Checkpoint& checkpoint);
 
   /// Runs to the end.
   ///
-  /// @throws NumericsRefused  with the time, when a configuration is refused; all earlier written
-  /// times stand
+  /// @throws NumericsRefused with the time, when a configuration is refused; all earlier written
+  ///                times stand
   void run();
 
   /// Writes the frame of the start and stops: one solve.
+  ///
+  /// @throws NumericsRefused with the time, when the configuration is refused
   void solve_once();
 
+  /// Returns the time reached.
+  /// @return t
   double time() const { return t_; }
+
+  /// Returns what the run has cost.
+  /// @return counts since this simulation was made; steps since the start of the run
   const RunTotals& totals() const { return totals_; }
 
  private:
@@ -66,10 +81,16 @@ class Simulation {
   bool written_ = false;  // the frame of t_ is on record
 };
 
-/// Packs placements into a state (x, y, orientation of every component).
+/// Packs placements into a state.
+///
+/// @param  configuration  K components
+/// @return                3K numbers: x, y, orientation of every component
 Eigen::VectorXd to_state(const Configuration& configuration);
 
 /// Unpacks a state.
+///
+/// @param  state  3K numbers, as to_state() packs them
+/// @return        placements of K components
 Configuration to_configuration(const Eigen::VectorXd& state);
 
 /// @}

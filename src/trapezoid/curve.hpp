@@ -23,7 +23,12 @@ struct Curve {
   ComplexVector ddx;                ///< \f$ x''(t_j) \f$, length
   Side side = Side::fluid_outside;  ///< where the fluid lies
 
+  /// Counts the nodes.
+  /// @return N
   Eigen::Index size() const { return x.size(); }
+
+  /// Returns the side as a number.
+  /// @return s, +1 or -1
   double sign() const { return static_cast<double>(side); }
 };
 
@@ -33,33 +38,70 @@ struct Curve {
 /// @param  shape  in its own frame
 /// @param  n      number of nodes, even, >= 4
 /// @param  side   where the fluid lies
+/// @return        n nodes, counter-clockwise
 /// @throws std::invalid_argument when n is odd or too small
+/// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points
+/// @par Cost      O(n); for a NodalCurve with p points O(n log n + p log p)
+/// @par Not for   a NodalCurve at fewer nodes than it has points: its highest modes are dropped
 Curve sample(const Shape& shape, Eigen::Index n, Side side);
 
 /// Moves a curve from its own frame: \f$ x \to c + e^{i\theta} x \f$.
+///
+/// @param  reference    N nodes, in the curve's own frame
+/// @param  position     c, length
+/// @param  orientation  theta, radians, counter-clockwise
+/// @return              N nodes in the plane, with the same side
 Curve place(const Curve& reference, Complex position, double orientation);
 
-/// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ of the trapezoid rule in arclength, length.
+/// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ of the trapezoid rule in arclength.
+///
+/// @param  curve  N nodes
+/// @return        N weights, length
+/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands
+/// @par Not for   integrands that are singular, or nearly so, on the curve: use near_singular
 Eigen::VectorXd weights(const Curve& curve);
 
 /// Returns the unit normals \f$ n = -i s x'/|x'| \f$: out of the fluid (into bodies, outward on the
 /// enclosing wall).
+///
+/// @param  curve  N nodes
+/// @return        N normals, dimensionless
 ComplexVector normals(const Curve& curve);
 
-/// Returns the signed curvatures \f$ \kappa = (x' \times x'')/|x'|^3 \f$ (> 0 where convex), 1 /
-/// length.
+/// Returns the signed curvatures \f$ \kappa = (x' \times x'')/|x'|^3 \f$, > 0 where convex
+/// whatever the side of the fluid.
+///
+/// @param  curve  N nodes
+/// @return        N curvatures, 1 / length
 Eigen::VectorXd curvatures(const Curve& curve);
 
 /// Returns the length of the curve.
+///
+/// @param  curve  N nodes
+/// @return        \f$ |\Gamma| \f$, length
+/// @par Accuracy  geometric in N for analytic curves
 double perimeter(const Curve& curve);
 
 /// Returns the enclosed area \f$ \frac12 \oint x \times dx \f$.
+///
+/// @param  curve  N nodes
+/// @return        area, > 0, length^2
+/// @par Accuracy  geometric in N for analytic curves
 double area(const Curve& curve);
 
-/// Returns the centroid \f$ \langle x \rangle \f$ of the curve (not of the enclosed area).
+/// Returns the centroid \f$ \langle x \rangle \f$ of the curve.
+///
+/// @param  curve  N nodes
+/// @return        mean of x over the arclength, length
+/// @par Accuracy  geometric in N for analytic curves
+/// @par Not for   the centroid of the enclosed area, which is another point
 Complex boundary_centroid(const Curve& curve);
 
 /// Returns the largest distance of a node from a point.
+///
+/// @param  curve   N nodes
+/// @param  centre  point, length
+/// @return         radius, length; between nodes the curve may reach a little further
 double bounding_radius(const Curve& curve, Complex centre);
 
 /// @}

@@ -12,18 +12,23 @@ namespace stokesbook {
 /// Computes the Fourier coefficients \f$ c_k = \frac1N \sum_j f(t_j) e^{-i k t_j} \f$,
 /// \f$ t_j = 2\pi j/N \f$.
 ///
-/// @param  f  values at the N nodes, in node order
-/// @return    N coefficients for k = 0, 1, ..., N/2-1, -N/2, ..., -1
-/// @par Cost  O(N log N) (GSL's mixed-radix transform; any N)
+/// @param  f  values at the N nodes, in node order, any N >= 1
+/// @return    N coefficients for k = 0, 1, ..., N/2-1, -N/2, ..., -1, unit of f
+/// @par Cost  O(N log N) (GSL's mixed-radix transform; O(N^2) where N is prime)
 ComplexVector fourier_coefficients(const ComplexVector& f);
 
 /// Computes the values \f$ f(t_j) = \sum_k c_k e^{i k t_j} \f$, inverse of fourier_coefficients().
 ///
 /// @param  c  N coefficients, ordered as by fourier_coefficients()
-/// @return    values at the N nodes
+/// @return    values at the N nodes, unit of c
+/// @par Cost  as fourier_coefficients()
 ComplexVector fourier_values(const ComplexVector& c);
 
-/// Returns the wave number k of entry i of N Fourier coefficients.
+/// Returns the wave number k of an entry of the Fourier coefficients.
+///
+/// @param  i  entry, 0 to n - 1
+/// @param  n  number of coefficients
+/// @return    k, from -n/2 to (n-1)/2
 Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 
 /// Differentiates the trigonometric interpolant with respect to the parameter t.
@@ -31,7 +36,8 @@ Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 /// The mode k = -N/2 has no derivative that is a trigonometric polynomial of the same degree; it is
 /// dropped.
 /// @param  f  values at the N nodes, N even
-/// @return    derivative at the same nodes, unit of f
+/// @return    derivative at the same N nodes, unit of f
+/// @throws std::invalid_argument when N is odd or 0
 /// @par Accuracy  geometric in N for analytic f
 /// @par Cost      O(N log N)
 ComplexVector differentiate(const ComplexVector& f);
@@ -40,7 +46,10 @@ ComplexVector differentiate(const ComplexVector& f);
 /// \f$ \frac12 (-1)^{j-k} \cot\frac{t_j-t_k}{2} \f$, 0 for j = k.
 ///
 /// @param  n  number of nodes, even
-/// @return    n x n, the same map as differentiate()
+/// @return    n x n, dimensionless, the same map as differentiate()
+/// @throws std::invalid_argument when n is odd or < 2
+/// @par Cost      n^2 entries
+/// @par Not for   single vectors: differentiate() is faster
 /// @sa source: Trefethen, Spectral Methods in MATLAB, 2000, chapter 3
 Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 
@@ -48,28 +57,44 @@ Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 ///
 /// @param  f  values at N nodes, any N >= 1
 /// @param  m  number of new nodes, even; m < N truncates the series
-/// @return    values at the m nodes
+/// @return    values at the m nodes, unit of f
+/// @throws std::invalid_argument when m is odd or < 2
+/// @par Accuracy  geometric in the smaller of N and m for analytic f; exact where m >= N
+/// @par Cost      O(N log N + m log m)
 ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 
-/// Measures what the highest modes carry: max |c_k| over |k| >= N/2 - N/16 (at least N/2 - 2).
+/// Measures what the highest modes carry: max |c_k| over |k| >= N/2 - max(2, N/16).
 ///
 /// For a resolved analytic function this is the size of the interpolation error.
 /// @param  f  values at the N nodes, N even
 /// @return    largest modulus of the tail's coefficients, unit of f
+/// @throws std::invalid_argument when N is odd or 0
+/// @par Cost      O(N log N)
 double fourier_tail(const ComplexVector& f);
 
 /// A trigonometric polynomial, evaluated anywhere.
 class TrigonometricPolynomial {
  public:
-  /// Value and first two derivatives with respect to the parameter.
+  /// Value and first two derivatives with respect to the parameter, all in the unit of the values.
   struct Jet {
-    Complex value, first, second;
+    Complex value,  ///< p(t)
+        first,      ///< p'(t)
+        second;     ///< p''(t)
   };
 
-  /// Interpolates the values at N equidistant nodes, N even.
+  /// Interpolates values at equidistant nodes.
+  ///
+  /// @param  values  at the N nodes, N even
+  /// @throws std::invalid_argument when N is odd or 0
+  /// @par Accuracy  geometric in N for analytic functions
+  /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);
 
-  /// Evaluates at the parameter t. Cost: O(N).
+  /// Evaluates at a parameter.
+  ///
+  /// @param  t  parameter, radians, any real number
+  /// @return    p and its derivatives at t
+  /// @par Cost      O(N)
   Jet operator()(double t) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+/// The libraries of the book.
 namespace stokesbook {
 
 /// @addtogroup trapezoid
@@ -19,17 +20,28 @@ using ComplexVector = Eigen::VectorXcd;
 /// Imaginary unit.
 inline constexpr Complex imaginary{0.0, 1.0};
 
-/// Scalar product \f$ a \cdot b = \mathrm{Re}(\bar a b) \f$.
+/// Returns the scalar product \f$ a \cdot b = \mathrm{Re}(\bar a b) \f$.
+///
+/// @param  a  plane vector
+/// @param  b  plane vector
+/// @return    number, product of their units
 inline double dot(Complex a, Complex b) {
   return a.real() * b.real() + a.imag() * b.imag();
 }
 
-/// Cross product \f$ a \times b = a_1 b_2 - a_2 b_1 = a^\perp \cdot b \f$ (torque of b with arm a).
+/// Returns the cross product \f$ a \times b = a_1 b_2 - a_2 b_1 = a^\perp \cdot b \f$.
+///
+/// @param  a  plane vector; the arm, for a torque
+/// @param  b  plane vector; the force, for a torque
+/// @return    number, product of their units; > 0 where b turns counter-clockwise about a's origin
 inline double cross(Complex a, Complex b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
-/// Rotation by +90 degrees, \f$ a^\perp = (-a_2, a_1) = i a \f$.
+/// Turns a vector by +90 degrees, \f$ a^\perp = (-a_2, a_1) = i a \f$.
+///
+/// @param  a  plane vector
+/// @return    plane vector, unit of a
 inline Complex perp(Complex a) {
   return {-a.imag(), a.real()};
 }

@@ -13,6 +13,7 @@ namespace stokesbook {
 /// Circle about the origin.
 struct Circle {
   double radius = 1.0;  ///< length, > 0
+  /// @return true when all members are equal
   bool operator==(const Circle&) const = default;
 };
 
@@ -20,6 +21,7 @@ struct Circle {
 struct Ellipse {
   double a = 1.0;  ///< semi-axis along direction 1, length, > 0
   double b = 1.0;  ///< semi-axis along direction 2, length, > 0
+  /// @return true when all members are equal
   bool operator==(const Ellipse&) const = default;
 };
 
@@ -28,6 +30,7 @@ struct Star {
   double radius = 1.0;     ///< R, length, > 0
   double amplitude = 0.2;  ///< A, |A| < 1
   int arms = 5;            ///< k >= 1
+  /// @return true when all members are equal
   bool operator==(const Star&) const = default;
 };
 
@@ -37,6 +40,7 @@ struct Superellipse {
   double a = 1.0;  ///< semi-axis along direction 1, length, > 0
   double b = 1.0;  ///< semi-axis along direction 2, length, > 0
   int power = 4;   ///< p, even, >= 2
+  /// @return true when all members are equal
   bool operator==(const Superellipse&) const = default;
 };
 
@@ -45,6 +49,10 @@ struct Superellipse {
 struct NodalCurve {
   ComplexVector points;  ///< in order along the curve, either sense; at least 4
   std::string file;      ///< where the points came from, for messages; may be empty
+
+  /// Compares the points, not where they came from.
+  /// @param  other  another curve
+  /// @return        true when the points are the same in the same order
   bool operator==(const NodalCurve& other) const {
     return points.size() == other.points.size() && points == other.points;
   }

@@ -99,6 +99,27 @@ BOOST_AUTO_TEST_CASE(gauge_shifts_velocities) {
   }
 }
 
+// Forces that balance need no gauge; without one the fluid is at rest far away, as with any.
+BOOST_AUTO_TEST_CASE(balanced_forces_need_no_gauge) {
+  const Complex force{0.6, -0.8};
+  StokesProblem problem{{free_body(Circle{1.0}, 48, {{-10.0, 0.0}}, {force, 0.3}),
+                         free_body(Circle{2.0}, 48, {{10.0, 1.0}}, {-force, 0.0})},
+                        1.3,
+                        {},
+                        {}};
+  StokesProblem with_gauge = problem;
+  for (const ClosureForm form : {ClosureForm::scaled_bordered, ClosureForm::reduced}) {
+    const Completion without = solve_dense(problem, form);
+    for (const double gauge : {1.0, 100.0}) {
+      with_gauge.gauge_length = gauge;
+      const Completion expected = solve_dense(with_gauge, form);
+      for (std::size_t k = 0; k < 2; ++k) {
+        BOOST_TEST(distance(without.motions[k], expected.motions[k]) < 1e-14);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stokesbook::test

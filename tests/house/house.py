@@ -25,7 +25,7 @@ MAY_USE = {
     "suspension": METHODS | {"scene", "record"},
     "scene": {"trapezoid"},
     "record": {"trapezoid"},
-    "study": {"record", "trapezoid"},
+    "study": {"record"},
     "cli": METHODS | {"suspension", "scene", "record", "study"},
 }
 

@@ -2,6 +2,7 @@
 // less than a third of the true error, and no more than 1e4 times as large.
 
 #include "scenes.hpp"
+#include "support/vectors.hpp"
 
 namespace stokesbook::test {
 namespace {
@@ -95,9 +96,17 @@ BOOST_AUTO_TEST_CASE(are_honest) {
 BOOST_AUTO_TEST_CASE(rounding_errors_have_no_tail) {
   std::mt19937_64 random(62);
   std::normal_distribution<double> normal(0, 1e-15);
-  const ComplexVector noise =
-      ComplexVector::NullaryExpr(96, [&] { return Complex{normal(random), normal(random)}; });
+  const ComplexVector noise = ComplexVector::NullaryExpr(96, [&] {
+    return Complex{normal(random), normal(random)};
+  });
   BOOST_TEST(tail_estimate(noise, 1.0).error < 1e-12);
+}
+
+// The fewest nodes of a scene: no resolution to speak of, and an estimate that says so.
+BOOST_AUTO_TEST_CASE(few_nodes_have_a_tail) {
+  for (const Eigen::Index n : {8, 10, 12}) {
+    BOOST_TEST(tail_estimate(random_vector(n, 63), 1.0).error > 1.0);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -58,6 +58,9 @@ Line integral_line(const std::string& key, const std::string& id, double distanc
                              at_counts(distance, integral_error(f, defective))}};
 }
 
+/// Sums of up to 144 modes: a rounding unit each.
+constexpr double rounding = 3e-14;
+
 /// Values at the nodes.
 ComplexVector samples(const PoleFunction& f, Index n) {
   return parameters(n).unaryExpr(f).cast<Complex>();
@@ -136,7 +139,7 @@ Experiment interpolation_rates() {
                           .statement = "The trigonometric interpolant converges as e^{-d N / 2}: "
                                        "half the rate of the integral.",
                           .law = Geometric{0.5 * distance, 0.03},
-                          .window = {.from = 4.0 / distance, .floor = 1e-15},
+                          .window = {.from = 4.0 / distance, .floor = rounding},
                           .reason = "modes beyond N / 2 are missing, and alias onto those below",
                           .api = {"stokesbook::TrigonometricPolynomial", "stokesbook::resample"}},
            .control =
@@ -150,7 +153,7 @@ Experiment interpolation_rates() {
                Claim{.id = "01_8",
                      .statement = "Its derivative converges as N e^{-d N / 2}.",
                      .law = Geometric{0.5 * distance, 0.03, 1.0},
-                     .window = {.from = 4.0 / distance, .floor = 3e-14},
+                     .window = {.from = 4.0 / distance, .floor = rounding},
                      .reason = "each mode is multiplied by its wave number, at most N / 2",
                      .api = {"stokesbook::differentiate", "stokesbook::differentiation_matrix"}},
            .control = Control{"the upper half of the modes counted as positive",

@@ -1,0 +1,261 @@
+"""The exercises: ./stokes exercise and ./stokes check, and the proof that the checks can fail.
+
+For authors. An exercise is a folder chapters/NN_METHOD/exercises/K_NAME of three files, and a line
+in chapters/CMakeLists.txt, where it has the library METHOD and all that this one uses; a check that
+wants another, such as record for a picture, links it there.
+
+README.md     A title ("# ..."), objective, tasks (numbered as in check.cpp), what is out of scope,
+              and hints, each folded in <details>.
+exercise.cpp  One source for all variants of the reader's file. Lines outside tags are common; a
+              group of tagged blocks, one for each variant, stands for what the reader has to write:
+
+                  double area(double radius) {
+                    //@ starter
+                    not_done(radius);  // your code instead of this line
+                    //@ solution
+                    return pi * radius * radius;
+                    //@ wrong diameter: this is four times the area
+                    return 4.0 * pi * radius * radius;
+                    //@ end
+                  }
+
+              Every group has a starter and a solution; a wrong variant without a block in a group
+              has the solution's. What follows the colon must appear in the rejection. At least two
+              wrong variants; each a mistake that readers make.
+check.cpp     Declares the reader's functions and calls exercise::run() of chapters/check.hpp with
+              one Task a function. Expected values come from identities or exact solutions, never
+              from stored numbers. A Mistake for each wrong variant and others that can be computed.
+
+The reader's file, its check and the variants are compiled with the warnings of the project and with
+sanitizers. The test exercise_NN.K proves: the starter reports every task as not done, the solution
+passes all, and every wrong variant is rejected with its text.
+
+Usage: exercises.py exercise [NN]                  copies starters; lists the exercises
+       exercises.py check BUILD [NN[.K]]           compiles and checks the reader's files
+       exercises.py variants EXERCISE FOLDER       writes every variant; prints their names
+       exercises.py prove EXERCISE FOLDER          runs the variants' programs
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+CHAPTERS = pathlib.Path(__file__).resolve().parent
+TAG = re.compile(r"\s*//@ (?:(starter|solution|end)|wrong (\w+): (\S.*?))\s*$")
+OUTCOME = re.compile(r"^  task (\d+), .*: (passed|not done|wrong|stopped by an exception)$",
+                     re.MULTILINE)
+SECONDS = 60  # for a reader's program, which may loop for ever
+
+
+class Failure(Exception):
+    """What the user is told; exit code 1."""
+
+
+class Exercise:
+    """A folder of the book. Number: "01.2"; place: "01_trapezoid/2_distance_of_a_pole"."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        chapter = folder.parent.parent.name
+        self.number = f"{chapter[:2]}.{folder.name.partition('_')[0]}"
+        self.method = chapter[3:]
+        self.place = f"{chapter}/{folder.name}"
+
+    def __str__(self):
+        return f"{self.number}  {self.title()}"
+
+    def title(self):
+        return (self.folder / "README.md").read_text().splitlines()[0].removeprefix("# ")
+
+    def target(self, part):
+        return f"exercise_{self.number}_{part}"
+
+
+def exercises(number=""):
+    """Those of "" (all), "01" (a chapter) or "01.2", in reading order."""
+    everything = sorted(map(Exercise, CHAPTERS.glob("[0-9]*/exercises/[0-9]*")),
+                        key=lambda exercise: exercise.place)
+    if not number:
+        return everything
+    wanted = number.zfill(2) if "." not in number else number.zfill(4)
+    found = [e for e in everything if wanted in (e.number, e.number[:2])]
+    if not found:
+        raise Failure(f"there is no exercise {number}; there are\n" +
+                      "\n".join(f"  {e}" for e in everything))
+    return found
+
+
+def variants(source):
+    """Text of every variant of an exercise.cpp, and the texts that must reject the wrong ones."""
+    pieces, group, block, rejections = [], None, None, {}
+
+    def require(condition, message):
+        if not condition:
+            raise Failure(f"{source}:{number}: {message}")
+
+    for number, line in enumerate(source.read_text().splitlines(keepends=True), 1):
+        if "//@" not in line:
+            (pieces if group is None else block).append(line)
+            continue
+        tag = TAG.match(line)
+        require(tag, "not a tag: starter, solution, wrong NAME: TEXT, or end")
+        if tag[1] == "end":
+            require({"starter", "solution"} <= (group or {}).keys(),
+                    "this group has no starter or no solution")
+            pieces.append(group)
+            group = None
+            continue
+        name = tag[1] or tag[2]
+        if group is None:
+            group = {}
+        require(name not in group, f"a second {name} in one group")
+        block = group[name] = []
+        if tag[2]:
+            rejections.setdefault(name, []).append(tag[3])
+    require(group is None, "the last group has no end")
+    names = ["starter", "solution", *rejections]
+    return {name: "".join(text_of(piece, name) for piece in pieces) for name in names}, rejections
+
+
+def text_of(piece, variant):
+    """A common line, or what a group has for a variant."""
+    return piece if isinstance(piece, str) else "".join(piece.get(variant, piece["solution"]))
+
+
+def write(path, text):
+    """Keeps the time of a file that has this text already, so that it is not compiled again."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+def list_exercises():
+    for exercise in exercises():
+        copied = (pathlib.Path("exercises") / exercise.place).is_dir()
+        state = "copied" if copied else "not copied yet"
+        print(f"{exercise.number}  {exercise.title():52} {state}")
+    print("./stokes exercise NN copies the starters of a chapter to ./exercises/NN_METHOD;\n"
+          "./stokes check NN.K tells whether an exercise is done.")
+
+
+def copy(number):
+    for exercise in exercises(number):
+        place = pathlib.Path("exercises") / exercise.place
+        starter = variants(exercise.folder / "exercise.cpp")[0]["starter"]
+        for path, text in [(place / "README.md", (exercise.folder / "README.md").read_text()),
+                           (place / "exercise.cpp", starter)]:
+            if path.exists():
+                print(f"kept   {path}: it is yours; for a fresh one, move it away first")
+            else:
+                write(path, text)
+                print(f"wrote  {path}")
+
+
+def without_build_lines(output):
+    """What the compiler said, of what ninja prints."""
+    return re.sub(r"^(FAILED: .*\n.*\n|\[\d+/\d+\] .*\n|ninja: .*\n?)", "", output,
+                  flags=re.MULTILINE)
+
+
+def run(program, folder, **options):
+    """A program of the exercises; leaks are not their subject, 1 is the code of a wrong task."""
+    sanitizers = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3", "UBSAN_OPTIONS": "exitcode=3"}
+    return subprocess.run([program], cwd=folder, timeout=SECONDS, stderr=subprocess.STDOUT,
+                          env={**os.environ, **sanitizers}, **options)
+
+
+def check_one(build, exercise):
+    """Whether the reader's file passes; says all that there is to say."""
+    place = pathlib.Path("exercises") / exercise.place
+    reader = (place / "exercise.cpp").absolute()
+    print(f"{exercise}  ({place / 'exercise.cpp'})", flush=True)
+    if not reader.exists():
+        print(f"  there is no such file; ./stokes exercise {exercise.number[:2]} makes it")
+        return False
+    # The compiler names the reader's file in what it says.
+    write(build / "exercises" / exercise.place / "reader.cpp",
+          f'#line 1 "{reader}"\n' + reader.read_text())
+    ninja = ["cmake", "--build", build, "--target"]
+    library = [*ninja, f"stokesbook_{exercise.method}", exercise.target("check")]
+    # The first time this takes a while; a terminal shows how far it is.
+    first = subprocess.run(library, text=True, stdout=2 if sys.stderr.isatty() else
+                           subprocess.PIPE, stderr=subprocess.STDOUT)
+    if first.returncode:
+        raise Failure(f"the book's own part does not compile\n{first.stdout or ''}")
+    compiled = subprocess.run([*ninja, exercise.target("reader")], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    print(without_build_lines(compiled.stdout), end="", flush=True)
+    if compiled.returncode:
+        print("  does not compile")
+        return False
+    try:
+        code = run(build / "exercises" / exercise.place / "reader", place).returncode
+    except subprocess.TimeoutExpired:
+        print(f"\n  stopped after {SECONDS} s")
+        return False
+    if code not in (0, 1):
+        print(f"\n  stopped by an error in the task named last (exit code {code})")
+    return code == 0
+
+
+def check(build, number):
+    chosen = exercises(number)
+    if "." not in number:
+        chosen = [e for e in chosen if (pathlib.Path("exercises") / e.place).is_dir()]
+    if not chosen:
+        raise Failure(f"nothing to check in ./exercises: ./stokes exercise {number or 'NN'} copies "
+                      "starters there")
+    if not all([check_one(build, exercise) for exercise in chosen]):
+        raise SystemExit(1)
+
+
+def outcomes(program):
+    """Exit code, output and the outcome of every task."""
+    with tempfile.TemporaryDirectory() as folder:
+        result = run(program.absolute(), folder, text=True, stdout=subprocess.PIPE)
+    return result.returncode, result.stdout, dict(OUTCOME.findall(result.stdout))
+
+
+def prove(exercise, programs):
+    """Raises a Failure unless the check tells right from wrong."""
+    rejections = variants(exercise / "exercise.cpp")[1]
+    if len(rejections) < 2:
+        raise Failure("fewer than two wrong variants")
+    code, output, solved = outcomes(programs / "solution")
+    if code != 0 or not solved or set(solved.values()) != {"passed"}:
+        raise Failure(f"the solution does not pass:\n{output}")
+    code, output, tasks = outcomes(programs / "starter")
+    if code != 1 or tasks != dict.fromkeys(solved, "not done"):
+        raise Failure(f"the starter does not report every task as not done:\n{output}")
+    for name, texts in rejections.items():
+        code, output, tasks = outcomes(programs / name)
+        if code != 1 or tasks.keys() != solved.keys() or "wrong" not in tasks.values():
+            raise Failure(f"the wrong answer {name} is not rejected:\n{output}")
+        for text in texts:
+            if text not in output:
+                raise Failure(f"the rejection of {name} does not say '{text}':\n{output}")
+
+
+def main(command, *arguments):
+    if command == "exercise" and len(arguments) <= 1:
+        copy(*arguments) if arguments else list_exercises()
+    elif command == "check" and 1 <= len(arguments) <= 2:
+        check(pathlib.Path(arguments[0]), *arguments[1:] or [""])
+    elif command == "variants" and len(arguments) == 2:
+        for name, text in variants(pathlib.Path(arguments[0]) / "exercise.cpp")[0].items():
+            write(pathlib.Path(arguments[1]) / f"{name}.cpp", text)
+            print(name)
+    elif command == "prove" and len(arguments) == 2:
+        prove(*map(pathlib.Path, arguments))
+    else:
+        raise Failure("usage: ./stokes exercise [NN], ./stokes check [NN[.K]]")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:] or [""])
+    except Failure as failure:
+        sys.exit(f"stokes: {failure}")

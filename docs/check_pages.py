@@ -1,0 +1,284 @@
+"""Checks that the pages keep the rules of the book.
+
+check_pages.py sources ROOT     texts of chapters and exercises, before Doxygen
+check_pages.py xml FOLDER       what Doxygen read of the public API
+check_pages.py html FOLDER      the pages that Doxygen wrote
+
+Every check returns its findings as text; the program prints them and fails if there are any.
+
+Results are not typed. In the prose of a chapter, these are refused:
+- scientific notation: 1e-12, 10^-12, 10<sup>-12</sup>;
+- decimal fractions of four significant digits or more: 0.1234, 12.34;
+- counts and times with their unit: 47 iterations, 2.5 s.
+In formulas, a decimal mantissa times a power of ten is: 1.3 \\cdot 10^{-12}.
+Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
+tolerances and parameters as code (`1e-12`), headings' and equations'
+numbers, (01.10), and aliases, which carry the results.
+"""
+
+import html.parser
+import pathlib
+import re
+import sys
+import urllib.parse
+import xml.etree.ElementTree
+
+FENCE = re.compile(r"^( *)(```+|~~~+) *(\{?\.?[\w+-]*)")
+SHELL = {"sh", "console"}
+HEADING = re.compile(r"^(#{1,6}) ")
+FORMULA = re.compile(r"\\f\$(.*?)\\f\$|\\f\[(.*?)\\f\]|\\f\{(.*?)\\f\}|\$\$(.+?)\$\$", re.DOTALL)
+UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX)\b|\?\?\?")
+CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
+
+TYPED_RESULT = re.compile(
+    r"\b\d+(?:\.\d+)?[eE][-+]?\d+\b"
+    r"|\b10\s*(?:\^|<sup>)|\b10[⁻⁰¹²³⁴-⁹]+"
+    r"|(?<![\w.])(?=\d*\.\d)(?=(?:\.?\d){4})\d+\.\d+(?![\w.])"
+    r"|(?<![\w.])\d+(?:\.\d+)?\s*(?:iterations?|seconds?|ms|µs|s)\b")
+EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-2])\.\d{1,2}\)")  # (01.10)
+TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
+
+
+def blanked(match):
+    """The same number of lines, and nothing on them."""
+    return "\n" * match[0].count("\n")
+
+
+def without_code(text):
+    """The text without fenced blocks, and the language of each block with its line."""
+    lines, languages, fence = [], [], None
+    for number, line in enumerate(text.splitlines(), 1):
+        found = FENCE.match(line)
+        if fence is None and found:
+            fence = found[2]
+            languages.append((number, found[3].strip("{.")))
+        elif fence is not None:
+            if line.strip() == fence:
+                fence = None
+        else:
+            lines.append(line)
+            continue
+        lines.append("")
+    return "\n".join(lines) + "\n", languages
+
+
+def indented_code(text):
+    """Lines that Markdown takes for code: indented by four, after a blank line, and in no list."""
+    found, blank, in_list = [], True, False
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip():
+            blank = True
+            continue
+        indent = len(line) - len(line.lstrip())
+        if re.match(r" *([-*+]|\d+[.)]) ", line):
+            in_list = True
+        elif indent == 0:
+            in_list = False
+        if blank and indent >= 4 and not in_list:
+            found.append(number)
+        blank = False
+    return found
+
+
+def empty_headings(text):
+    """Headings followed by no text before the next heading of their level or above, or the end."""
+    found, open_headings = [], []  # the latter: (level, line), each without text so far
+    in_code = False
+    for number, line in enumerate(text.splitlines(), 1):
+        if FENCE.match(line):
+            in_code = not in_code
+        heading = HEADING.match(line)
+        if heading and not in_code:
+            level = len(heading[1])
+            found += [start for other, start in open_headings if other >= level]
+            open_headings = [(o, start) for o, start in open_headings if o < level]
+            open_headings.append((level, number))
+        elif line.strip():
+            open_headings = []
+    return sorted(found + [start for _, start in open_headings])
+
+
+def typed_results(text):
+    """Results in prose or formulas, each with its line."""
+    found = []
+
+    def look(pattern, part, offset):
+        for match in pattern.finditer(part):
+            found.append((text.count("\n", 0, offset + match.start()) + 1, match[0].strip()))
+
+    for formula in FORMULA.finditer(text):
+        look(TYPED_MANTISSA, formula[0], formula.start())
+    # What is no prose is overwritten, so that the rest keeps its place.
+    prose = text
+    for pattern in [FORMULA, re.compile(r"`[^`\n]*`"), re.compile(r"\]\([^)]*\)|<https?:[^>]*>"),
+                    EQUATION_NUMBER, re.compile(r"\{#\w+\}|[@\\]\w+")]:
+        prose = pattern.sub(lambda m: re.sub(r"[^\n]", "\0", m[0]), prose)
+    look(TYPED_RESULT, prose, 0)
+    return found
+
+
+def unfinished(name, text):
+    return [f"{name}:{number}: {match[0]}" for number, line in enumerate(text.splitlines(), 1)
+            if (match := UNFINISHED.search(line))]
+
+
+def text_violations(name, text):
+    """Breaches in any text of the book."""
+    return unfinished(name, text) + [f"{name}:{line}: a heading with nothing under it"
+                                     for line in empty_headings(text)]
+
+
+def chapter_violations(name, text):
+    """Breaches of the rules in one chapter.md."""
+    if not re.match(r"# \S.* \{#chapter_\d\d\}\n", text):
+        return [f"{name}:1: the first line must be a title and anchor: # Title {{#chapter_NN}}"]
+    prose, languages = without_code(text)
+    violations = text_violations(name, text)
+    violations += [f"{name}:{line}: a block of {language or 'code'}: show code by @snippet"
+                   for line, language in languages if language not in SHELL]
+    violations += [f"{name}:{line}: indented code: show code by @snippet"
+                   for line in indented_code(FORMULA.sub(blanked, prose))]
+    violations += [f"{name}:{number}: {match[0]}: show code by @snippet"
+                   for number, line in enumerate(prose.splitlines(), 1)
+                   if (match := CODE_COMMAND.search(line))]
+    violations += [f"{name}:{line}: a typed result, {result}: use the study's alias"
+                   for line, result in typed_results(prose)]
+    return violations
+
+
+def source_violations(root):
+    violations = []
+    for path in sorted([*root.glob("chapters/*/chapter.md"), *root.glob("docs/*.md"),
+                        *root.glob("chapters/*/exercises/*/README.md")]):
+        check = chapter_violations if path.name == "chapter.md" else text_violations
+        violations += check(path.relative_to(root).as_posix(), path.read_text())
+    return violations
+
+
+def has_text(element):
+    return element is not None and "".join(element.itertext()).strip() != ""
+
+
+def member_violations(member, owner):
+    """What the comment of one public member lacks."""
+    name = f"{owner}::{member.findtext('name')}"
+    lacks = []
+    if not has_text(member.find("briefdescription")) and not has_text(
+            member.find("detaileddescription")):
+        lacks.append("a description")
+    if member.get("kind") == "enum":
+        lacks += [f"a description of {value.findtext('name')}"
+                  for value in member.findall("enumvalue")
+                  if not has_text(value.find("briefdescription"))
+                  and not has_text(value.find("detaileddescription"))]
+    if member.get("kind") == "function":
+        documented = {item.findtext(".//parametername") for item in member.findall(
+            ".//parameterlist[@kind='param']/parameteritem")
+            if has_text(item.find("parameterdescription"))}
+        lacks += [f"@param {parameter.findtext('declname')}"
+                  for parameter in member.findall("param")
+                  if parameter.findtext("declname")
+                  and parameter.findtext("declname") not in documented]
+        result = "".join(member.find("type").itertext()).strip()
+        if result not in ("", "void") and member.find(".//simplesect[@kind='return']") is None:
+            lacks.append("@return")
+    return [f"{name} lacks {lack}" for lack in lacks]
+
+
+def is_implicit(member):
+    """Defaulted and deleted functions say all themselves, and so do destructors and friends."""
+    arguments = member.findtext("argsstring") or ""
+    return arguments.endswith(("=default", "=delete")) or member.findtext("name").startswith("~")
+
+
+def api_violations(folder):
+    """Public types, functions and variables of namespace stokesbook without their comment."""
+    violations, seen = [], set()
+    for path in sorted(folder.glob("*.xml")):
+        for compound in xml.etree.ElementTree.parse(path).getroot().findall("compounddef"):
+            owner = compound.findtext("compoundname")
+            kind = compound.get("kind")
+            if kind not in ("namespace", "class", "struct", "group") or compound.get("prot") in (
+                    "private", "protected"):
+                continue
+            if kind in ("class", "struct") and not has_text(compound.find("briefdescription")):
+                violations.append(f"{owner} lacks a description")
+            for member in compound.iter("memberdef"):
+                qualified = member.findtext("qualifiedname") or ""
+                if (member.get("prot") != "public" or member.get("id") in seen
+                        or member.get("kind") not in ("function", "variable", "enum", "typedef")
+                        or not qualified.startswith("stokesbook::") or is_implicit(member)):
+                    continue
+                seen.add(member.get("id"))
+                violations += member_violations(member, qualified.rpartition("::")[0])
+    if not seen:
+        violations.append(f"{folder}: nothing of namespace stokesbook was read")
+    return violations
+
+
+class Page(html.parser.HTMLParser):
+    """Anchors, links and prose of one page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.anchors, self.links, self.prose = set(), [], []
+        self._silent = []  # open elements whose text is no prose
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.anchors |= {attributes[key] for key in ("id", "name") if attributes.get(key)}
+        for key in ("href", "src", "data", "xlink:href"):
+            if attributes.get(key):
+                self.links.append(attributes[key])
+        is_code = "fragment" in (attributes.get("class") or "").split()
+        if tag in ("pre", "code", "script", "style", "tt", "svg") or is_code or (
+                self._silent and tag == self._silent[0]):
+            self._silent.append(tag)
+
+    def handle_endtag(self, tag):
+        if self._silent and self._silent[-1] == tag:
+            self._silent.pop()
+
+    def handle_data(self, data):
+        if not self._silent:
+            self.prose.append(data)
+
+
+MATH = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]|\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.DOTALL)
+LEAK = re.compile(r"[@\\][A-Za-z]\w+|\\f[$\[]|\?\?\?")
+
+
+def html_violations(folder):
+    """Broken links and anchors, missing pictures, and commands that show."""
+    pages = {path.name: Page(path.read_text()) for path in folder.glob("*.html")}
+    if "index.html" not in pages:
+        return [f"{folder}: no pages"]
+    violations = []
+    for name, page in sorted(pages.items()):
+        for link in sorted(set(page.links)):
+            parts = urllib.parse.urlsplit(link)
+            if parts.scheme or parts.netloc or link == "#":
+                continue
+            target, anchor = urllib.parse.unquote(parts.path) or name, parts.fragment
+            if not (folder / target).exists():
+                violations.append(f"{name}: {link} does not exist")
+            elif anchor and target in pages and anchor not in pages[target].anchors:
+                violations.append(f"{name}: {link} has no such anchor")
+        prose = MATH.sub("", "".join(page.prose))
+        violations += [f"{name}: shows {leak}" for leak in sorted(set(LEAK.findall(prose)))]
+    return violations
+
+
+CHECKS = {"sources": source_violations, "xml": api_violations, "html": html_violations}
+
+
+def main(what, folder):
+    violations = CHECKS[what](pathlib.Path(folder))
+    for violation in violations:
+        print(violation, file=sys.stderr)
+    return 1 if violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

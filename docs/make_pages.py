@@ -1,0 +1,151 @@
+"""Writes the pages that list what there is: chapters with their graph, and exercises.
+
+make_pages.py ROOT FOLDER
+
+Methods and what each adds are the table of the README; what builds on what is the rule of includes
+that tests/house checks. A chapter is there when its chapter.md is, an
+exercise when its README.md is.
+"""
+
+import html
+import pathlib
+import re
+import sys
+
+# Place of each method in the graph: column and row. Arrows point down.
+PLACES = {
+    "trapezoid": (1, 0), "double_layer": (1, 1), "stiv": (3, 1), "closure": (0, 2),
+    "near_singular": (1, 2), "fmm": (2, 2), "null_space": (0, 3), "stress": (1, 3),
+    "krylov": (0, 4), "time_stepping": (4, 4), "lcp": (5, 4), "suspension": (0, 5)}
+PITCH, WIDTH, HEIGHT, ROW = 64, 58, 40, 62
+LAST_ROW = 5  # of the chapter that uses all others: as wide as the graph
+
+
+def methods_of(root):
+    """Rows (number, method, what it adds) of the README's table."""
+    rows = re.findall(r"^\| (\d\d) \| `(\w+)` \| (.*?) \|", (root / "README.md").read_text(),
+                      re.MULTILINE)
+    assert len(rows) == len(PLACES), "the README's table of methods is not as expected"
+    return rows
+
+
+def may_use(root):
+    sys.path.insert(0, str(root / "tests/house"))
+    import house
+    return house.MAY_USE
+
+
+def direct_uses(uses, methods):
+    """What each method uses and does not already get through another one."""
+    direct = {}
+    for method in methods:
+        used = uses[method] & set(methods)
+        direct[method] = {u for u in used if not any(u in uses[other] for other in used)}
+    return direct
+
+
+def box(method):
+    """Left, top and width of a method's box."""
+    column, row = PLACES[method]
+    width = 5 * PITCH + WIDTH if row == LAST_ROW else WIDTH
+    return column * PITCH + 2, row * ROW + 2, width
+
+
+def arrow(used, user):
+    """From the bottom of one box to the top of another, which is below."""
+    left, top, width = box(used)
+    x1, y1 = left + width / 2, top + HEIGHT
+    left, y2, width = box(user)
+    assert y1 < y2, f"the graph of chapters has no place for {user} below {used}"
+    x2 = x1 if PLACES[user][1] == LAST_ROW else left + width / 2
+    return f'<path class="arrow" d="M{x1:g} {y1:g} L{x2:g} {y2 - 5:g}" marker-end="url(#tip)"/>'
+
+
+def graph(methods, uses, written):
+    names = [method for _, method, _ in methods]
+    lines = ['<div class="chapter-graph">',
+             f'<svg viewBox="0 0 {5 * PITCH + WIDTH + 4} {LAST_ROW * ROW + HEIGHT + 4}" role="img" '
+             'aria-label="The chapters; arrows lead to those that build on them">',
+             '<defs><marker id="tip" viewBox="0 0 6 6" refX="2" refY="3" markerWidth="6" '
+             'markerHeight="6" orient="auto"><path d="M0 0 L6 3 L0 6 z"/></marker></defs>']
+    for user, used in direct_uses(uses, names).items():
+        lines += [arrow(name, user) for name in sorted(used)]
+    for number, method, adds in methods:
+        left, top, width = box(method)
+        words = [method.replace("_", " ")] if width > WIDTH else method.split("_")
+        middle = left + width / 2
+        text = "".join(f'<text x="{middle:g}" y="{top + 24 + 10 * k}">{word}</text>'
+                       for k, word in enumerate(words))
+        there = number in written
+        node = (f'<g class="{"written" if there else "to-come"}"><title>{html.escape(adds)}'
+                f'{"" if there else " (to come)"}</title>'
+                f'<rect x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="6"/>'
+                f'<text class="number" x="{middle:g}" y="{top + 12}">{number}</text>{text}</g>')
+        lines.append(f'<a href="chapter_{number}.html">{node}</a>' if there else node)
+    return "\n".join([*lines, "</svg>", "</div>", ""])
+
+
+def exercises_of(root):
+    """Rows (chapter's number, exercise's number, README.md), in order."""
+    found = []
+    for readme in (root / "chapters").glob("*/exercises/*/README.md"):
+        chapter = readme.parents[2].name[:2]
+        exercise = int(readme.parent.name.partition("_")[0])
+        found.append((chapter, exercise, readme))
+    return sorted(found)
+
+
+def exercise_page(chapter, exercise, text):
+    """An exercise's README as a page: with an anchor, and formulas as Doxygen reads them."""
+    title, _, body = text.partition("\n")
+    parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", body, flags=re.MULTILINE | re.DOTALL)
+    for k in range(0, len(parts), 2):  # code stands at the odd places
+        parts[k] = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", parts[k], flags=re.DOTALL)
+        parts[k] = re.sub(r"\$(.+?)\$", r"\\f$\1\\f$", parts[k], flags=re.DOTALL)
+    return f"{title} {{#exercise_{chapter}_{exercise}}}\n{''.join(parts)}"
+
+
+def chapters_page(methods, written):
+    lines = ["# Chapters {#chapters}", "",
+             "In reading order. Each is a text, a program, a study and exercises about one library.",
+             "",
+             "| | chapter | library | what it adds |", "|---|---|---|---|"]
+    for number, method, adds in methods:
+        if number in written:
+            lines.append(f"| {number} | @subpage chapter_{number} | @ref {method} | {adds} |")
+        else:
+            lines.append(f"| {number} | to come | `{method}` | {adds} |")
+    return "\n".join([*lines, ""])
+
+
+def exercises_page(methods, exercises):
+    lines = ["# Exercises {#exercises}", "",
+             "`./stokes exercise 03` copies the starters of a chapter into `exercises/` of the",
+             "working directory; `./stokes check 03.2` compiles your file and says what it got, what",
+             "was expected, the formula and the hint.", ""]
+    for number, method, _ in methods:
+        pages = [f"- @subpage exercise_{number}_{exercise}"
+                 for chapter, exercise, _ in exercises if chapter == number]
+        if pages:
+            lines += [f"## Chapter {number}: {method.replace('_', ' ')}", "", *pages, ""]
+    if not exercises:
+        lines += ["None is written yet.", ""]
+    return "\n".join(lines)
+
+
+def main(root, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.iterdir():
+        old.unlink()
+    methods, exercises = methods_of(root), exercises_of(root)
+    written = {path.parent.name[:2] for path in (root / "chapters").glob("*/chapter.md")}
+    for chapter, exercise, readme in exercises:
+        (folder / f"exercise_{chapter}_{exercise}.md").write_text(
+            exercise_page(chapter, exercise, readme.read_text()))
+    (folder / "chapters.md").write_text(chapters_page(methods, written))
+    (folder / "chapter_graph.html").write_text(graph(methods, may_use(root), written))
+    (folder / "exercises.md").write_text(exercises_page(methods, exercises))
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))

@@ -1,0 +1,158 @@
+"""Checks the checks of the pages: each planted fault must be found, and good texts must pass."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "docs"))
+import check_pages  # noqa: E402
+import make_pages  # noqa: E402
+
+TITLE = "# A title {#chapter_01}\n\n"
+
+
+def chapter(text):
+    return check_pages.chapter_violations("chapter.md", TITLE + text)
+
+
+class Chapters(unittest.TestCase):
+    def assert_found(self, text, *words):
+        violations = chapter(text)
+        self.assertEqual(len(violations), 1, violations)
+        for word in words:
+            self.assertIn(word, violations[0])
+
+    def test_good_text(self):
+        self.assertEqual(chapter(
+            "With N = 32 nodes and a radius of 0.5, in 2 steps, to `1e-12` or \\f$ 10^{-12} \\f$.\n\n"
+            "## Part 1 {#chapter_01_part}\n\n### Part of it {#chapter_01_sub}\n\n"
+            "@snippet chapters/01_trapezoid/program.cpp sum\n\nThe error is @val_01_error_32.\n\n"
+            "- a list\n\n      that goes on\n\n```sh\n# no heading, and 1e-3\n./stokes docs\n```\n"), [])
+
+    def test_no_anchor(self):
+        self.assertIn("the first line", check_pages.chapter_violations("c.md", "# A\n\nText.\n")[0])
+
+    def test_fenced_code(self):
+        self.assert_found("```cpp\nint i;\n```\n", "chapter.md:3", "@snippet")
+        self.assert_found("```\nint i;\n```\n", "chapter.md:3", "@snippet")
+
+    def test_indented_code(self):
+        self.assert_found("Text.\n\n    int i;\n", "chapter.md:5", "@snippet")
+
+    def test_code_commands(self):
+        self.assert_found("@code{.cpp} int i; @endcode\n", "@snippet")
+        self.assert_found("<pre>int i;</pre>\n", "@snippet")
+
+    def test_typed_results(self):
+        for typed in ["1e-12", "1.5E-3", "10^-12", "10<sup>-12</sup>", "10⁻¹²", "0.1234", "12.345",
+                      "47 iterations", "2.5 s", "30 ms"]:
+            self.assert_found(f"The error\nis {typed}, say.\n", "chapter.md:4", "typed result")
+
+    def test_typed_result_in_a_formula(self):
+        self.assert_found("\\f$ 1.3 \\cdot 10^{-12} \\f$\n", "typed result")
+        self.assert_found("\\f[ x = 4.32\\times10^{-3} \\f]\n", "typed result")
+
+    def test_empty_heading(self):
+        self.assert_found("## One\n\n## Two\n\nText.\n", "chapter.md:3", "nothing under it")
+        self.assert_found("Text.\n\n## Last\n", "chapter.md:5", "nothing under it")
+        self.assert_found("Text.\n\n### Deep\n\n## Next\n\nText.\n", "chapter.md:5")
+
+    def test_unfinished(self):
+        for mark in ["TODO", "FIXME", "???"]:
+            self.assert_found(f"Text. {mark}\n", "chapter.md:3", mark)
+
+
+class PublicApi(unittest.TestCase):
+    MEMBER = """<memberdef kind="function" id="f" prot="public"><type>double</type><name>f</name>
+        <qualifiedname>stokesbook::f</qualifiedname><argsstring>(double x)</argsstring>
+        <param><type>double</type><declname>x</declname></param>
+        <briefdescription>{brief}</briefdescription><detaileddescription>{details}
+        </detaileddescription></memberdef>"""
+    PARAMETER = """<para><parameterlist kind="param"><parameteritem><parameternamelist>
+        <parametername>x</parametername></parameternamelist><parameterdescription>{}
+        </parameterdescription></parameteritem></parameterlist></para>"""
+    RESULT = '<para><simplesect kind="return"><para>a number</para></simplesect></para>'
+
+    def violations(self, member, kind="namespace", prot="public"):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "x.xml").write_text(
+                f'<doxygen><compounddef kind="{kind}" prot="{prot}"><compoundname>stokesbook'
+                f'</compoundname><sectiondef>{member}</sectiondef></compounddef></doxygen>')
+            return check_pages.api_violations(pathlib.Path(folder))
+
+    def function(self, brief="Computes.", parameter="a number", result=RESULT):
+        return self.MEMBER.format(brief=brief, details=self.PARAMETER.format(parameter) + result)
+
+    def test_documented(self):
+        self.assertEqual(self.violations(self.function()), [])
+
+    def test_undocumented(self):
+        self.assertEqual(self.violations(self.function(parameter="")),
+                         ["stokesbook::f lacks @param x"])
+        self.assertEqual(self.violations(self.function(result="")), ["stokesbook::f lacks @return"])
+        self.assertEqual(self.violations(self.MEMBER.format(brief="", details="")),
+                         ["stokesbook::f lacks a description", "stokesbook::f lacks @param x",
+                          "stokesbook::f lacks @return"])
+
+    def test_undocumented_enumerator(self):
+        self.assertEqual(self.violations(
+            '<memberdef kind="enum" id="e" prot="public"><name>E</name><qualifiedname>stokesbook::E'
+            '</qualifiedname><briefdescription>An enum.</briefdescription><enumvalue><name>a</name>'
+            '<briefdescription/></enumvalue></memberdef>'),
+            ["stokesbook::E lacks a description of a"])
+
+    def test_undocumented_type(self):
+        self.assertIn("stokesbook lacks a description",
+                      self.violations(self.function(), kind="struct"))
+
+    def test_nothing_read(self):
+        self.assertIn("nothing", self.violations(self.function(), kind="struct", prot="private")[0])
+
+
+class Html(unittest.TestCase):
+    def violations(self, body):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "index.html").write_text(f"<html><body>{body}</body></html>")
+            (folder / "other.html").write_text('<a id="here"></a>')
+            return check_pages.html_violations(folder)
+
+    def test_good_page(self):
+        self.assertEqual(self.violations(
+            '<a href="other.html#here">x</a> <a href="#top" id="top">y</a> <a href="https://a.org/b">'
+            r'z</a> \( \frac12 \) \[ \eta \] <code>\ref</code> <pre>@ref</pre>'), [])
+
+    def test_broken_link(self):
+        self.assertIn("does not exist", self.violations('<a href="none.html">x</a>')[0])
+        self.assertIn("does not exist", self.violations('<img src="none.svg">')[0])
+
+    def test_broken_anchor(self):
+        self.assertIn("no such anchor", self.violations('<a href="other.html#there">x</a>')[0])
+        self.assertIn("no such anchor", self.violations('<a href="#there">x</a>')[0])
+
+    def test_leaks(self):
+        for leak in [r"\val_01_error_32", "@ref", "@snippet", r"\f$", "???"]:
+            self.assertEqual(self.violations(f"<p>a {leak} b</p>"), [f"index.html: shows {leak}"])
+
+    def test_no_pages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(len(check_pages.html_violations(pathlib.Path(folder))), 1)
+
+
+class Lists(unittest.TestCase):
+    def test_every_method_has_its_place_in_the_graph(self):
+        methods = make_pages.methods_of(ROOT)
+        graph = make_pages.graph(methods, make_pages.may_use(ROOT), {"01"})
+        self.assertEqual(graph.count("<rect"), 12)
+        self.assertEqual(graph.count('class="to-come"'), 11)
+        self.assertIn('href="chapter_01.html"', graph)
+
+    def test_exercise_page(self):
+        self.assertEqual(make_pages.exercise_page("03", 2, "# Two\nA $x$ and `$HOME`.\n"),
+                         "# Two {#exercise_03_2}\nA \\f$x\\f$ and `$HOME`.\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

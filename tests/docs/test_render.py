@@ -1,0 +1,96 @@
+"""Renders the pages of this build in a browser, and planted faults, each of which must be found.
+
+test_render.py FOLDER-OF-PAGES CHROMIUM
+"""
+
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+import browser
+import render
+
+SITE = pathlib.Path(sys.argv.pop(1)).resolve()
+CHROMIUM = sys.argv.pop(1)
+
+
+class ThisBuild(unittest.TestCase):
+    maxDiff = None
+
+    def test_every_page(self):
+        pages = render.pages_of(SITE)
+        self.assertGreater(len(pages), 20)
+        self.assertEqual(render.render_all(pages, CHROMIUM), [])
+
+    def test_search(self):
+        with browser.Browser(CHROMIUM) as chromium:
+            found = render.search_results(chromium.tab(), SITE / "index.html", "stresslet")
+        self.assertIn("stresslet", found)
+
+
+class PlantedFaults(unittest.TestCase):
+    """One page with formulas, into which each test plants one fault."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.page = pathlib.Path(cls.folder.name).resolve() / "page.html"
+        shutil.copytree(SITE / "mathjax", cls.page.parent / "mathjax")
+        cls.chromium = browser.Browser(CHROMIUM)
+        cls.tab = cls.chromium.tab()
+        head = (SITE / "conventions.html").read_text().partition("<body>")[0]
+        start = head.index("<script type=\"text/x-mathjax-config\">")
+        cls.mathjax = head[start:head.index("MathJax.js\"></script>") + len("MathJax.js\"></script>")]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.chromium.__exit__()
+        cls.folder.cleanup()
+
+    def problems(self, body):
+        self.page.write_text(
+            "<!DOCTYPE html><html><head><meta charset='utf-8'><meta name='viewport' "
+            f"content='width=device-width'>{self.mathjax}</head><body>"
+            f"<div class='contents'>{body}</div></body></html>")
+        return " ".join(render.render(self.tab, self.page))
+
+    def test_a_good_page(self):
+        self.assertEqual(self.problems(
+            r"<p>\( \frac12 \)</p><svg width='99' height='99'></svg><code>\(</code>"), "")
+
+    def test_unknown_macro(self):
+        self.assertIn("a formula is wrong", self.problems(r"<p>\( \nosuchmacro \)</p>"))
+
+    def test_unbalanced_brace(self):
+        self.assertIn("a formula is wrong", self.problems(r"<p>\( \frac{1 \)</p>"))
+
+    def test_unknown_equation(self):
+        self.assertIn("not on its page", self.problems(r"<p>\( \eqref{none} \)</p>"))
+
+    def test_formula_that_is_left_alone(self):
+        self.assertIn("TeX shows", self.problems(r"<p>\( x</p>"))
+
+    def test_missing_picture(self):
+        self.assertIn("a picture is missing", self.problems("<img src='none.svg' width=99 height=99>"))
+
+    def test_picture_without_size(self):
+        self.assertIn("a picture has no size", self.problems("<svg width='0' height='9'></svg>"))
+
+    def test_console_error(self):
+        self.assertIn("said so", self.problems("<script>console.error('said so')</script>"))
+
+    def test_exception(self):
+        self.assertIn("nosuchname", self.problems("<script>nosuchname()</script>"))
+
+    def test_missing_script(self):
+        self.assertIn("ERR_FILE_NOT_FOUND", self.problems("<script src='none.js'></script>"))
+
+    def test_too_wide(self):
+        self.assertIn("wider than the screen",
+                      self.problems("<div style='width:500px'>a wide thing</div>"))
+
+
+if __name__ == "__main__":
+    unittest.main()

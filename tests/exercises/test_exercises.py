@@ -1,0 +1,212 @@
+"""The tool of the exercises as a reader and as an author meet it.
+
+Usage: test_exercises.py CHAPTERS BUILD [unittest arguments]
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CHAPTERS, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+PLACE = pathlib.Path("exercises/01_trapezoid/1_aliasing")
+
+TAGGED = """int common;
+//@ starter
+not_done();
+//@ solution
+right();
+//@ wrong slow: too slow
+wrong();
+//@ end
+//@ starter
+//@ solution
+second();
+//@ wrong sign: the sign
+minus();
+//@ end
+"""
+
+
+class Tool(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def tool(self, *arguments, code=0):
+        result = subprocess.run([sys.executable, CHAPTERS / "exercises.py", *arguments],
+                                cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result.stdout + result.stderr
+
+
+class Reader(Tool):
+    def check(self, source, code):
+        path = self.folder / PLACE / "exercise.cpp"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(source)
+        return self.tool("check", BUILD, "01.1", code=code)
+
+    def variant(self, name):
+        return (BUILD / PLACE / f"{name}.cpp").read_text()
+
+    def test_list(self):
+        text = self.tool("exercise")
+        self.assertRegex(text, r"01\.1  Aliasing.* not copied yet")
+        self.tool("exercise", "01.1")
+        text = self.tool("exercise")
+        self.assertRegex(text, r"01\.1  Aliasing.* copied")
+        self.assertRegex(text, r"01\.2 .* not copied yet")
+
+    def test_copy(self):
+        self.tool("exercise", "01")
+        for name in ["1_aliasing", "2_distance_of_a_pole", "3_corner"]:
+            place = self.folder / "exercises" / "01_trapezoid" / name
+            self.assertEqual({p.name for p in place.iterdir()}, {"README.md", "exercise.cpp"})
+            source = (place / "exercise.cpp").read_text()
+            self.assertIn("not_done", source)
+            self.assertNotIn("//@", source)
+
+    def test_copy_keeps_what_is_there(self):
+        self.tool("exercise", "1")
+        mine = self.folder / PLACE / "exercise.cpp"
+        mine.write_text("// mine\n")
+        self.assertRegex(self.tool("exercise", "1"), r"kept .*exercise\.cpp.* move it away first")
+        self.assertEqual(mine.read_text(), "// mine\n")
+        mine.unlink()
+        self.assertIn(f"wrote  {PLACE / 'exercise.cpp'}", self.tool("exercise", "1"))
+
+    def test_unknown_numbers(self):
+        for command in [["exercise"], ["check", BUILD]]:
+            for number in ["99", "01.99", "0", "krylov"]:
+                text = self.tool(*command, number, code=1)
+                self.assertIn(f"there is no exercise {number}", text)
+                self.assertIn("  01.2  The distance of a pole", text)
+        self.assertIn("usage", self.tool("exercise", "01", "02", code=1))
+
+    def test_nothing_to_check(self):
+        self.assertIn("./stokes exercise NN", self.tool("check", BUILD, code=1))
+        self.assertIn("./stokes exercise 01", self.tool("check", BUILD, "01", code=1))
+        self.assertIn("./stokes exercise 01", self.tool("check", BUILD, "01.1", code=1))
+
+    def test_check_of_the_starter(self):
+        text = self.check(self.variant("starter"), code=1)
+        self.assertIn(f"({PLACE / 'exercise.cpp'})", text)
+        self.assertRegex(text, "task 1, .*: not done")
+        self.assertIn("0 of 4 tasks passed", text)
+        self.assertEqual(self.tool("check", BUILD, code=1), self.tool("check", BUILD, "01", code=1))
+
+    def test_check_of_the_solution(self):
+        text = self.check(self.variant("solution"), code=0)
+        self.assertIn("4 of 4 tasks passed", text)
+        self.assertNotRegex(text, "warning|ninja|FAILED")
+
+    def test_check_of_a_wrong_answer(self):
+        text = self.check(self.variant("half_of_the_modes"), code=1)
+        for line in ["got ", "expected ", "formula ", "hint ", "mistake   this is half"]:
+            self.assertIn("    " + line, text)
+        self.assertIn("3 of 4 tasks passed", text)
+
+    def test_compile_errors_name_the_readers_file(self):
+        text = self.check(self.variant("starter") + "int broken(;\n", code=1)
+        line = len(self.variant("starter").splitlines()) + 1
+        self.assertIn(f"{(self.folder / PLACE / 'exercise.cpp').resolve()}:{line}:", text)
+        self.assertNotRegex(text, r"ninja|FAILED|-std=")
+
+    def test_warnings_are_shown_and_forgiven(self):
+        text = self.check(self.variant("solution") + "static int unused() { return 1; }\n", code=0)
+        self.assertIn("-Wunused-function", text)
+
+    def test_errors_at_run_time(self):
+        starter = self.variant("starter")
+        for code, message in [
+                ("int x[3] = {}; return x[k + 8];", "index 8 out of bounds"),
+                ("double* x = new double[3]; delete[] x; return a + k + x[1];", "use-after-free")]:
+            text = self.check(starter.replace("not_done(a, k);", code), code=1)
+            self.assertIn(message, text)
+            self.assertIn("stopped by an error in the task named last", text)
+        thrown = 'throw std::range_error(a > k ? "mine" : "other");'
+        text = self.check("#include <stdexcept>\n" + starter.replace("not_done(a, k);", thrown),
+                          code=1)
+        self.assertRegex(text, "task 1, .*: stopped by an exception\n    message   mine\n")
+        self.assertRegex(text, "task 2, .*: not done")
+
+
+class Author(Tool):
+    def variants(self, source, code=0):
+        (self.folder / "exercise.cpp").write_text(source)
+        return self.tool("variants", ".", "out", code=code)
+
+    def test_variants(self):
+        self.assertEqual(self.variants(TAGGED).split(), ["starter", "solution", "slow", "sign"])
+        for name, lines in [("starter", ["not_done();"]), ("solution", ["right();", "second();"]),
+                            ("slow", ["wrong();", "second();"]),
+                            ("sign", ["right();", "minus();"])]:
+            text = (self.folder / "out" / f"{name}.cpp").read_text()
+            self.assertEqual(text.splitlines(), ["int common;", *lines])
+
+    def test_bad_tags(self):
+        for old, new, message in [
+                ("//@ solution\nright", "right",
+                 "exercise.cpp:7: this group has no starter or no solution"),
+                ("//@ wrong slow: too slow", "//@ wrong slow", "exercise.cpp:6: not a tag"),
+                ("//@ wrong slow: too slow", "//@ starter", "exercise.cpp:6: a second starter"),
+                ("//@ starter\nnot", "//@ end\nnot", "exercise.cpp:2: this group has no starter"),
+                ("minus();\n//@ end\n", "", "the last group has no end")]:
+            self.assertIn(old, TAGGED)
+            self.assertIn(message, self.variants(TAGGED.replace(old, new), code=1))
+
+    def program(self, name, *outcomes, code=1, text=""):
+        lines = [f"  task {k}, a title: {word}" for k, word in enumerate(outcomes, 1)]
+        path = self.folder / name
+        path.write_text("#!/bin/sh\ncat <<'END'\n" + "\n".join([*lines, text]) +
+                        f"\nEND\nexit {code}\n")
+        path.chmod(0o755)
+
+    def test_proof(self):
+        (self.folder / "exercise.cpp").write_text(TAGGED)
+
+        def right():
+            self.program("starter", "not done", "not done")
+            self.program("solution", "passed", "passed", code=0)
+            self.program("slow", "wrong", "passed", text="it is too slow")
+            self.program("sign", "passed", "wrong", text="the sign")
+
+        right()
+        self.tool("prove", ".", ".")
+        for plant, message in [
+                (lambda: self.program("solution", "passed", "wrong"), "solution does not pass"),
+                (lambda: self.program("solution", "passed", "passed"), "solution does not pass"),
+                (lambda: self.program("solution", code=0), "solution does not pass"),
+                (lambda: self.program("starter", "not done", "passed"), "every task as not done"),
+                (lambda: self.program("starter", "not done"), "every task as not done"),
+                (lambda: self.program("starter", "not done", "not done", code=3), "as not done"),
+                (lambda: self.program("slow", "passed", "passed", code=0), "slow is not rejected"),
+                (lambda: self.program("slow", "wrong", code=3), "slow is not rejected"),
+                (lambda: self.program("sign", "passed", "wrong"), "does not say 'the sign'")]:
+            right()
+            plant()
+            self.assertIn(message, self.tool("prove", ".", ".", code=1))
+
+    def test_proof_wants_two_wrong_answers(self):
+        self.variants(TAGGED.replace("//@ wrong slow: too slow\nwrong();\n", ""))
+        self.assertIn("fewer than two", self.tool("prove", ".", ".", code=1))
+
+    def test_every_exercise_is_complete_and_proved(self):
+        folders = [p for p in CHAPTERS.glob("*/exercises/*")]
+        self.assertTrue(folders)
+        for folder in folders:
+            self.assertEqual({p.name for p in folder.iterdir()},
+                             {"README.md", "exercise.cpp", "check.cpp"}, folder)
+            programs = BUILD / "exercises" / folder.parent.parent.name / folder.name
+            self.assertTrue((programs / "solution.cpp").exists(),
+                            f"{folder} is not in chapters/CMakeLists.txt")
+            readme = (folder / "README.md").read_text()
+            for part in ["# ", "**Objective.**", "**Tasks.**", "**Out of scope.**", "<details>"]:
+                self.assertIn(part, readme, folder)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
