@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -46,7 +47,7 @@ StokesProblem in_shear(const Suspension& suspension) {
     const Complex position = suspension.positions[static_cast<std::size_t>(k)];
     const double orientation = suspension.orientations[static_cast<std::size_t>(k)];
     const Curve curve = place(suspension.reference, position, orientation);
-    problem.components.push_back({.curve = curve, .centre = position});
+    problem.components.push_back({ComponentKind::free_body, curve, position, {}, 0.0, {}});
     problem.background.segment(k * n, n) = curve.x.imag().cast<Complex>();
   }
   return problem;
@@ -54,7 +55,7 @@ StokesProblem in_shear(const Suspension& suspension) {
 // [suspension]
 
 Suspension nine_circles() {
-  Suspension circles{"nine circles", sample(Circle{0.5}, 64, Side::fluid_outside), {}, {}};
+  Suspension circles{"nine circles", sample(Circle{0.5}, 48, Side::fluid_outside), {}, {}};
   for (int k = 0; k < 9; ++k) {
     circles.positions.push_back(1.25 * Complex(k % 3 - 1, k / 3 - 1));
     circles.orientations.push_back(0.0);
@@ -75,7 +76,7 @@ Suspension chain_of_ellipses() {
 // [preconditioner]
 // The inverse of one body's block, computed once in its own frame and turned to each body.
 BlockDiagonalPreconditioner own_blocks(const Suspension& suspension) {
-  const Component alone{.curve = suspension.reference};
+  const Component alone{ComponentKind::free_body, suspension.reference, {}, {}, 0.0, {}};
   const auto inverse = std::make_shared<MatrixXd>(invert_block(self_block(alone)));
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (const double orientation : suspension.orientations) {
@@ -159,11 +160,11 @@ std::string eigenvalues(const MatrixXd& matrix, const std::string& name, Complex
   }
   const std::string stroke = "fill=\"none\" stroke=\"currentColor\" ";
   std::string ticks, numbers;
-  for (const double x : {-1.0, -0.5, 0.5, 1.0, 1.5}) {
+  for (const double x : {-2.0, -1.5, -1.0, -0.5, 0.5, 1.0, 1.5, 2.0}) {
     const Complex at = pixel(x);
     if (at.real() < 20.0 || at.real() > 540.0) continue;
     ticks += svg::line(at + Complex{0.0, 12.0}, at + Complex{0.0, 17.0});
-    numbers += svg::label(at + Complex{-8.0, 32.0}, svg::number(x));
+    numbers += svg::label(at + Complex{0.0, 32.0}, svg::number(x), "text-anchor=\"middle\"");
   }
   return svg::label({20.0, origin.imag() - 28.0}, name) + numbers +
          svg::path(svg::line({20.0, zero.imag() + 12.0}, {540.0, zero.imag() + 12.0}) + ticks,
@@ -178,7 +179,7 @@ std::string spectra(const std::vector<Comparison>& comparisons) {
   std::string pictures;
   double y = 60.0;
   for (const Comparison& comparison : comparisons) {
-    pictures += eigenvalues(comparison.matrix, comparison.name, {300.0, y});
+    pictures += eigenvalues(comparison.matrix, comparison.name, {500.0, y});
     pictures += eigenvalues(comparison.preconditioned, comparison.name + ", preconditioned",
                             {60.0, y + 95.0});
     y += 190.0;
