@@ -10,6 +10,7 @@ study::Study trapezoid_study();
 study::Study double_layer_study();
 study::Study closure_study();
 study::Study null_space_study();
+study::Study krylov_study();
 /// @}
 
 }  // namespace stokesbook

@@ -28,6 +28,7 @@ class HessenbergLeastSquares {
  public:
   explicit HessenbergLeastSquares(double beta) : rhs_{beta} {}
 
+  //! [rotate]
   // Takes column k of H (k + 2 entries); returns the new residual norm.
   double append(VectorXd column) {
     const auto k = static_cast<Index>(rotations_.size());
@@ -45,6 +46,7 @@ class HessenbergLeastSquares {
     rhs_.push_back(last[1]);
     return std::abs(last[1]);
   }
+  //! [rotate]
 
   VectorXd solve() const {
     const auto k = static_cast<Index>(columns_.size());
@@ -82,6 +84,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   basis.col(0) = b / norm;
   HessenbergLeastSquares least_squares(norm);
   for (Index k = 0; k < most; ++k) {
+    //! [arnoldi]
     VectorXd w = apply(preconditioned(basis.col(k)));
     require_finite(w, "the operator", static_cast<int>(k + 1));
     VectorXd column = VectorXd::Zero(k + 2);
@@ -92,6 +95,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     }
     column[k + 1] = w.norm();
     result.history.push_back(least_squares.append(column) / norm);
+    //! [arnoldi]
     ++result.iterations;
     result.converged = result.history.back() <= options.tolerance;
     if (result.converged) break;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <numbers>
+#include <vector>
+
+#include "krylov/gmres.hpp"
+#include "study/study.hpp"
+
+namespace stokesbook {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment known_spectra();
+study::Experiment least_residuals();
+study::Experiment orthogonality();
+study::Experiment residuals();
+study::Experiment pair_spectrum();
+study::Experiment clusters();
+study::Experiment nine_by_form();
+study::Experiment published_count();
+study::Experiment one_body();
+study::Experiment slender_bodies();
+study::Experiment aspect_ratios();
+study::Experiment gaps();
+study::Experiment restarts();
+study::Experiment tolerances();
+study::Experiment solvers();
+study::Experiment costs_of_a_solve();
+/// @}
+
+/// Relative residuals of GMRES that starts anew every `length` iterations, before and after each.
+std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
+                              const Eigen::VectorXd& b, int length, int iterations);
+
+}  // namespace stokesbook

@@ -1,0 +1,110 @@
+// Bodies that nearly touch: what the block-diagonal preconditioner cannot do, and what a restart
+// makes of it.
+#include <cmath>
+
+#include "experiments.hpp"
+#include "systems.hpp"
+
+namespace stokesbook {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+constexpr GmresOptions options{1e-8, 1000};
+
+using Bodies = std::vector<PlacedBody> (*)(double gap);
+
+/// Nodes that resolve densities with modes e^{-alpha |k|}, cosh alpha = 1 + gap / 2.
+Index nodes_for(double gap) {
+  return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
+}
+
+enum class Blocks { none, own };
+
+LinearMap blocks_of(const std::vector<PlacedBody>& bodies, Index nodes, Blocks blocks) {
+  return blocks == Blocks::own ? LinearMap(block_diagonal(bodies, nodes)) : LinearMap{};
+}
+
+/// @param  fixed_nodes  a planted defect: so many whatever the gap; 0: as many as needed
+Measure counts(Bodies arrange, Blocks blocks, std::vector<double> gaps, Index fixed_nodes = 0) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (const double gap : gaps) {
+      if (size == Size::quick && gap < 0.02 && arrange == hexagon) continue;
+      if (size == Size::quick && gap < 0.01) continue;
+      const Index nodes = fixed_nodes > 0 ? fixed_nodes : nodes_for(gap);
+      const std::vector<PlacedBody> bodies = arrange(gap);
+      const BodySystem system(bodies, nodes, generic_flow);
+      const GmresResult result =
+          gmres(system.map(), blocks_of(bodies, nodes, blocks), system.rhs(), options);
+      measurements.push_back({.x = gap,
+                              .error = static_cast<double>(result.iterations),
+                              .unknowns = static_cast<double>(system.size())});
+    }
+    return measurements;
+  };
+}
+
+constexpr double restart_gap = 1e-2;
+
+Measure history(int length) {
+  return [=](Size) {
+    const Index nodes = nodes_for(restart_gap);
+    const BodySystem system(circle_pair(restart_gap), nodes, generic_flow);
+    const LinearMap solve_blocks = block_diagonal(circle_pair(restart_gap), nodes);
+    const std::vector<double> residuals =
+        restarted(system.map(), solve_blocks, system.rhs(), length, 120);
+    std::vector<Measurement> measurements;
+    for (std::size_t k = 1; k < residuals.size() && residuals[k - 1] > 1e-10; ++k) {
+      measurements.push_back({.x = static_cast<double>(k), .error = residuals[k]});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment gaps() {
+  const std::vector<double> of_pair{0.001, 0.003, 0.01, 0.03, 0.1, 0.3};
+  const std::vector<double> of_hexagon{0.01, 0.03, 0.1, 0.3};
+  return {.key = "gaps",
+          .title = "Iterations and gaps",
+          .x = "gap, in radii, g",
+          .error = "iterations to a residual of 1e-8",
+          .lines = {
+              {.key = "pair",
+               .label = "two circles, block-diagonal",
+               .measure = counts(circle_pair, Blocks::own, of_pair),
+               .claim = Claim{.id = "05_21",
+                              .statement = "Near contact the block-diagonal preconditioner fails: "
+                                           "the iterations of two circles grow as g^(-1/2).",
+                              .law = Algebraic{0.5, 0.1},
+                              .window = {.to = 0.1},
+                              .reason = "2 a k - asinh(k sinh 2a) is the same function of a k for "
+                                        "all small a: the eigenvalues that are not clustered "
+                                        "number C / a, a ~ g^(1/2)",
+                              .api = {"stokesbook::BlockDiagonalPreconditioner"}},
+               .control = Control{"32 nodes a circle, whatever the gap",
+                                  counts(circle_pair, Blocks::own, of_pair, 32)}},
+              {.key = "pair_none",
+               .label = "two circles, no preconditioner",
+               .measure = counts(circle_pair, Blocks::none, of_pair)},
+              {.key = "hexagon",
+               .label = "hexagon of seven circles, block-diagonal",
+               .measure = counts(hexagon, Blocks::own, of_hexagon)}}};
+}
+
+Experiment restarts() {
+  return {.key = "restarts",
+          .title = "Restarts, for two circles with the gap 1e-2",
+          .x = "matrix-vector products k",
+          .error = "residual, relative to the right-hand side",
+          .axes = Axes::semi_log,
+          .lines = {{.key = "never", .label = "no restart", .measure = history(120)},
+                    {.key = "thirty", .label = "every 30 iterations", .measure = history(30)},
+                    {.key = "ten", .label = "every 10 iterations", .measure = history(10)}}};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,17 @@
+// Study of GMRES and the block-diagonal preconditioner: iterations that theory predicts.
+#include "experiments.hpp"
+#include "studies.hpp"
+
+namespace stokesbook {
+
+study::Study krylov_study() {
+  return {.number = "05",
+          .name = "krylov",
+          .title = "GMRES and the block-diagonal preconditioner",
+          .experiments = {known_spectra(), least_residuals(), orthogonality(), residuals(),
+                          pair_spectrum(), clusters(), nine_by_form(), published_count(),
+                          one_body(), slender_bodies(), aspect_ratios(), gaps(), restarts(),
+                          tolerances(), solvers(), costs_of_a_solve()}};
+}
+
+}  // namespace stokesbook

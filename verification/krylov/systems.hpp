@@ -1,0 +1,127 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "closure/bordered_system.hpp"
+#include "closure/closure.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "krylov/block_diagonal.hpp"
+#include "krylov/gmres.hpp"
+#include "near_singular/near_correction.hpp"
+#include "trapezoid/shape.hpp"
+
+namespace stokesbook {
+
+/// A free body, without load.
+struct PlacedBody {
+  Shape shape;
+  Complex position;
+  double orientation = 0.0;
+};
+
+/// Undisturbed velocity at a point.
+using Flow = std::function<Complex(Complex)>;
+
+/// The shear flow (y, 0).
+inline Complex shear(Complex z) {
+  return z.imag();
+}
+
+/// A flow without the symmetries of the arrangements.
+inline Complex generic_flow(Complex z) {
+  return z.imag() + 0.7 * std::conj(z) + 0.3 * std::exp(0.4 * z) * imaginary;
+}
+
+/// How the double layer of one body is evaluated on another.
+enum class Between {
+  trapezoid,  ///< by the rule: an error of order 1 where the gap is less than the node spacing
+  resolved    ///< with near corrections, exactly for the densities that the nodes hold
+};
+
+/// Bodies in a flow, posed as the problem that their nodes make of it.
+StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Eigen::Index nodes,
+                         const Flow& flow);
+
+/// A free body of that shape alone, in its own frame.
+Component alone(const Shape& shape, Eigen::Index nodes);
+
+/// The inverse of the bodies' diagonal blocks; bodies of equal shape share one.
+BlockDiagonalPreconditioner block_diagonal(const std::vector<PlacedBody>& bodies,
+                                           Eigen::Index nodes);
+
+/// The near corrections between bodies.
+NearCorrection near_correction(const std::vector<PlacedBody>& bodies, Eigen::Index nodes);
+
+/// The reduced system of bodies in a flow.
+class BodySystem {
+ public:
+  BodySystem(std::vector<PlacedBody> bodies, Eigen::Index nodes, const Flow& flow,
+             Between between = Between::resolved);
+
+  /// The operator; refers to this object.
+  LinearMap map() const {
+    return [this](const Eigen::VectorXd& v) { return apply(v); };
+  }
+  Eigen::VectorXd apply(const Eigen::VectorXd& density) const;
+  Eigen::VectorXd rhs() const;
+  Eigen::MatrixXd matrix() const;
+  std::vector<RigidMotion> motions(const Eigen::VectorXd& density) const;
+  Eigen::Index size() const { return 2 * nodes_ * static_cast<Eigen::Index>(bodies_.size()); }
+
+ private:
+  std::vector<PlacedBody> bodies_;
+  Eigen::Index nodes_;
+  std::vector<Curve> curves_;
+  Closure closure_;
+  StressletSum sum_;
+  std::optional<NearCorrection> near_;
+};
+
+/// A bordered form of the same system, dense but for the near corrections.
+class BorderedSystem {
+ public:
+  BorderedSystem(const std::vector<PlacedBody>& bodies, Eigen::Index nodes, const Flow& flow,
+                 Between between, ClosureForm form);
+
+  /// The operator and the inverse of its diagonal blocks, each with its border; refer to this
+  /// object.
+  LinearMap map() const {
+    return [this](const Eigen::VectorXd& v) { return apply(v); };
+  }
+  LinearMap preconditioner() const {
+    return [this](const Eigen::VectorXd& v) { return solve_blocks(v); };
+  }
+  const Eigen::VectorXd& rhs() const { return system_.rhs; }
+
+ private:
+  Eigen::VectorXd apply(const Eigen::VectorXd& v) const;
+  Eigen::VectorXd solve_blocks(const Eigen::VectorXd& v) const;
+  std::vector<Eigen::Index> block_rows(Eigen::Index body) const;
+
+  Eigen::Index count_, nodes_;
+  DenseSystem system_;
+  std::optional<NearCorrection> near_;
+  std::vector<Eigen::MatrixXd> inverses_;
+};
+
+/// @name Arrangements
+/// @{
+
+/// Nine circles of radius .5 with the pitch 1.25: gaps of .25.
+std::vector<PlacedBody> nine_circles();
+
+/// A woven lattice of ellipses: every neighbour is turned by a right angle, the tip of one .0555
+/// from the flank of the next.
+std::vector<PlacedBody> woven_ellipses(int columns, int rows, double aspect);
+
+/// Two unit circles.
+std::vector<PlacedBody> circle_pair(double gap);
+
+/// A unit circle and the six around it that nearly touch it and each other.
+std::vector<PlacedBody> hexagon(double gap);
+
+/// @}
+
+}  // namespace stokesbook
