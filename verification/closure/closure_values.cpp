@@ -5,7 +5,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -119,4 +119,4 @@ Experiment closure_values() {
                               at(sizes, change_by_strength)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

@@ -2,7 +2,7 @@
 // viscosity. On an ellipse, generic but near enough to the circle whose singular values are known.
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -274,4 +274,4 @@ Experiment condition_and_viscosity() {
                               at(log_points(1e-5, 1e4, 13), with_load_for_motion)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

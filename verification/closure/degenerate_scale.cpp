@@ -2,7 +2,7 @@
 // has no resistance to find; with zero net force and a free uniform velocity none is special.
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -87,4 +87,4 @@ Experiment near_degenerate_scale() {
                                     at(distances, condition_at(gauge))}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

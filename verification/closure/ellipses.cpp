@@ -7,7 +7,7 @@
 #include "experiments.hpp"
 #include "support/closed_forms.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -197,4 +197,4 @@ Experiment sheared_ellipses() {
                                  {"normals into the fluid", solve_reduced, opposite_normals})}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

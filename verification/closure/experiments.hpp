@@ -7,7 +7,7 @@
 #include "support/mean_square.hpp"
 #include "support/problems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 /// @name Experiments of the study
 /// @{
@@ -84,4 +84,4 @@ inline ComplexVector shear(const ComplexVector& x, double rate) {
   return rate * x.imag().cast<Complex>();
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "support/closed_forms.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -273,4 +273,4 @@ Experiment forms_at_work() {
           .operation = "kernel evaluations"};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

@@ -5,7 +5,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -106,4 +106,4 @@ Experiment spectrum() {
                        })}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

@@ -5,6 +5,7 @@
 namespace stokesbook {
 
 study::Study closure_study() {
+  using namespace verification::closure;
   return {.number = "03",
           .name = "closure",
           .title = "Closure: forces, torques and motions",

@@ -2,7 +2,7 @@
 #include "experiments.hpp"
 #include "support/mobility_matrix.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -72,4 +72,4 @@ Experiment symmetry() {
                                   ClosureForm::scaled_bordered)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

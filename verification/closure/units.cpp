@@ -4,7 +4,7 @@
 #include "experiments.hpp"
 #include "support/closed_forms.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::closure {
 
 using namespace study;
 using namespace test;
@@ -103,4 +103,4 @@ Experiment units() {
                          at(lengths, [](double l) { return held_error(l, other_gauge); })}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::closure

@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "support/dirichlet.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -137,4 +137,4 @@ Experiment conditioning() {
            .measure = over_nodes(ellipse, inward_normal)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

@@ -2,7 +2,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -75,4 +75,4 @@ Experiment cost() {
                      .control = Control{"each body on itself only", counted(own_pairs)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

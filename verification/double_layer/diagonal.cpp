@@ -5,7 +5,7 @@
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -98,4 +98,4 @@ Experiment diagonal() {
            .measure = errors_with(-1.0)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

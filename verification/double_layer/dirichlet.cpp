@@ -7,7 +7,7 @@
 #include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -169,4 +169,4 @@ Experiment completion() {
           {.key = "alone", .label = "double layer alone", .measure = errors_of_completion(0.0)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

@@ -8,7 +8,7 @@
 #include "study/study.hpp"
 #include "trapezoid/curve.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 /// @name Experiments of the study
 /// @{
@@ -105,4 +105,4 @@ study::Measure errors_at(double rate, const Error& error) {
   };
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

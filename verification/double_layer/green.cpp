@@ -3,7 +3,7 @@
 #include "experiments.hpp"
 #include "support/exact_flows.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -81,4 +81,4 @@ Experiment green() {
                                         errors_of(inside, 0.0, {.stokeslet_viscosity = 1.0})}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

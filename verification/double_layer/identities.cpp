@@ -2,7 +2,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -116,4 +116,4 @@ Experiment identities() {
                               errors_at(kernel, [](Index n) { return flux_error(n, 0.5); })}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -116,4 +116,4 @@ Experiment jumps() {
                                Side::fluid_inside, from_the_fluid)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

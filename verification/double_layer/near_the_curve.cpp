@@ -7,7 +7,7 @@
 #include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -159,4 +159,4 @@ Experiment spacings() {
                                  Star{1.0, 0.2, 5}, 6400, Side::fluid_outside)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

@@ -5,7 +5,7 @@
 #include "support/dirichlet.hpp"
 #include "support/exact_flows.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -73,4 +73,4 @@ Experiment published_table() {
                              {{32, 2.07e1}, {128, 3.84}, {256, 1.13}, {512, 1.30e-1}})}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

@@ -5,6 +5,7 @@
 namespace stokesbook {
 
 study::Study double_layer_study() {
+  using namespace verification::double_layer;
   return {.number = "02",
           .name = "double_layer",
           .title = "The double layer of Stokes flow",

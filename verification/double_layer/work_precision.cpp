@@ -9,7 +9,7 @@
 #include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::double_layer {
 
 using namespace study;
 using Eigen::Index;
@@ -127,4 +127,4 @@ Experiment near_target() {
       .operation = "kernel evaluations"};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::double_layer

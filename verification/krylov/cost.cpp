@@ -4,7 +4,7 @@
 #include "experiments.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -80,4 +80,4 @@ Experiment costs_of_a_solve() {
                                                      })}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -6,7 +6,7 @@
 #include "krylov/gmres.hpp"
 #include "study/study.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 /// @name Experiments of the study
 /// @{
@@ -32,4 +32,4 @@ study::Experiment costs_of_a_solve();
 std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
                               const Eigen::VectorXd& b, int length, int iterations);
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -2,7 +2,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
                               const Eigen::VectorXd& b, int length, int iterations) {
@@ -20,4 +20,4 @@ std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondit
   return history;
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -4,7 +4,7 @@
 #include "experiments.hpp"
 #include "krylov/gmres.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -226,4 +226,4 @@ Experiment least_residuals() {
                                 "orthonormal polynomials sqrt(2) T_j of Chebyshev's points")}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -5,7 +5,7 @@
 #include "experiments.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -107,4 +107,4 @@ Experiment restarts() {
                     {.key = "ten", .label = "every 10 iterations", .measure = history(10)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

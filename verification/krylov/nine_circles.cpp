@@ -5,7 +5,7 @@
 #include "experiments.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -155,4 +155,4 @@ Experiment published_count() {
                        without_blocks(draft_bordered))}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

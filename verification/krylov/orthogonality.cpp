@@ -6,7 +6,7 @@
 #include "support/dense.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -101,4 +101,4 @@ Experiment orthogonality() {
                 {.key = "modified", .label = "modified, once", .measure = loss_by(modified)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -10,7 +10,7 @@
 #include "support/dense.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -156,4 +156,4 @@ Experiment clusters() {
                     cluster_line("near", "05_11", 0.2)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -7,7 +7,7 @@
 #include "support/vectors.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -154,4 +154,4 @@ Experiment aspect_ratios() {
                      .measure = woven(Blocks::turned)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

@@ -8,7 +8,7 @@
 #include "support/dense.hpp"
 #include "systems.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using namespace study;
 using Eigen::Index;
@@ -238,4 +238,4 @@ Experiment solvers() {
           .operation = "matrix-vector products"};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

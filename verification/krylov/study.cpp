@@ -5,6 +5,7 @@
 namespace stokesbook {
 
 study::Study krylov_study() {
+  using namespace verification::krylov;
   return {.number = "05",
           .name = "krylov",
           .title = "GMRES and the block-diagonal preconditioner",

@@ -7,7 +7,7 @@
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -204,4 +204,4 @@ std::vector<PlacedBody> hexagon(double gap) {
   return bodies;
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

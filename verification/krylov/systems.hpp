@@ -12,7 +12,7 @@
 #include "near_singular/near_correction.hpp"
 #include "trapezoid/shape.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::krylov {
 
 /// A free body, without load.
 struct PlacedBody {
@@ -124,4 +124,4 @@ std::vector<PlacedBody> hexagon(double gap);
 
 /// @}
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::krylov

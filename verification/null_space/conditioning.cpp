@@ -5,7 +5,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -118,4 +118,4 @@ Experiment scale() {
                Control{"the integral of N_0 forgotten", load_errors(-1.0, matrix_with_local_n0)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

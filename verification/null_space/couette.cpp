@@ -3,7 +3,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -114,4 +114,4 @@ Experiment couette() {
                               over_nodes(profile_rate, 5.0, 34.0, profile_error(wide, false))}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

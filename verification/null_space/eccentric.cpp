@@ -7,7 +7,7 @@
 #include "record/number_text.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -224,4 +224,4 @@ Experiment balance() {
                  .control = Control{"the arm of the force forgotten", torque_differences(false)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

@@ -6,7 +6,7 @@
 #include "study/study.hpp"
 #include "support/eccentric_annulus.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 /// @name Experiments of the study
 /// @{
@@ -81,4 +81,4 @@ double flux_through(const Curve& curve, const ComplexVector& v);
 /// Distance of two loads relative to the second, torques as forces at the distance 1.
 double relative_difference(const Load& load, const Load& exact);
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

@@ -5,7 +5,7 @@
 #include "support/exact_flows.hpp"
 #include "support/vectors.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -214,4 +214,4 @@ Experiment source() {
                  .measure = over_nodes(rate, 5.0, 34.0, source_error<true>)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

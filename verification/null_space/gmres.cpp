@@ -6,7 +6,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::MatrixXd;
@@ -130,4 +130,4 @@ Experiment iterations() {
                 {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

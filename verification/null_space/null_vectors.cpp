@@ -5,7 +5,7 @@
 #include "experiments.hpp"
 #include "support/vectors.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -92,4 +92,4 @@ Experiment null_vectors() {
            .measure = residuals(right_residual, normals)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

@@ -4,7 +4,7 @@
 #include "double_layer/stresslet_sum.hpp"
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -124,4 +124,4 @@ double relative_difference(const Load& load, const Load& exact) {
          std::hypot(std::abs(exact.force), exact.torque);
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

@@ -6,6 +6,7 @@
 namespace stokesbook {
 
 study::Study null_space_study() {
+  using namespace verification::null_space;
   return {.number = "04",
           .name = "null_space",
           .title = "Enclosing walls and their null space",

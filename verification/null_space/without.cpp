@@ -4,7 +4,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -104,4 +104,4 @@ Experiment without() {
            .measure = load_error(right_matrix, 1e-3)}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

@@ -8,7 +8,7 @@
 #include "experiments.hpp"
 #include "krylov/gmres.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::null_space {
 
 using namespace study;
 using Eigen::Index;
@@ -100,4 +100,4 @@ Experiment work() {
       .operation = "kernel evaluations"};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::null_space

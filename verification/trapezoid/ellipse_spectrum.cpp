@@ -8,7 +8,7 @@
 #include "support/dense.hpp"
 #include "trapezoid/curve.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 using namespace study;
 using Eigen::Index;
@@ -94,4 +94,4 @@ Experiment ellipse_spectrum() {
           .lines = {ellipse_line("two", "01_12", 2.0), ellipse_line("three", "01_13", 3.0)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

@@ -5,7 +5,7 @@
 #include "study/study.hpp"
 #include "trapezoid/plane.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 /// @name Experiments of the study, a file each
 /// @{
@@ -57,4 +57,4 @@ class PoleFunction {
   double distance_;
 };
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

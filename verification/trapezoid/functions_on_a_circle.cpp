@@ -5,7 +5,7 @@
 #include "experiments.hpp"
 #include "trapezoid/fourier.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 using namespace study;
 using Eigen::Index;
@@ -161,4 +161,4 @@ Experiment interpolation_rates() {
                                         derivative_error(f, derivative_without_negative_modes))}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "trapezoid/curve.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 using namespace study;
 using Eigen::Index;
@@ -74,4 +74,4 @@ Experiment perimeters() {
                     ellipse_line("twenty", "01_11", 20.0)}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

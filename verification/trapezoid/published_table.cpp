@@ -4,7 +4,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 using namespace study;
 
@@ -125,4 +125,4 @@ Experiment smoothness() {
                               doubling(4, 512, right_side)}}}};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

@@ -7,7 +7,7 @@
 
 #include "experiments.hpp"
 
-namespace stokesbook {
+namespace stokesbook::verification::trapezoid {
 
 using namespace study;
 using Eigen::Index;
@@ -93,4 +93,4 @@ Experiment rules() {
           .operation = "evaluations"};
 }
 
-}  // namespace stokesbook
+}  // namespace stokesbook::verification::trapezoid

@@ -5,6 +5,7 @@
 namespace stokesbook {
 
 study::Study trapezoid_study() {
+  using namespace verification::trapezoid;
   return {.number = "01",
           .name = "trapezoid",
           .title = "The trapezoid rule on closed curves",
