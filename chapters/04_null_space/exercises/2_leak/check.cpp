@@ -250,7 +250,9 @@ void check_experiment() {
                            "stroke=\"" + series.colour + "\" stroke-width=\"6\"");
     }
     table << '\n';
-    if (i % 4 == 0) picture << svg::label(pixel(leaks[i], 1e-18), exercise::text(leaks[i]));
+    if (i % 4 == 0) {
+      picture << svg::label(pixel(leaks[i], 0.0) + Complex{-12.0, 28.0}, exercise::text(leaks[i]));
+    }
   }
   for (int power = 0; power >= -16; power -= 4) {
     const double error = std::pow(10.0, power);
