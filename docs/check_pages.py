@@ -28,6 +28,8 @@ SHELL = {"sh", "console"}
 HEADING = re.compile(r"^(#{1,6}) ")
 FORMULA = re.compile(r"\\f\$(.*?)\\f\$|\\f\[(.*?)\\f\]|\\f\{(.*?)\\f\}|\$\$(.+?)\$\$", re.DOTALL)
 UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX)\b|\?\?\?")
+# Up to the next command of the comment, which begins its line, or the comment's end.
+ACCURACY = re.compile(r"@par Accuracy.*\n(?:\s*///(?! *@).*\n|\s*/// *@ref.*\n)*")
 CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
 
 TYPED_RESULT = re.compile(
@@ -146,8 +148,18 @@ def chapter_violations(name, text):
     return violations
 
 
+def unproved_accuracy(name, text):
+    """Statements on accuracy that name no claim, in a header of a room that has a study."""
+    return [f"{name}:{text.count(chr(10), 0, match.start()) + 1}: an accuracy without its claim: "
+            "add @ref claim_NN_k" for match in ACCURACY.finditer(text)
+            if "@ref claim_" not in match[0]]
+
+
 def source_violations(root):
     violations = []
+    for study in sorted(root.glob("verification/*/study.cpp")):
+        for path in sorted((root / "src" / study.parent.name).glob("*.hpp")):
+            violations += unproved_accuracy(path.relative_to(root).as_posix(), path.read_text())
     for path in sorted([*root.glob("chapters/*/chapter.md"), *root.glob("docs/*.md"),
                         *root.glob("chapters/*/exercises/*/README.md")]):
         check = chapter_violations if path.name == "chapter.md" else text_violations

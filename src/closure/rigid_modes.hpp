@@ -34,7 +34,7 @@ class RigidModes {
   ///
   /// @param  density  at the N nodes, length / time
   /// @return          motion about the centre
-  /// @par Accuracy    that of the rule: geometric in N; exact for rigid motions
+  /// @par Accuracy    that of the rule: geometric in N, @ref claim_03_14; exact for rigid motions
   RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
 
   /// Evaluates a rigid motion at the nodes.

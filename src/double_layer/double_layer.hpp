@@ -26,7 +26,8 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
 /// \f$ -\frac12\eta + D\eta \f$.
 /// @param  curve  N nodes
 /// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
-/// @par Accuracy  geometric in N for analytic curves and densities
+/// @par Accuracy  geometric in N for analytic curves and densities: @ref claim_02_13; the diagonal:
+/// @ref claim_02_15
 /// @par Cost      N^2 kernel evaluations
 Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 
@@ -35,7 +36,7 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 /// @param  curves  n nodes in all, no two nodes at the same place
 /// @return         2n x 2n, dimensionless; curve by curve, interleaved; blocks of one curve are
 ///                 those of double_layer_matrix() of that curve
-/// @par Accuracy  geometric in the distance of two curves over the node spacing
+/// @par Accuracy  geometric in the distance of two curves over the node spacing: @ref claim_03_31
 /// @par Cost      n^2 kernel evaluations
 /// @par Not for   curves nearer to each other than about 5 node spacings: use NearCorrection
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);

@@ -25,7 +25,7 @@ enum class KernelStorage {
 /// zero, whose limit is diagonal_velocity(), and keeps the terms of other curves' nearly touching
 /// nodes of the size of the density, so that a near correction, which subtracts this sum again,
 /// does not cancel.
-/// @par Accuracy  of the rule: geometric in the distance over the node spacing
+/// @par Accuracy  of the rule: geometric in the distance over the node spacing, @ref claim_02_6
 /// @par Cost      one kernel evaluation a pair; results do not depend on the number of threads
 class StressletSum {
  public:

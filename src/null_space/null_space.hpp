@@ -20,7 +20,7 @@ namespace stokesbook {
 /// @param  wall     the enclosing wall
 /// @param  density  at its nodes, length / time
 /// @return          velocities at its nodes, length / time
-/// @par Accuracy    that of the rule: geometric in N
+/// @par Accuracy    that of the rule: geometric in N, @ref claim_04_4
 /// @par Cost        O(N)
 /// @par Not for     inner walls and bodies, whose flux the wall's fix balances
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);
@@ -39,7 +39,7 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall);
 /// the system solves for \f$ g - nQ/|\Gamma_0| \f$ on the wall without a sign of trouble.
 /// @param  problem  velocities of its prescribed components and walls
 /// @return          flux, length^2 / time
-/// @par Accuracy    that of the rule: geometric in the nodes
+/// @par Accuracy    that of the rule: geometric in the nodes, @ref claim_04_18
 double net_flux(const StokesProblem& problem);
 
 /// Computes the size that net_flux() is to be compared with, \f$ \int_{\partial\Omega} |g|\,ds \f$.

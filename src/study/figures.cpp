@@ -42,7 +42,7 @@ struct GuideOfLaw {
     return {{.line = line,
              .from = {x0, y(x0)},
              .to = {x1, y(x1)},
-             .triangle = true,
+             .triangle = law.order != 0.0,
              .label = short_number(law.order)}};
   }
 

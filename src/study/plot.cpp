@@ -75,7 +75,7 @@ std::vector<Tick> ticks(const Axis& axis) {
   if (axis.logarithmic && range < 2.2) {  // powers of two: node counts are
     for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
          e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
-      values.push_back({std::exp2(e), short_number(std::exp2(e))});
+      values.push_back({std::exp2(e), short_number(std::exp2(e), 7)});
     }
     return values;
   }

@@ -40,7 +40,8 @@ struct Curve {
 /// @param  side   where the fluid lies
 /// @return        n nodes, counter-clockwise
 /// @throws std::invalid_argument when n is odd or too small
-/// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points
+/// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points,
+/// @ref claim_01_8
 /// @par Cost      O(n); for a NodalCurve with p points O(n log n + p log p)
 /// @par Not for   a NodalCurve at fewer nodes than it has points: its highest modes are dropped
 Curve sample(const Shape& shape, Eigen::Index n, Side side);
@@ -57,7 +58,8 @@ Curve place(const Curve& reference, Complex position, double orientation);
 ///
 /// @param  curve  N nodes
 /// @return        N weights, length
-/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands
+/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, at the distance of
+/// the nearest pole: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
 /// @par Not for   integrands that are singular, or nearly so, on the curve: use near_singular
 Eigen::VectorXd weights(const Curve& curve);
 
@@ -79,21 +81,21 @@ Eigen::VectorXd curvatures(const Curve& curve);
 ///
 /// @param  curve  N nodes
 /// @return        \f$ |\Gamma| \f$, length
-/// @par Accuracy  geometric in N for analytic curves
+/// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 double perimeter(const Curve& curve);
 
 /// Returns the enclosed area \f$ \frac12 \oint x \times dx \f$.
 ///
 /// @param  curve  N nodes
 /// @return        area, > 0, length^2
-/// @par Accuracy  geometric in N for analytic curves
+/// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 double area(const Curve& curve);
 
 /// Returns the centroid \f$ \langle x \rangle \f$ of the curve.
 ///
 /// @param  curve  N nodes
 /// @return        mean of x over the arclength, length
-/// @par Accuracy  geometric in N for analytic curves
+/// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 /// @par Not for   the centroid of the enclosed area, which is another point
 Complex boundary_centroid(const Curve& curve);
 

@@ -38,7 +38,7 @@ Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 /// @param  f  values at the N nodes, N even
 /// @return    derivative at the same N nodes, unit of f
 /// @throws std::invalid_argument when N is odd or 0
-/// @par Accuracy  geometric in N for analytic f
+/// @par Accuracy  geometric in N for analytic f: @ref claim_01_8
 /// @par Cost      O(N log N)
 ComplexVector differentiate(const ComplexVector& f);
 
@@ -59,7 +59,8 @@ Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 /// @param  m  number of new nodes, even; m < N truncates the series
 /// @return    values at the m nodes, unit of f
 /// @throws std::invalid_argument when m is odd or < 2
-/// @par Accuracy  geometric in the smaller of N and m for analytic f; exact where m >= N
+/// @par Accuracy  geometric in the smaller of N and m for analytic f: @ref claim_01_7; exact where
+/// m >= N
 /// @par Cost      O(N log N + m log m)
 ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 
@@ -86,7 +87,7 @@ class TrigonometricPolynomial {
   ///
   /// @param  values  at the N nodes, N even
   /// @throws std::invalid_argument when N is odd or 0
-  /// @par Accuracy  geometric in N for analytic functions
+  /// @par Accuracy  geometric in N for analytic functions: @ref claim_01_7
   /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);
 

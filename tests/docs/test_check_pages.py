@@ -64,6 +64,21 @@ class Chapters(unittest.TestCase):
             self.assert_found(f"Text. {mark}\n", "chapter.md:3", mark)
 
 
+class Accuracy(unittest.TestCase):
+    def found(self, comment):
+        return check_pages.unproved_accuracy("sum.hpp", comment + "double sum();\n")
+
+    def test_claim(self):
+        self.assertEqual(self.found("/// @par Accuracy  order 2: @ref claim_01_2\n"), [])
+        self.assertEqual(self.found("/// @par Accuracy  order 2, as\n/// @ref claim_01_2 says\n"
+                                    "/// @par Cost  1\n"), [])
+
+    def test_no_claim(self):
+        for comment in ["/// @par Accuracy  order 2\n",
+                        "/// Adds.\n/// @par Accuracy  order 2\n/// @sa @ref claim_01_2\n"]:
+            self.assertEqual(len(self.found(comment)), 1, comment)
+
+
 class PublicApi(unittest.TestCase):
     MEMBER = """<memberdef kind="function" id="f" prot="public"><type>double</type><name>f</name>
         <qualifiedname>stokesbook::f</qualifiedname><argsstring>(double x)</argsstring>

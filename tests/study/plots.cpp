@@ -51,6 +51,7 @@ BOOST_AUTO_TEST_CASE(axes_have_round_numbers) {
   for (const char* tick : {">8<", ">16<", ">32<", ">64<", ">128<", ">10⁻⁴<"}) {
     BOOST_TEST(count(powers_of_two, tick) == 1);
   }
+  BOOST_TEST(count(draw_plot(decay({{256, 1e-1}, {2048, 1e-9}})), ">1024<") == 1);
   Plot linear = decay({{0, 1e-1}, {100, 1e-9}});
   linear.log_x = false;
   for (const char* tick : {">0<", ">20<", ">100<"}) {
@@ -72,7 +73,14 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   BOOST_TEST(count(triangle, ">2</text>") == 1);
   BOOST_TEST(count(triangle, "stroke-dasharray=\"6 4\"") == 0);
 
+  // Order 0 is a level, not a slope.
   Line& line = study.experiments[0].lines[0];
+  line.claim->law = Algebraic{0.0};
+  const StudyResult steep = run(study, Size::quick, progress);
+  const std::string level = convergence_figure(study.experiments[0], steep.experiments[0]);
+  BOOST_TEST(count(level, ">0</text>") == 0);
+  BOOST_TEST(count(level, "stroke-dasharray=\"6 4\"") == 1);
+
   line.claim->law = Geometric{0.1};
   line.claim->window.floor = 1e-9;
   study.experiments[0].axes = Axes::semi_log;

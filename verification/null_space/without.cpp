@@ -78,7 +78,7 @@ Experiment without() {
                                        "no flux through the wall.",
                           .law = Identity{1e-13},
                           .window = {.from = 80.0},
-                          .reason = "n from the left turns the system into - \\int n . eta = 0",
+                          .reason = "n from the left turns the system into -integral of n . eta = 0",
                           .api = {"stokesbook::null_space_velocity"}},
            .control = Control{"without N_0", density_flux(matrix_without_n0)}},
           {.key = "arbitrary",
