@@ -183,6 +183,9 @@ def member_violations(member, owner):
                   for value in member.findall("enumvalue")
                   if not has_text(value.find("briefdescription"))
                   and not has_text(value.find("detaileddescription"))]
+    lacks += [f"a text below {paragraph.findtext('title')}"
+              for paragraph in member.findall(".//simplesect[@kind='par']")
+              if not has_text(paragraph.find("para"))]
     if member.get("kind") == "function":
         documented = {item.findtext(".//parametername") for item in member.findall(
             ".//parameterlist[@kind='param']/parameteritem")

@@ -17,8 +17,8 @@ struct PlotPoint {
 
 /// Points of one method, joined in order.
 struct PlotLine {
-  std::string label;              ///< in the legend
-  std::vector<PlotPoint> points;  ///< in the order in which they are joined
+  std::string label;                   ///< in the legend
+  std::vector<PlotPoint> points = {};  ///< in the order in which they are joined
 };
 
 /// A straight line to compare with: the law that a line of the plot is claimed to follow.

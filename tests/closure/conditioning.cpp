@@ -7,6 +7,7 @@
 
 #include "support/mean_square.hpp"
 #include "support/problems.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 namespace {

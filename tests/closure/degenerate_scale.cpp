@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/problems.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 namespace {

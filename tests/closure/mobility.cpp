@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/mobility_matrix.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -111,6 +111,12 @@ class PublicApi(unittest.TestCase):
                          ["stokesbook::f lacks a description", "stokesbook::f lacks @param x",
                           "stokesbook::f lacks @return"])
 
+    def test_text_taken_for_a_title(self):
+        paragraph = '<para><simplesect kind="par"><title>Cost{}</title>{}</simplesect></para>'
+        for title, text, violations in [("", "<para>O(N)</para>", 0), (" O(N)", "<para/>", 1)]:
+            member = self.function(result=self.RESULT + paragraph.format(title, text))
+            self.assertEqual(len(self.violations(member)), violations, title)
+
     def test_undocumented_enumerator(self):
         self.assertEqual(self.violations(
             '<memberdef kind="enum" id="e" prot="public"><name>E</name><qualifiedname>stokesbook::E'

@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/double_layer.hpp"
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "krylov/block_diagonal.hpp"
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/spectra.hpp"
 #include "support/walls.hpp"
 
 namespace stokesbook::test {

@@ -1,7 +1,7 @@
 // The mobility matrix of any bodies is symmetric and positive definite, unbounded within a gauge
 // length and in a container.
 
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "units.hpp"
 
 namespace stokesbook::test {

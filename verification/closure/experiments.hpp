@@ -6,6 +6,7 @@
 #include "study/study.hpp"
 #include "support/mean_square.hpp"
 #include "support/problems.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::verification::closure {
 

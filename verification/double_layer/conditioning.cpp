@@ -5,6 +5,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 #include "support/dirichlet.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::verification::double_layer {
 

@@ -7,7 +7,7 @@
 
 #include "experiments.hpp"
 #include "record/number_text.hpp"
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "systems.hpp"
 
 namespace stokesbook::verification::krylov {

@@ -4,6 +4,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::verification::null_space {
 

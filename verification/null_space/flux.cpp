@@ -163,13 +163,14 @@ Experiment leak() {
           {.key = "repaired",
            .label = "flow, against that of g - n Q / |Gamma_0|",
            .measure = over_leaks(repair_error<1>),
-           .claim = Claim{.id = "04_16",
-                          .statement = "With a net flux Q the system has the flow of the data "
-                                       "g - n Q / |Gamma_0|, without a sign of trouble.",
-                          .law = Identity{1e-13},
-                          .reason = "n from the left: integral of n . eta = -Q, and N_0 eta = n Q / "
-                                    "|Gamma_0| goes to the right-hand side",
-                          .api = {"stokesbook::net_flux", "stokesbook::null_space_matrix"}},
+           .claim =
+               Claim{.id = "04_16",
+                     .statement = "With a net flux Q the system has the flow of the data "
+                                  "g - n Q / |Gamma_0|, without a sign of trouble.",
+                     .law = Identity{1e-13},
+                     .reason = "n from the left: integral of n . eta = -Q, and N_0 eta = n Q / "
+                               "|Gamma_0| goes to the right-hand side",
+                     .api = {"stokesbook::net_flux", "stokesbook::null_space_matrix"}},
            .control = Control{"repaired on the inner circle", over_leaks(repair_error<0>)}},
           {.key = "density",
            .label = "flux of the wall's density, against -Q",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::verification::null_space {
 
@@ -73,13 +74,14 @@ Experiment without() {
           {.key = "flux",
            .label = "flux of the wall's density, with",
            .measure = density_flux(right_matrix),
-           .claim = Claim{.id = "04_7",
-                          .statement = "With N_0 the density that belongs to compatible data has "
-                                       "no flux through the wall.",
-                          .law = Identity{1e-13},
-                          .window = {.from = 80.0},
-                          .reason = "n from the left turns the system into -integral of n . eta = 0",
-                          .api = {"stokesbook::null_space_velocity"}},
+           .claim =
+               Claim{.id = "04_7",
+                     .statement = "With N_0 the density that belongs to compatible data has "
+                                  "no flux through the wall.",
+                     .law = Identity{1e-13},
+                     .window = {.from = 80.0},
+                     .reason = "n from the left turns the system into -integral of n . eta = 0",
+                     .api = {"stokesbook::null_space_velocity"}},
            .control = Control{"without N_0", density_flux(matrix_without_n0)}},
           {.key = "arbitrary",
            .label = "flux of the wall's density, without",

@@ -5,7 +5,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook::verification::trapezoid {

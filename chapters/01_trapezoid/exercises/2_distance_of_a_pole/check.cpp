@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "record/svg.hpp"
+#include "study/plot.hpp"
 #include "trapezoid/curve.hpp"
 
 using namespace stokesbook;
@@ -109,66 +109,39 @@ void check_measured_rate(double rate) {
 struct Target {
   std::string name;
   Complex z;
-  std::string colour;
 };
-
-// Pixel of an error on the picture; a factor of 10 is 24 pixels.
-Complex pixel(double n, double error) {
-  return {50.0 + n, 20.0 - 24.0 * std::log10(std::max(error, 1e-16))};
-}
-
-// Axes of the picture: errors from 1 to 1e-16, up to 640 nodes.
-std::string axes() {
-  std::string text = svg::open({760.0, 440.0}, "Error of the winding number by number of nodes");
-  for (int power = 0; power >= -16; power -= 4) {
-    text += svg::label(pixel(-45.0, std::pow(10.0, power)), "1e" + std::to_string(power));
-  }
-  for (int n = 0; n <= 640; n += 160) {
-    text += svg::label(pixel(n, 1e-16) + 24.0 * imaginary, "N = " + std::to_string(n));
-  }
-  return text;
-}
-
-// Measured errors as dots, exp(-rho N) as a line.
-std::string graph(const Target& target, const Eigen::VectorXd& n, const Eigen::VectorXd& errors,
-                  double rate) {
-  const std::string stroke = "stroke=\"" + target.colour + "\" stroke-width=";
-  std::string text;
-  for (Eigen::Index i = 0; i < n.size(); ++i) {
-    const Complex dot = pixel(n[i], errors[i]);
-    text += svg::path(svg::line(dot - 2.0, dot + 2.0), stroke + "\"4\"");
-  }
-  const double end = std::min(640.0, std::log(1e16) / rate);
-  return text +
-         svg::path(svg::line(pixel(0.0, 1.0), pixel(end, std::exp(-rate * end))), stroke + "\"1\"");
-}
 
 // Measures the rates at two distances, near the tip and near the flat side of the ellipse; writes
 // rates.csv and rates.svg.
 void check_experiment() {
-  const std::array<Target, 4> targets{{{"tip, d = 0.2", 1.8, "#0969da"},
-                                       {"tip, d = 0.1", 1.9, "#54aeff"},
-                                       {"side, d = 0.2", 0.8 * imaginary, "#cf222e"},
-                                       {"side, d = 0.1", 0.9 * imaginary, "#ff8182"}}};
+  const std::array<Target, 4> targets{{{"tip, d = 0.2", 1.8},
+                                       {"tip, d = 0.1", 1.9},
+                                       {"side, d = 0.2", 0.8 * imaginary},
+                                       {"side, d = 0.1", 0.9 * imaginary}}};
   const Eigen::VectorXd n = Eigen::VectorXd::LinSpaced(40, 16.0, 640.0);
-  std::ofstream table("rates.csv"), picture("rates.svg");
+  std::ofstream table("rates.csv");
   table << "target,rate_predicted,rate_measured\n";
-  picture << axes();
-  double y = 30.0;
+  study::Plot plot{.title = "Error of the winding number by number of nodes",
+                   .x_label = "nodes N",
+                   .y_label = "error of the winding number; dashed: predicted",
+                   .log_x = false};
   for (const Target& target : targets) {
+    study::PlotLine line{target.name};
     Eigen::VectorXd errors(n.size());
     for (Eigen::Index i = 0; i < n.size(); ++i) {
       const Curve curve = sample(ellipse, static_cast<Eigen::Index>(n[i]), Side::fluid_inside);
       errors[i] = std::abs(winding_number(curve, target.z) - 1.0);
+      line.points.push_back({n[i], errors[i]});
     }
     const double predicted = predicted_rate(ellipse, target.z), measured = measured_rate(n, errors);
     table << '"' << target.name << "\"," << predicted << ',' << measured << '\n';
-    picture << graph(target, n, errors, predicted)
-            << svg::label({600.0, y += 20.0}, target.name, "style=\"fill:" + target.colour + '"');
+    const double end = std::min(640.0, std::log(1e16) / predicted);
+    plot.guides.push_back({plot.lines.size(), {0.0, 1.0}, {end, std::exp(-predicted * end)}});
+    plot.lines.push_back(line);
     // The second pole, and the factor 1/(1 - q^N), count at small N only: 2 %.
     expect({.what = target.name, .got = measured, .expected = predicted, .tolerance = 0.02});
   }
-  picture << "</svg>\n";
+  std::ofstream("rates.svg") << study::draw_plot(plot);
 }
 
 void check_safe_distance(double tolerance) {
@@ -220,7 +193,7 @@ int main() {
             }},
        {.title = "the experiment",
         .formula = "error = C exp(-rho N)",
-        .hint = "look at rates.svg: dots are measured, lines are predicted",
+        .hint = "look at rates.svg: dots are measured, dashed lines are predicted",
         .check = check_experiment},
        {.title = "a safe distance",
         .formula = "rho N = 2 pi d/h close to the curve",

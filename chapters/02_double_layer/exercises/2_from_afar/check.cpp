@@ -6,12 +6,11 @@
 #include <fstream>
 #include <numbers>
 
-#include <Eigen/LU>
-
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
 #include "double_layer/stresslet_sum.hpp"
-#include "record/svg.hpp"
+#include "study/plot.hpp"
+#include "support/dense.hpp"
 #include "trapezoid/curve.hpp"
 
 using namespace stokesbook;
@@ -141,24 +140,17 @@ Eigen::MatrixXd system_matrix(const Curve& body) {
   return matrix;
 }
 
-// Largest error on the circle of radius 2 of the double layer completed by a velocity.
+// Largest relative error on the circle of radius 2 of the double layer completed by a velocity.
 double error_with(const Velocity& completing, Index n) {
   const Curve body = sample(Ellipse{0.8, 0.5}, n, Side::fluid_outside);
   const ComplexVector data =
       body.x.unaryExpr([&](Complex z) { return loaded_flow(z) - completing(z); });
-  const Eigen::VectorXd density = system_matrix(body).partialPivLu().solve(interleaved(data));
+  const Eigen::VectorXd density = test::solve(system_matrix(body), interleaved(data));
   const ComplexVector targets = 2.0 * sample(Circle{1.0}, 10, Side::fluid_outside).x;
   const ComplexVector layer = StressletSum({body})(targets, deinterleaved(density));
-  double error = 0.0;
-  for (Index i = 0; i < targets.size(); ++i) {
-    error = std::max(error, std::abs(layer[i] + completing(targets[i]) - loaded_flow(targets[i])));
-  }
-  return error;
-}
-
-// Pixel of an error on the picture; a factor of 10 is 20 pixels.
-Complex pixel(double n, double error) {
-  return {60.0 + 5.0 * n, 30.0 - 20.0 * std::log10(std::max(error, 1e-16))};
+  const ComplexVector exact = targets.unaryExpr(&loaded_flow);
+  return (layer + targets.unaryExpr(completing) - exact).cwiseAbs().maxCoeff() /
+         exact.cwiseAbs().maxCoeff();
 }
 
 void check_experiment() {
@@ -166,27 +158,22 @@ void check_experiment() {
   const double measured_torque = torque(loaded_flow, viscosity, 3.0);
   const Velocity completed = completion(measured_force, measured_torque, viscosity);
   const Velocity nothing = [](Complex) { return Complex{}; };
-  std::ofstream table("completion.csv"), picture("completion.svg");
+  std::ofstream table("completion.csv");
   table << "nodes,completed,alone\n";
-  picture << svg::open({620.0, 400.0}, "Error of the velocity by number of nodes")
-          << svg::label(pixel(70.0, 1e-1), "double layer alone")
-          << svg::label(pixel(70.0, 1e-6), "completed");
-  for (int power = 0; power >= -16; power -= 4) {
-    picture << svg::label(pixel(-11.0, std::pow(10.0, power)), "1e" + std::to_string(power));
-  }
-  double last = 1.0, alone = 0.0;
+  study::PlotLine with{"double layer, completed"}, without{"double layer alone"};
   for (Index n = 10; n <= 90; n += 10) {
-    last = error_with(completed, n);
-    alone = error_with(nothing, n);
-    table << n << ',' << last << ',' << alone << '\n';
-    for (const double error : {last, alone}) {
-      const Complex dot = pixel(static_cast<double>(n), error);
-      picture << svg::path(svg::line(dot - 2.0, dot + 2.0),
-                           "stroke=\"#0969da\" stroke-width=\"4\"");
-    }
-    picture << svg::label(pixel(static_cast<double>(n), 1e-17), std::to_string(n));
+    const double nodes = static_cast<double>(n);
+    with.points.push_back({nodes, error_with(completed, n)});
+    without.points.push_back({nodes, error_with(nothing, n)});
+    table << n << ',' << with.points.back().y << ',' << without.points.back().y << '\n';
   }
-  picture << "</svg>\n";
+  std::ofstream("completion.svg") << study::draw_plot(
+      {.title = "Error of the velocity",
+       .x_label = "nodes N",
+       .y_label = "largest error at distance 2, relative",
+       .log_x = false,
+       .lines = {with, without}});
+  const double last = with.points.back().y, alone = without.points.back().y;
   expect({.what = "90 nodes, completed", .got = last, .expected = 0.0, .tolerance = 1e-11});
   expect({.what = "90 nodes, alone, which must fail",
           .got = alone > 0.05 ? 1.0 : 0.0,

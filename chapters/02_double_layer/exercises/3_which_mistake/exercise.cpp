@@ -50,11 +50,14 @@ double sign_error(const Curve& curve) {
   //@ end
 }
 
-// Task 3: a density of modulus 1 that -1/2 + D of a body takes to zero, D with the wrong normal.
+// Task 3: the density that -1/2 + D of an ellipse takes to zero, D with the wrong normal; its
+// largest modulus is 1.
 ComplexVector invisible_density(const Curve& body) {
   //@ starter
   not_done(body);  // your code instead of this line
   //@ solution
+  return imaginary * body.dx / body.dx.cwiseAbs().maxCoeff();
+  //@ wrong normal: on an ellipse |x'| is missing
   return normals(body);
   //@ wrong rigid_motion: rigid motions are what the right normal is blind to
   return ComplexVector::Ones(body.size());

@@ -3,10 +3,8 @@
 
 #include <numbers>
 
-#include <Eigen/LU>
-
-#include "closure/bordered_system.hpp"
 #include "double_layer/kernels.hpp"
+#include "support/problems.hpp"
 
 using namespace stokesbook;
 using exercise::expect;
@@ -39,9 +37,7 @@ double solved(const Ellipse& ellipse, double gauge, int n) {
   const Curve curve = sample(ellipse, n, Side::fluid_outside);
   const StokesProblem problem{
       {{ComponentKind::free_body, curve, 0.0, 1.0, 0.0, {}}}, viscosity, {}, gauge};
-  const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
-  return complete_dense(problem, ClosureForm::reduced, solution).motions[0].velocity.real();
+  return test::solve_dense(problem, ClosureForm::reduced).motions[0].velocity.real();
 }
 
 void check_exact(const Ellipse& e, double gauge) {

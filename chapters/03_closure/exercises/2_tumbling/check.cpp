@@ -4,10 +4,8 @@
 #include <fstream>
 #include <numbers>
 
-#include <Eigen/LU>
-
-#include "closure/bordered_system.hpp"
-#include "record/svg.hpp"
+#include "study/plot.hpp"
+#include "support/problems.hpp"
 
 using namespace stokesbook;
 using exercise::expect;
@@ -19,9 +17,7 @@ double half_turn(const Ellipse& ellipse, double rate, int angles, int nodes);
 int angles_needed(double aspect, double tolerance);
 
 RigidMotion solve(const StokesProblem& problem) {
-  const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  const Eigen::VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
-  return complete_dense(problem, ClosureForm::reduced, solution).motions.at(0);
+  return test::solve_dense(problem, ClosureForm::reduced).motions.at(0);
 }
 
 namespace {
@@ -117,31 +113,20 @@ double measured_share(double aspect, double within, double period) {
   return time / period;
 }
 
-Complex pixel(double aspect, double height) {
-  return {60.0 + 70.0 * (aspect - 1.0), 330.0 - 300.0 * height};
-}
-
 // Half turns and shares for aspect ratios 1 to 8; writes orbits.csv and orbits.svg.
 void check_experiment() {
-  const double within = pi / 18.0, longest = exact_half_turn(8.0, 1.0);
-  std::ofstream table("orbits.csv"), picture("orbits.svg");
+  const double within = pi / 18.0;
+  std::ofstream table("orbits.csv");
   table << "aspect,half_turn,half_turn_jeffery,share_along_the_flow\n";
-  picture << svg::open({640.0, 400.0}, "Half turns of free ellipses by aspect ratio")
-          << svg::label({70.0, 30.0}, "blue: time of half a turn, the longest is 1",
-                        "style=\"fill:#0969da\"")
-          << svg::label({70.0, 50.0}, "red: share of it within 10 degrees of the flow",
-                        "style=\"fill:#cf222e\"");
+  study::PlotLine times{"time of half a turn, times the shear rate"},
+      shares{"share of it within 10 degrees of the flow"};
   for (double aspect = 1.0; aspect <= 8.0; aspect += 1.0) {
     const double period = half_turn({aspect, 1.0}, 1.0, 48, nodes);
     const double exact = exact_half_turn(aspect, 1.0);
     const double share = measured_share(aspect, within, period);
     table << aspect << ',' << period << ',' << exact << ',' << share << '\n';
-    const Complex time_dot = pixel(aspect, period / longest), share_dot = pixel(aspect, share);
-    picture << svg::path(svg::line(time_dot - 3.0, time_dot + 3.0),
-                         "stroke=\"#0969da\" stroke-width=\"6\"")
-            << svg::path(svg::line(share_dot - 3.0, share_dot + 3.0),
-                         "stroke=\"#cf222e\" stroke-width=\"6\"")
-            << svg::label(pixel(aspect, -0.1), exercise::text(aspect) + ":1");
+    times.points.push_back({aspect, period});
+    shares.points.push_back({aspect, share});
     expect({.what = "half a turn at the aspect ratio " + exercise::text(aspect),
             .got = period,
             .expected = exact,
@@ -151,7 +136,10 @@ void check_experiment() {
             .expected = exact_share(aspect, within),
             .tolerance = 1e-2});
   }
-  picture << "</svg>\n";
+  std::ofstream("orbits.svg") << study::draw_plot({.title = "Half turns of free ellipses",
+                                                   .x_label = "aspect ratio",
+                                                   .y_label = "time and share",
+                                                   .lines = {times, shares}});
 }
 
 void check_angles(double aspect, double tolerance) {

@@ -3,9 +3,7 @@
 
 #include <numbers>
 
-#include <Eigen/LU>
-
-#include "closure/bordered_system.hpp"
+#include "support/problems.hpp"
 
 using namespace stokesbook;
 using exercise::expect;
@@ -37,13 +35,11 @@ double condition(const StokesProblem& problem) {
   const auto norm = [](const Eigen::MatrixXd& a) {
     return a.cwiseAbs().rowwise().sum().maxCoeff();
   };
-  return norm(matrix) * norm(matrix.partialPivLu().inverse());
+  return norm(matrix) * norm(test::inverse(matrix));
 }
 
 Completion solve(const StokesProblem& problem) {
-  const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  return complete_dense(problem, ClosureForm::reduced,
-                        system.matrix.partialPivLu().solve(system.rhs));
+  return test::solve_dense(problem, ClosureForm::reduced);
 }
 
 namespace {

@@ -74,15 +74,18 @@ ComplexVector density(const Curve& wall, const ComplexVector& velocity) {
   //@ end
 }
 
-// Task 5: a density of an elliptic wall, not zero, that makes no flow inside.
-ComplexVector invisible(const Curve& wall) {
+// Task 5: the density of an elliptic wall, at its nodes, that belongs to the velocity (x, -y).
+ComplexVector stretched(const Ellipse& ellipse, const Curve& wall) {
   //@ starter
-  not_done(wall);  // your code instead of this line
+  not_done(ellipse, wall);  // your code instead of this line
   //@ solution
-  return normals(wall).cwiseProduct(wall.dx.cwiseAbs());
-  //@ wrong left: this is the left null vector
-  return normals(wall);
-  //@ wrong uniform: a translation makes a flow inside a wall
-  return ComplexVector::Ones(wall.size());
+  const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
+  return -2.0 / (1.0 + m * m) * wall.x.conjugate();
+  //@ wrong circle: this is right on a circle
+  static_cast<void>(ellipse);
+  return -2.0 * wall.x.conjugate();
+  //@ wrong with_flux: this makes the right flow, but has a flux
+  const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
+  return -2.0 / (1.0 - m * m) * (wall.x.conjugate() - m * wall.x);
   //@ end
 }

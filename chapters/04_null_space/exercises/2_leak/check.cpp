@@ -5,12 +5,11 @@
 #include <fstream>
 #include <numbers>
 
-#include <Eigen/LU>
-
 #include "closure/bordered_system.hpp"
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
-#include "record/svg.hpp"
+#include "study/plot.hpp"
+#include "support/dense.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -55,7 +54,7 @@ StokesProblem bearing(double leak, Order order = Order::shaft_first) {
 Eigen::Vector3d load_of_shaft(const StokesProblem& problem, const Eigen::MatrixXd& matrix) {
   const Eigen::VectorXd rhs = assemble(problem, ClosureForm::reduced).rhs;
   const Completion completion =
-      complete_dense(problem, ClosureForm::reduced, matrix.partialPivLu().solve(rhs));
+      complete_dense(problem, ClosureForm::reduced, test::solve(matrix, rhs));
   const bool first = problem.components[0].kind == ComponentKind::prescribed;
   const Load load = completion.loads[first ? 0 : 1];
   return {load.force.real(), load.force.imag(), load.torque};
@@ -210,61 +209,35 @@ void check_mended(Order order) {
                        {ComplexVector(g + flux / length * n), "this doubles the leak"}}});
 }
 
-// Pixel of an error on the picture; a factor of 10 is 40 pixels along, 20 down.
-Complex pixel(double leak, double error) {
-  return {600.0 + 40.0 * std::log10(leak), 60.0 - 20.0 * std::log10(std::max(error, 1e-16))};
-}
-
 // Errors of the load over the leak; writes leak.csv and leak.svg.
 void check_experiment() {
-  struct Series {
-    std::string name, colour;
-    std::vector<double> errors;
-  };
-  Series with{"with N_0", "#0969da", {}}, without{"without", "#cf222e", {}},
-      repaired{"with N_0, against the mended data", "#1a7f37", {}};
+  std::ofstream table("leak.csv");
+  table << "leak,with_n0,without,against_mended\n";
   const Eigen::Vector3d tight = tight_load();
-  std::vector<double> leaks;
-  for (int k = -13; k <= -1; ++k) leaks.push_back(std::pow(10.0, k));
-  for (const double leak : leaks) {
+  study::PlotLine with{"with N_0"}, without{"without"}, repaired{"with N_0, against mended data"};
+  for (int k = -13; k <= -1; ++k) {
+    const double leak = std::pow(10.0, k);
     const StokesProblem problem = bearing(leak), patched = mended(problem);
     const Eigen::Vector3d load = load_of_shaft(problem, with_n0(problem));
-    with.errors.push_back(difference(load, tight));
-    without.errors.push_back(difference(load_of_shaft(problem, matrix_without(problem)), tight));
-    repaired.errors.push_back(difference(load, load_of_shaft(patched, with_n0(patched))));
+    const Eigen::Vector3d bare = load_of_shaft(problem, matrix_without(problem));
+    with.points.push_back({leak, difference(load, tight)});
+    without.points.push_back({leak, difference(bare, tight)});
+    repaired.points.push_back({leak, difference(load, load_of_shaft(patched, with_n0(patched)))});
+    table << leak << ',' << with.points.back().y << ',' << without.points.back().y << ','
+          << repaired.points.back().y << '\n';
   }
-  std::ofstream table("leak.csv"), picture("leak.svg");
-  table << "leak,with_n0,without,against_mended\n";
-  picture << svg::open({640.0, 440.0}, "Error of the load by the relative net flux of the data");
-  double height = 20.0;
-  for (const Series& series : {with, without, repaired}) {
-    picture << svg::label({60.0, height}, series.name, "style=\"fill:" + series.colour + "\"");
-    height += 18.0;
-  }
-  for (std::size_t i = 0; i < leaks.size(); ++i) {
-    table << leaks[i];
-    for (const Series& series : {with, without, repaired}) {
-      const Complex dot = pixel(leaks[i], series.errors[i]);
-      table << ',' << series.errors[i];
-      picture << svg::path(svg::line(dot - 3.0, dot + 3.0),
-                           "stroke=\"" + series.colour + "\" stroke-width=\"6\"");
-    }
-    table << '\n';
-    if (i % 4 == 0) {
-      picture << svg::label(pixel(leaks[i], 0.0) + Complex{-12.0, 28.0}, exercise::text(leaks[i]));
-    }
-  }
-  for (int power = 0; power >= -16; power -= 4) {
-    const double error = std::pow(10.0, power);
-    picture << svg::label(pixel(2e-15, error), exercise::text(error));
-  }
-  picture << "</svg>\n";
+  std::ofstream("leak.svg") << study::draw_plot({.title = "Error of the load by the leak",
+                                                 .x_label = "relative net flux of the data",
+                                                 .y_label = "difference of the load, relative",
+                                                 .lines = {with, without, repaired}});
   expect({.what = "the error with N_0, a leak of 1e-2 over one of 1e-6",
-          .got = with.errors[11] / with.errors[7],
+          .got = with.points[11].y / with.points[7].y,
           .expected = 1e4,
           .tolerance = 1e-5});
+  double largest = 0.0;
+  for (const study::PlotPoint& point : repaired.points) largest = std::max(largest, point.y);
   expect({.what = "the largest difference from the load of the mended data",
-          .got = *std::ranges::max_element(repaired.errors),
+          .got = largest,
           .expected = 0.0,
           .tolerance = 1e-11});
 }
