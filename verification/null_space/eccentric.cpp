@@ -167,6 +167,35 @@ Experiment eccentric() {
                         {"the mean of the density instead of its normal part", matrix_with_mean})}};
 }
 
+Experiment choices() {
+  constexpr double gap = 0.5;
+  const double rate = 2.0 * wall_distance(eccentric_annulus(gap));
+  const auto line = [](const std::string& key, const std::string& label, AnnulusMatrix matrix) {
+    return Line{.key = key, .label = label, .measure = resistance_errors(gap, matrix)};
+  };
+  Line other_sign = line("sign", "plus n <n . eta>", matrix_with_other_sign);
+  other_sign.claim =
+      Claim{.id = "04_28",
+            .statement = "N_0 of the other sign has the same loads, at the same rate.",
+            .law = Geometric{rate, 0.03, 1.5},
+            .window = {.from = 13.0 / rate, .floor = 1e-15},
+            .reason = "compatible data leave nothing for N_0 to do",
+            .api = {"stokesbook::null_space_matrix"}};
+  other_sign.control =
+      Control{"the wall's normal into the fluid", resistance_errors(gap, matrix_with_turned_wall)};
+  return {
+      .key = "choices",
+      .title = "Resistance of a circle in an eccentric container: other choices",
+      .x = "nodes N",
+      .error = "relative error of the resistance matrix (Frobenius norm)",
+      .axes = Axes::semi_log,
+      .lines = {line("right", "minus n <n . eta>: N_0", right_matrix), other_sign,
+                line("without", "no N_0", matrix_without_n0),
+                line("local", "minus n (n . eta), at every node", matrix_with_local_n0),
+                line("mean", "minus <eta>", matrix_with_mean),
+                line("turned", "N_0, the wall's normal into the fluid", matrix_with_turned_wall)}};
+}
+
 Experiment density() {
   return {
       .key = "density",

@@ -12,6 +12,7 @@ namespace stokesbook::verification::null_space {
 /// @{
 study::Experiment couette();
 study::Experiment null_vectors();
+study::Experiment bodies_in_wall();
 study::Experiment without();
 study::Experiment scale();
 study::Experiment conditioning();
@@ -23,6 +24,7 @@ study::Experiment eccentric();
 study::Experiment density();
 study::Experiment closing_gap();
 study::Experiment balance();
+study::Experiment choices();
 study::Experiment work();
 /// @}
 
@@ -52,6 +54,8 @@ using AnnulusMatrix = Eigen::MatrixXd (*)(const StokesProblem&);
 /// @name Matrices of an annulus: the right one, and planted defects
 /// @{
 Eigen::MatrixXd right_matrix(const StokesProblem& problem);
+/// N_0 of the other sign.
+Eigen::MatrixXd matrix_with_other_sign(const StokesProblem& problem);
 /// No N_0.
 Eigen::MatrixXd matrix_without_n0(const StokesProblem& problem);
 /// The integral forgotten: -n (n . eta) at every node.

@@ -56,6 +56,9 @@ struct Cell {
 double none(double) {
   return 0.0;
 }
+double other_sign(double) {
+  return -1.0;
+}
 double draft(double length) {
   return -length;
 }
@@ -117,17 +120,19 @@ Experiment iterations() {
       .x = "inner radius R",
       .error = "iterations to a residual of 1e-10, at most 100",
       .axes = Axes::log_log,
-      .lines = {{.key = "scaled",
-                 .label = "N_0 over the wall's length",
-                 .measure = counts([](double) { return 1.0; }),
-                 .claim = Claim{.id = "04_14",
-                                .statement = "The number of iterations does not depend on the "
-                                             "unit of length.",
-                                .law = Algebraic{0.0, 0.002},
-                                .reason = "the matrix does not: it has no dimension",
-                                .api = {"stokesbook::gmres", "stokesbook::null_space_matrix"}},
-                 .control = Control{"the draft's N_0, not scaled", counts(draft)}},
-                {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft)}}};
+      .lines = {
+          {.key = "scaled",
+           .label = "N_0 over the wall's length",
+           .measure = counts([](double) { return 1.0; }),
+           .claim = Claim{.id = "04_14",
+                          .statement = "The number of iterations does not depend on the "
+                                       "unit of length.",
+                          .law = Algebraic{0.0, 0.002},
+                          .reason = "the matrix does not: it has no dimension",
+                          .api = {"stokesbook::gmres", "stokesbook::null_space_matrix"}},
+           .control = Control{"the draft's N_0, not scaled", counts(draft)}},
+          {.key = "sign", .label = "the same with the other sign", .measure = counts(other_sign)},
+          {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft)}}};
 }
 
 }  // namespace stokesbook::verification::null_space

@@ -65,6 +65,10 @@ MatrixXd right_matrix(const StokesProblem& problem) {
   return test::assemble_bounded(problem, ClosureForm::reduced).matrix;
 }
 
+MatrixXd matrix_with_other_sign(const StokesProblem& problem) {
+  return test::assemble_bounded(problem, ClosureForm::reduced, -1.0).matrix;
+}
+
 MatrixXd matrix_with_local_n0(const StokesProblem& problem) {
   const ComplexVector normal = normals(problem.components[1].curve);
   MatrixXd matrix = matrix_without_n0(problem);

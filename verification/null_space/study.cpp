@@ -12,7 +12,7 @@ study::Study null_space_study() {
           .title = "Enclosing walls and their null space",
           .experiments = {couette(), null_vectors(), without(), conditioning(), scale(),
                           residuals(), iterations(), leak(), source(), eccentric(), density(),
-                          closing_gap(), balance(), work()}};
+                          closing_gap(), balance(), bodies_in_wall(), choices(), work()}};
 }
 
 }  // namespace stokesbook
