@@ -144,7 +144,7 @@ void check_experiment() {
           << svg::label({400.0, 30.0}, "blue: rounds of reflections", "style=\"fill:#0969da\"")
           << svg::label({400.0, 50.0}, "red: iterations of GMRES", "style=\"fill:#cf222e\"");
   for (const double count : {4.0, 8.0, 16.0, 32.0, 64.0}) {
-    picture << svg::label(pixel(1.0 / 14.0, count), exercise::text(count));
+    picture << svg::label(pixel(1.0 / 12.0, count), exercise::text(count));
   }
   for (const double gap : {4.0, 2.0, 1.0, 0.5, 0.25}) {
     const Pair pair = two_circles(gap);
@@ -159,7 +159,7 @@ void check_experiment() {
       picture << svg::path(svg::line(dot - 3.0, dot + 3.0),
                            std::string("stroke=\"") + colours[method] + "\" stroke-width=\"6\"");
     }
-    picture << svg::label(pixel(gap, 1.6), exercise::text(gap));
+    picture << svg::label(pixel(gap, 1.6), "g = " + exercise::text(gap));
     // The data hold less than all of the slowest mode, and its share takes some rounds off.
     expect({.what = "rounds, over the prediction, at the gap " + exercise::text(gap),
             .got = rounds / predicted,
