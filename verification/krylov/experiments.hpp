@@ -14,6 +14,7 @@ study::Experiment known_spectra();
 study::Experiment least_residuals();
 study::Experiment orthogonality();
 study::Experiment residuals();
+study::Experiment normality();
 study::Experiment pair_spectrum();
 study::Experiment clusters();
 study::Experiment nine_by_form();

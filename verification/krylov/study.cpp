@@ -9,10 +9,10 @@ study::Study krylov_study() {
   return {.number = "05",
           .name = "krylov",
           .title = "GMRES and the block-diagonal preconditioner",
-          .experiments = {known_spectra(), least_residuals(), orthogonality(), residuals(),
-                          pair_spectrum(), clusters(), nine_by_form(), published_count(),
-                          one_body(), slender_bodies(), aspect_ratios(), gaps(), restarts(),
-                          tolerances(), solvers(), costs_of_a_solve()}};
+          .experiments = {known_spectra(), least_residuals(), normality(), orthogonality(),
+                          residuals(), pair_spectrum(), clusters(), nine_by_form(),
+                          published_count(), one_body(), slender_bodies(), aspect_ratios(), gaps(),
+                          restarts(), tolerances(), solvers(), costs_of_a_solve()}};
 }
 
 }  // namespace stokesbook

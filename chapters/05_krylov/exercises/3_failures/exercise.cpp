@@ -1,0 +1,105 @@
+// Exercise 05.3: systems on which GMRES fails.
+#include "chapters/exercise.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/LU>
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using stokesbook::exercise::not_done;
+
+struct System {
+  MatrixXd matrix;
+  VectorXd rhs;
+};
+
+// Last column of the companion matrix with these eigenvalues: c_0, ..., c_{n-1} with
+// prod (z - lambda_j) = z^n - c_{n-1} z^{n-1} - ... - c_0. Yours to use.
+VectorXd companion_column(const std::vector<double>& eigenvalues) {
+  VectorXd polynomial = VectorXd::Unit(static_cast<Index>(eigenvalues.size()) + 1, 0);
+  for (const double eigenvalue : eigenvalues) {
+    VectorXd times_z = VectorXd::Zero(polynomial.size());
+    times_z.tail(polynomial.size() - 1) = polynomial.head(polynomial.size() - 1);
+    polynomial = (times_z - eigenvalue * polynomial).eval();
+  }
+  return -polynomial.head(polynomial.size() - 1);
+}
+
+// Task 1: an orthogonal matrix on which GMRES stalls, with the right-hand side (1, 0, ..., 0).
+MatrixXd stalling(int n) {
+  //@ starter
+  not_done(n);  // your code instead of this line
+  //@ solution
+  MatrixXd matrix = MatrixXd::Zero(n, n);
+  for (Index j = 0; j < n; ++j) matrix((j + 1) % n, j) = 1.0;
+  return matrix;
+  //@ wrong open_chain: the matrix is not orthogonal
+  MatrixXd matrix = MatrixXd::Zero(n, n);
+  for (Index j = 0; j + 1 < n; ++j) matrix(j + 1, j) = 1.0;
+  return matrix;
+  //@ wrong mirror: GMRES is done after 2 iterations
+  return MatrixXd::Identity(n, n).rowwise().reverse();
+  //@ end
+}
+
+// Task 2: a system with these eigenvalues and these residuals, relative to the right-hand side:
+// residuals[0] = 1 > residuals[1] > ... > residuals[n-1] > 0.
+System with_history(const std::vector<double>& eigenvalues, const std::vector<double>& residuals) {
+  //@ starter
+  not_done(eigenvalues, residuals);  // your code instead of this line
+  //@ solution
+  const auto n = static_cast<Index>(residuals.size());
+  VectorXd b(n);
+  for (Index i = 0; i < n; ++i) {
+    const double before = residuals[static_cast<std::size_t>(i)];
+    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
+    b[i] = std::sqrt(before * before - after * after);
+  }
+  MatrixXd basis(n, n), companion = MatrixXd::Zero(n, n);
+  basis << b, MatrixXd::Identity(n, n - 1);
+  companion.diagonal(-1).setOnes();
+  companion.col(n - 1) = companion_column(eigenvalues);
+  return {basis * companion * basis.inverse(), b};
+  //@ wrong plain_differences: the squares of the residuals differ by the squares of the components
+  const auto n = static_cast<Index>(residuals.size());
+  VectorXd b(n);
+  for (Index i = 0; i < n; ++i) {
+    const double before = residuals[static_cast<std::size_t>(i)];
+    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
+    b[i] = before - after;
+  }
+  MatrixXd basis(n, n), companion = MatrixXd::Zero(n, n);
+  basis << b, MatrixXd::Identity(n, n - 1);
+  companion.diagonal(-1).setOnes();
+  companion.col(n - 1) = companion_column(eigenvalues);
+  return {basis * companion * basis.inverse(), b};
+  //@ wrong in_unit_vectors: the companion matrix is one in the basis b, e_1, ..., e_{n-1}
+  const auto n = static_cast<Index>(residuals.size());
+  VectorXd b(n);
+  for (Index i = 0; i < n; ++i) {
+    const double before = residuals[static_cast<std::size_t>(i)];
+    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
+    b[i] = std::sqrt(before * before - after * after);
+  }
+  MatrixXd companion = MatrixXd::Zero(n, n);
+  companion.diagonal(-1).setOnes();
+  companion.col(n - 1) = companion_column(eigenvalues);
+  return {companion, b};
+  //@ end
+}
+
+// Task 3: diagonal of M^-1, for A = 1 and b = (1, 1).
+Eigen::Vector2d misleading(double reported) {
+  //@ starter
+  not_done(reported);  // your code instead of this line
+  //@ solution
+  return {1.0, 0.5 * reported};
+  //@ wrong harmless: the solution is right
+  return {0.5 * reported, 0.5 * reported};
+  //@ wrong too_mild: GMRES does not stop after one iteration
+  return {1.0, std::sqrt(reported)};
+  //@ end
+}
