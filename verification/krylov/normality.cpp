@@ -3,7 +3,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
-#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "support/vectors.hpp"
 #include "systems.hpp"
 

@@ -2,14 +2,13 @@
 #include "chapters/check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <numbers>
 
 #include "closure/bordered_system.hpp"
 #include "krylov/block_diagonal.hpp"
 #include "krylov/gmres.hpp"
-#include "record/svg.hpp"
+#include "study/plot.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -130,22 +129,12 @@ void check_needed(double gap, double tolerance) {
                        {needed + 1.0, "one round less would do"}}});
 }
 
-// Pixel of a count on the picture: both axes logarithmic, factors of 2.
-Complex pixel(double gap, double count) {
-  return {340.0 + 90.0 * std::log2(gap), 330.0 - 60.0 * std::log2(0.5 * count)};
-}
-
+// Counts by gap; writes race.csv and race.svg.
 void check_experiment() {
   constexpr double tolerance = 1e-8;
-  constexpr std::array colours{"#0969da", "#cf222e"};
-  std::ofstream table("race.csv"), picture("race.svg");
+  std::ofstream table("race.csv");
   table << "gap,rounds,predicted,gmres\n";
-  picture << svg::open({640.0, 400.0}, "Rounds and iterations of two circles by gap")
-          << svg::label({400.0, 30.0}, "blue: rounds of reflections", "style=\"fill:#0969da\"")
-          << svg::label({400.0, 50.0}, "red: iterations of GMRES", "style=\"fill:#cf222e\"");
-  for (const double count : {4.0, 8.0, 16.0, 32.0, 64.0}) {
-    picture << svg::label(pixel(1.0 / 12.0, count), exercise::text(count));
-  }
+  study::PlotLine reflections{"rounds of reflections"}, iterations{"iterations of GMRES"};
   for (const double gap : {4.0, 2.0, 1.0, 0.5, 0.25}) {
     const Pair pair = two_circles(gap);
     const double predicted = rounds_needed(gap, tolerance);
@@ -154,12 +143,8 @@ void check_experiment() {
     const GmresResult best = gmres([&](const VectorXd& v) { return pair.apply(v); }, pair.blocks,
                                    pair.system.rhs, {tolerance, 500});
     table << gap << ',' << rounds << ',' << predicted << ',' << best.iterations << '\n';
-    for (const std::size_t method : {0u, 1u}) {
-      const Complex dot = pixel(gap, method == 0 ? rounds : best.iterations);
-      picture << svg::path(svg::line(dot - 3.0, dot + 3.0),
-                           std::string("stroke=\"") + colours[method] + "\" stroke-width=\"6\"");
-    }
-    picture << svg::label(pixel(gap, 1.6), "g = " + exercise::text(gap));
+    reflections.points.push_back({gap, static_cast<double>(rounds)});
+    iterations.points.push_back({gap, static_cast<double>(best.iterations)});
     // The data hold less than all of the slowest mode, and its share takes some rounds off.
     expect({.what = "rounds, over the prediction, at the gap " + exercise::text(gap),
             .got = rounds / predicted,
@@ -170,7 +155,10 @@ void check_experiment() {
             .expected = 0.0,
             .tolerance = 0.0});
   }
-  picture << "</svg>\n";
+  std::ofstream("race.svg") << study::draw_plot({.title = "Rounds and iterations by gap",
+                                                 .x_label = "gap g",
+                                                 .y_label = "count",
+                                                 .lines = {reflections, iterations}});
 }
 
 }  // namespace

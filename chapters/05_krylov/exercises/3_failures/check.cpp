@@ -1,8 +1,6 @@
 // Check of exercise 05.3: what the book's GMRES makes of the reader's systems.
 #include "chapters/check.hpp"
 
-#include <Eigen/LU>
-
 #include "krylov/gmres.hpp"
 
 using namespace stokesbook;
