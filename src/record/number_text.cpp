@@ -20,7 +20,7 @@ void append_number(std::string& text, double x) {
 }
 
 std::string short_number(double x, int digits) {
-  return general(x, digits);
+  return general(x + 0.0, digits);  // 0 for -0
 }
 
 }  // namespace stokesbook

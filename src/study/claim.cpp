@@ -6,15 +6,18 @@ namespace stokesbook::study {
 
 namespace {
 
+/// A factor x^p of a formula: none for p = 0.
+std::string power(const std::string& x, double p) {
+  if (p == 0.0) return "";
+  return " " + x + (p == 1.0 ? "" : "^" + short_number(p));
+}
+
 struct TextOfLaw {
   std::string x;
 
-  std::string operator()(const Algebraic& law) const {
-    return "error = C " + x + "^-" + short_number(law.order);
-  }
+  std::string operator()(const Algebraic& law) const { return "error = C" + power(x, -law.order); }
   std::string operator()(const Geometric& law) const {
-    const std::string power = law.power == 0.0 ? "" : x + "^" + short_number(law.power) + " ";
-    return "error = C " + power + "exp(-" + short_number(law.rate, 4) + " " + x + ")";
+    return "error = C" + power(x, law.power) + " exp(-" + short_number(law.rate, 4) + " " + x + ")";
   }
   std::string operator()(const Superalgebraic& law) const {
     return "order grows beyond " + short_number(law.order);
@@ -25,9 +28,7 @@ struct TextOfLaw {
   std::string operator()(const Identity& law) const {
     return "error <= " + short_number(law.tolerance);
   }
-  std::string operator()(const Cost& law) const {
-    return "operations = C " + x + "^" + short_number(law.order);
-  }
+  std::string operator()(const Cost& law) const { return "operations = C" + power(x, law.order); }
   std::string operator()(const ErrorBelowTolerance& law) const {
     return short_number(law.least) + " " + x + " <= error <= " + short_number(law.most) + " " + x;
   }

@@ -161,7 +161,9 @@ BOOST_AUTO_TEST_CASE(local_slopes) {
 
 BOOST_AUTO_TEST_CASE(laws_as_text) {
   BOOST_TEST(law_text(Algebraic{2.0}, "N") == "error = C N^-2");
-  BOOST_TEST(law_text(Geometric{0.5, 0.05, 1.0}, "N") == "error = C N^1 exp(-0.5 N)");
+  BOOST_TEST(law_text(Algebraic{0.0}, "N") == "error = C");
+  BOOST_TEST(law_text(Algebraic{-1.5}, "N") == "error = C N^1.5");
+  BOOST_TEST(law_text(Geometric{0.5, 0.05, 1.0}, "N") == "error = C N exp(-0.5 N)");
   BOOST_TEST(law_text(ErrorBelowTolerance{2.0, 0.1}, "eps") == "0.1 eps <= error <= 2 eps");
 }
 

@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(aliases_carry_the_numbers) {
 
 BOOST_AUTO_TEST_CASE(numbers_for_people) {
   BOOST_TEST(html_number(0.5) == "0.5");
+  BOOST_TEST(html_number(-0.0) == "0");
   BOOST_TEST(html_number(1.234e-12) == "1.23&middot;10<sup>-12</sup>");
   BOOST_TEST(html_number(unmeasured) == "&ndash;");
 }
