@@ -9,7 +9,7 @@ namespace {
 /// A factor x^p of a formula: none for p = 0.
 std::string power(const std::string& x, double p) {
   if (p == 0.0) return "";
-  return " " + x + (p == 1.0 ? "" : "^" + short_number(p));
+  return ' ' + x + (p == 1.0 ? "" : '^' + short_number(p));
 }
 
 struct TextOfLaw {
