@@ -232,11 +232,12 @@ def api_violations(folder):
 
 
 class Page(html.parser.HTMLParser):
-    """Anchors, links and prose of one page."""
+    """Anchors, links, prose and folded texts of one page."""
 
     def __init__(self, text):
         super().__init__()
         self.anchors, self.links, self.prose = set(), [], []
+        self.folded = self.summaries = 0
         self._silent = []  # open elements whose text is no prose
         self.feed(text)
 
@@ -246,6 +247,8 @@ class Page(html.parser.HTMLParser):
         for key in ("href", "src", "data", "xlink:href"):
             if attributes.get(key):
                 self.links.append(attributes[key])
+        self.folded += tag == "details"
+        self.summaries += tag == "summary"
         is_code = "fragment" in (attributes.get("class") or "").split()
         if tag in ("pre", "code", "script", "style", "tt", "svg") or is_code or (
                 self._silent and tag == self._silent[0]):
@@ -281,6 +284,8 @@ def html_violations(folder):
             elif anchor and target in pages and anchor not in pages[target].anchors:
                 violations.append(f"{name}: {link} has no such anchor")
         prose = MATH.sub("", "".join(page.prose))
+        if page.folded != page.summaries:
+            violations.append(f"{name}: {page.folded} folded texts, {page.summaries} summaries")
         violations += [f"{name}: shows {leak}" for leak in sorted(set(LEAK.findall(prose)))]
     return violations
 

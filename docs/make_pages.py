@@ -102,6 +102,9 @@ def exercise_page(chapter, exercise, text):
     for k in range(0, len(parts), 2):  # code stands at the odd places
         parts[k] = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", parts[k], flags=re.DOTALL)
         parts[k] = re.sub(r"\$(.+?)\$", r"\\f$\1\\f$", parts[k], flags=re.DOTALL)
+        # Doxygen would end a paragraph, and with it what is folded, after the summary.
+        parts[k] = re.sub(r"<details><summary>.*?</summary>|</details>",
+                          r"\n@htmlonly[block]\n\g<0>\n@endhtmlonly\n", parts[k])
     return f"{title} {{#exercise_{chapter}_{exercise}}}\n{''.join(parts)}"
 
 

@@ -46,8 +46,8 @@ struct NumberOfLaw {
 
 }  // namespace
 
-std::string law_text(const Law& law, const std::string& x) {
-  return std::visit(TextOfLaw{x}, law);
+std::string law_text(const Law& law, const std::string& axis) {
+  return std::visit(TextOfLaw{axis.substr(axis.rfind(' ') + 1)}, law);
 }
 
 double claimed_number(const Law& law) {

@@ -81,10 +81,10 @@ struct Claim {
 
 /// Returns a law as text, such as "error = C N^-2".
 ///
-/// @param  law  what is claimed
-/// @param  x    letter of what is varied
-/// @return      one line
-std::string law_text(const Law& law, const std::string& x);
+/// @param  law   what is claimed
+/// @param  axis  name of what is varied, with its letter last: "nodes N"
+/// @return       one line
+std::string law_text(const Law& law, const std::string& axis);
 
 /// Returns the number that a law claims: order, rate, level, tolerance.
 ///

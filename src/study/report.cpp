@@ -87,7 +87,7 @@ Json json_of(const Experiment& experiment, const Line& line, const LineResult& r
   if (!line.claim) return json;
   json["claim"] = {{"id", line.claim->id},
                    {"statement", line.claim->statement},
-                   {"law", law_text(line.claim->law, "x")},
+                   {"law", law_text(line.claim->law, experiment.x)},
                    {"claimed", claimed_number(line.claim->law)},
                    {"reason", line.claim->reason},
                    {"api", line.claim->api},
@@ -105,17 +105,35 @@ std::string provenance_text(const Provenance& provenance) {
          provenance.compiler + " (" + provenance.flags + "), " + provenance.machine;
 }
 
+/// What is shown of an experiment, and how the name of its file ends.
+struct Part {
+  std::string suffix;
+  std::string html;
+};
+
+std::vector<Part> parts_of(const Experiment& experiment, const std::vector<LineResult>& lines) {
+  std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
+                          {"_table.html", convergence_table(experiment, lines)}};
+  if (experiment.work_precision) {
+    parts.push_back({"_work_figure.html", work_precision_figures(experiment, lines)});
+    parts.push_back({"_work_table.html", work_precision_table(experiment, lines)});
+  }
+  return parts;
+}
+
+/// Where the page of its study has an experiment.
+std::string anchor(const StudyResult& result, const Experiment& experiment) {
+  return "study_" + result.study.name + '_' + experiment.key;
+}
+
 /// The page of a study that needs no Doxygen.
 std::string section(const StudyResult& result) {
   std::string html = "<h2>" + result.study.number + ' ' + escaped(result.study.title) + "</h2>\n" +
                      claims_table(result);
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
     const Experiment& experiment = result.study.experiments[e];
-    const std::vector<LineResult>& lines = result.experiments[e];
-    html += "<h3>" + escaped(experiment.title) + "</h3>\n" + convergence_figure(experiment, lines) +
-            convergence_table(experiment, lines);
-    if (!experiment.work_precision) continue;
-    html += work_precision_figures(experiment, lines) + work_precision_table(experiment, lines);
+    html += "<h3>" + escaped(experiment.title) + "</h3>\n";
+    for (const Part& part : parts_of(experiment, result.experiments[e])) html += part.html;
   }
   return html;
 }
@@ -176,6 +194,22 @@ std::string to_aliases(const StudyResult& result) {
   return text;
 }
 
+std::string study_page(const StudyResult& result, const Provenance& provenance) {
+  std::string page = "# Study " + result.study.number + ": " + result.study.title + " {#study_" +
+                     result.study.name + "}\n\nAll that was measured for @ref chapter_" +
+                     result.study.number +
+                     " in this build: " + escaped(provenance_text(provenance)) + ".\n\n";
+  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
+    const Experiment& experiment = result.study.experiments[e];
+    page += "## " + experiment.title + " {#" + anchor(result, experiment) + "}\n\n";
+    for (const Part& part : parts_of(experiment, result.experiments[e])) {
+      page += "@htmlinclude " + result.study.name + '_' + experiment.key + part.suffix + "\n";
+    }
+    page += '\n';
+  }
+  return page;
+}
+
 std::string claims_page(const std::vector<StudyResult>& results) {
   std::string page =
       "# Index of claims {#claims}\n\n"
@@ -185,22 +219,24 @@ std::string claims_page(const std::vector<StudyResult>& results) {
   for (const StudyResult& result : results) {
     page += "## " + result.study.number + " " + result.study.title + " {#claims_" +
             result.study.name + "}\n\nChapter: @ref chapter_" + result.study.number +
-            ". Library: @ref " + result.study.name + ".\n\n";
-    for_each_line(result, [&](const Experiment& experiment, const Line& line,
-                              const LineResult& found) {
-      if (!line.claim) return;
-      page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "**, " +
-              escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
-              escaped(line.claim->reason) +
-              "</small>\n\n| claimed | measured | control | verdict | about "
-              "|\n|---|---|---|---|---|\n| " +
-              escaped(law_text(line.claim->law, "x")) + ", x: " + escaped(experiment.x) + " | " +
-              escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) + ": " +
-              (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
-              (found.holds() ? "holds" : "**fails**") + " |";
-      for (const std::string& name : line.claim->api) page += " @ref " + name;
-      page += " |\n\n";
-    });
+            ". Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
+            result.study.name + ".\n\n";
+    for_each_line(
+        result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
+          if (!line.claim) return;
+          page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "**, " +
+                  escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
+                  escaped(line.claim->reason) +
+                  "</small>\n\n| claimed | measured | control | verdict | study | about "
+                  "|\n|---|---|---|---|---|---|\n| " +
+                  escaped(law_text(line.claim->law, experiment.x)) + " | " +
+                  escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) +
+                  ": " + (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
+                  (found.holds() ? "holds" : "**fails**") + " | @ref " +
+                  anchor(result, experiment) + " |";
+          for (const std::string& name : line.claim->api) page += " @ref " + name;
+          page += " |\n\n";
+        });
   }
   return page;
 }
@@ -213,14 +249,11 @@ void write_report(const StudyResult& result, const Provenance& provenance,
   write(".csv", to_csv(result));
   write(".json", to_json(result, provenance));
   write(".aliases", to_aliases(result));
+  write("_study.md", study_page(result, provenance));
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
-    const std::vector<LineResult>& lines = result.experiments[e];
-    write('_' + experiment.key + "_figure.html", convergence_figure(experiment, lines));
-    write('_' + experiment.key + "_table.html", convergence_table(experiment, lines));
-    if (!experiment.work_precision) continue;
-    write('_' + experiment.key + "_work_figure.html", work_precision_figures(experiment, lines));
-    write('_' + experiment.key + "_work_table.html", work_precision_table(experiment, lines));
+    for (const Part& part : parts_of(result.study.experiments[e], result.experiments[e])) {
+      write('_' + result.study.experiments[e].key + part.suffix, part.html);
+    }
   }
 }
 

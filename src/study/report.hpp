@@ -43,14 +43,21 @@ std::string to_json(const StudyResult& result, const Provenance& provenance);
 /// @return         lines of a Doxyfile
 std::string to_aliases(const StudyResult& result);
 
-/// Returns the index of all claims as a page of Doxygen, with links to chapters and API.
+/// Returns all tables and figures of a study as a page of Doxygen, with where they come from.
+///
+/// @param  result      of the study
+/// @param  provenance  of this build
+/// @return             Markdown that includes the files of write_report()
+std::string study_page(const StudyResult& result, const Provenance& provenance);
+
+/// Returns the index of all claims as a page of Doxygen, with links to chapters, studies and API.
 ///
 /// @param  results  of all studies, in reading order
 /// @return          Markdown
 std::string claims_page(const std::vector<StudyResult>& results);
 
-/// Writes the files of a study into a directory: `<name>.csv`, `<name>.json`, `<name>.aliases`, and
-/// for each experiment `<name>_<experiment>_table.html` and `..._figure.html`, where they were
+/// Writes the files of a study into a directory: `<name>.csv`, `<name>.json`, `<name>.aliases`,
+/// `<name>_study.md`, and for each experiment `<name>_<experiment>_table.html` and `..._figure.html`, where they were
 /// asked for `..._work_table.html` and `..._work_figure.html`.
 ///
 /// @param  result      of the study

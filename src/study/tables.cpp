@@ -26,11 +26,6 @@ std::string span(std::size_t columns) {
   return " colspan=\"" + std::to_string(columns) + '"';
 }
 
-/// The letter that a name of an axis ends with.
-std::string letter(const std::string& axis) {
-  return axis.substr(axis.rfind(' ') + 1);
-}
-
 /// The table's own width is its business: wide ones scroll on narrow screens.
 std::string table(const std::string& caption, const std::string& body) {
   return "<div class=\"study-table\"><table>\n<caption>" + caption + "</caption>\n" + body +
@@ -76,7 +71,7 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
     slopes.push_back(orders ? local_orders(result.measurements) : local_rates(result.measurements));
     for (const Measurement& point : result.measurements) xs.insert(point.x);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
-                                     escaped(law_text(line.claim->law, letter(experiment.x)))
+                                     escaped(law_text(line.claim->law, experiment.x))
                                : "",
                     span(2));
     measured += cell(result.verdict ? html_number(result.verdict->measured) : "", span(2));
@@ -121,7 +116,7 @@ std::string claims_table(const StudyResult& result) {
       body += row(head("<a id=\"claim_" + line.claim->id + "\"></a>" + line.claim->id) +
                   cell(escaped(line.claim->statement) + "<br><small>" +
                        escaped(line.claim->reason) + "</small>") +
-                  cell(escaped(law_text(line.claim->law, letter(experiment.x)))) +
+                  cell(escaped(law_text(line.claim->law, experiment.x))) +
                   cell(escaped(found.verdict->explanation)) +
                   cell(escaped(line.control->defect) + ": " +
                        (found.control->rejected() ? "rejected" : "<b>not rejected</b>")) +

@@ -157,6 +157,10 @@ class Html(unittest.TestCase):
         for leak in [r"\val_01_error_32", "@ref", "@snippet", r"\f$", "???"]:
             self.assertEqual(self.violations(f"<p>a {leak} b</p>"), [f"index.html: shows {leak}"])
 
+    def test_folded_text_without_summary(self):
+        self.assertEqual(self.violations("<details><summary>a</summary>b</details>"), [])
+        self.assertEqual(len(self.violations("<details>b</details>")), 1)
+
     def test_no_pages(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(len(check_pages.html_violations(pathlib.Path(folder))), 1)
@@ -173,6 +177,8 @@ class Lists(unittest.TestCase):
     def test_exercise_page(self):
         self.assertEqual(make_pages.exercise_page("03", 2, "# Two\nA $x$ and `$HOME`.\n"),
                          "# Two {#exercise_03_2}\nA \\f$x\\f$ and `$HOME`.\n")
+        folded = make_pages.exercise_page("03", 2, "# Two\n<details><summary>a</summary>\n")
+        self.assertIn("@htmlonly[block]\n<details><summary>a</summary>\n@endhtmlonly", folded)
 
 
 if __name__ == "__main__":

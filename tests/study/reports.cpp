@@ -87,4 +87,12 @@ BOOST_AUTO_TEST_CASE(text_is_escaped) {
   BOOST_TEST(contains(claims_page({sample_result()}), "@anchor claim_99_1"));
 }
 
+BOOST_AUTO_TEST_CASE(claims_lead_to_their_measurements) {
+  BOOST_TEST(contains(claims_page({sample_result()}), "@ref study_sample_orders"));
+  const std::string page = study_page(sample_result(), {"0.1", "", "", "", "a <fast> one"});
+  BOOST_TEST(contains(page, "{#study_sample_orders}"));
+  BOOST_TEST(contains(page, "@htmlinclude sample_orders_figure.html"));
+  BOOST_TEST(contains(page, "a &lt;fast&gt; one"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
