@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "experiments.hpp"
-#include "support/dense.hpp"
 #include "systems.hpp"
 
 namespace stokesbook::verification::krylov {
