@@ -31,7 +31,8 @@ std::string escaped(const std::string& text) {
 
 std::string html_number(double x) {
   if (std::isnan(x)) return "&ndash;";
-  const std::string text = short_number(x);
+  const bool is_count = x == std::floor(x) && std::abs(x) < 1e6;
+  const std::string text = short_number(x, is_count ? 6 : 3);
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
   return text.substr(0, e) + "&middot;10<sup>" + std::to_string(std::stoi(text.substr(e + 1))) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "study/html.hpp"
@@ -32,6 +33,10 @@ std::string table(const std::string& caption, const std::string& body) {
          "</table></div>\n";
 }
 
+std::string caption(const Experiment& experiment) {
+  return escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.';
+}
+
 std::string verdict_cell(const LineResult& result, const std::string& attributes) {
   if (!result.verdict) return cell("shown for comparison", attributes);
   if (result.verdict->outcome != Outcome::holds) {
@@ -44,15 +49,29 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
-/// Error and local order of a line at x; dashes where it was not measured.
-std::string cells_at(const LineResult& line, const std::vector<double>& slopes, double x) {
+/// The cost that a convergence table shows beside the errors, if one was measured: the operations
+/// counted, or the unknowns. Work-precision tables show all, seconds too.
+std::optional<CostMeasure> shown_cost(const Experiment& experiment,
+                                      const std::vector<LineResult>& lines) {
+  std::vector<CostMeasure> costs = measured_costs(experiment, lines);
+  std::erase_if(costs, [](const CostMeasure& cost) { return cost.value == &Measurement::seconds; });
+  if (costs.empty()) return std::nullopt;
+  return costs.back();
+}
+
+/// Error and local order of a line at x, and its cost if the table has one; empty where it was not
+/// measured.
+std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
+                     const std::optional<CostMeasure>& cost, double x) {
   for (std::size_t i = 0; i < line.measurements.size(); ++i) {
     if (line.measurements[i].x != x) continue;
     const bool used = !line.verdict || line.verdict->used[i];
     const std::string grey = used ? "" : " class=\"left-out\"";
-    return cell(html_number(line.measurements[i].error), grey) + cell(html_number(slopes[i]), grey);
+    const Measurement& point = line.measurements[i];
+    return cell(html_number(point.error), grey) + cell(html_number(slopes[i]), grey) +
+           (cost ? cell(html_number(point.*cost->value), grey) : "");
   }
-  return cell("") + cell("");
+  return cell("", span(cost ? 3 : 2));
 }
 
 }  // namespace
@@ -61,30 +80,32 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   const bool orders = experiment.axes == Axes::log_log;
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
+  const std::optional<CostMeasure> cost = shown_cost(experiment, lines);
+  const std::string width = span(cost ? 3 : 2);
   std::vector<std::vector<double>> slopes;
   std::set<double> xs;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Line& line = experiment.lines[k];
     const LineResult& result = lines[k];
-    names += head(escaped(line.label), span(2));
-    columns += head("error") + head(orders ? "order" : "rate");
     slopes.push_back(orders ? local_orders(result.measurements) : local_rates(result.measurements));
+    names += head(escaped(line.label), width);
+    columns += head("error") + head(orders ? "order" : "rate") + (cost ? head("cost") : "");
     for (const Measurement& point : result.measurements) xs.insert(point.x);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
                                      escaped(law_text(line.claim->law, experiment.x))
                                : "",
-                    span(2));
-    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", span(2));
-    verdict += verdict_cell(result, span(2));
+                    width);
+    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", width);
+    verdict += verdict_cell(result, width);
   }
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
   for (const double x : xs) {
     std::string cells = head(html_number(x));
-    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], x);
+    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], cost, x);
     body += row(cells);
   }
   body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
-  return table(escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.', body);
+  return table(caption(experiment) + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
 }
 
 std::string work_precision_table(const Experiment& experiment,
@@ -101,7 +122,7 @@ std::string work_precision_table(const Experiment& experiment,
       body += row(cells);
     }
   }
-  return table(escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.',
+  return table(caption(experiment),
                "<thead>" + row(names) + "</thead>\n<tbody>\n" + body + "</tbody>");
 }
 

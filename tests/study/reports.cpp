@@ -67,6 +67,8 @@ BOOST_AUTO_TEST_CASE(aliases_carry_the_numbers) {
 BOOST_AUTO_TEST_CASE(numbers_for_people) {
   BOOST_TEST(html_number(0.5) == "0.5");
   BOOST_TEST(html_number(-0.0) == "0");
+  BOOST_TEST(html_number(1025.0) == "1025");
+  BOOST_TEST(html_number(1025.5) == "1.03&middot;10<sup>3</sup>");
   BOOST_TEST(html_number(1.234e-12) == "1.23&middot;10<sup>-12</sup>");
   BOOST_TEST(html_number(unmeasured) == "&ndash;");
 }
@@ -80,6 +82,16 @@ BOOST_AUTO_TEST_CASE(tables_show_what_failed) {
   BOOST_TEST(contains(convergence_table(study.experiments[0], result.experiments[0]), "<b>fails"));
   BOOST_TEST(contains(claims_table(result), "<b>fails"));
   BOOST_TEST(contains(claims_page({result}), "**fails**"));
+}
+
+BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
+  const Study study = sample_study();
+  StudyResult result = sample_result();
+  BOOST_TEST(!contains(convergence_table(study.experiments[0], result.experiments[0]), "cost"));
+  for (Measurement& point : result.experiments[0][0].measurements) point.unknowns = 7.0 * point.x;
+  const std::string table = convergence_table(study.experiments[0], result.experiments[0]);
+  BOOST_TEST(contains(table, "Cost: unknowns."));
+  BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
 }
 
 BOOST_AUTO_TEST_CASE(text_is_escaped) {

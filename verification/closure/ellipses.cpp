@@ -105,14 +105,14 @@ struct Defect {
 Line ellipse_line(const std::string& key, double aspect, const Error& error, const Claim& claim,
                   double rate, const Defect& defect) {
   const std::vector<double> nodes = node_counts(4.0 / rate, 36.0 / rate, 15);
-  return {
-      .key = key,
-      .label = "ellipse " + std::to_string(static_cast<int>(aspect)) + ":1",
-      .measure = at(nodes, [=](double x) { return error(aspect, x, solve_reduced, no_change); }),
-      .claim = claim,
-      .control = Control{defect.name, at(nodes, [=](double x) {
-                           return error(aspect, x, defect.solve, defect.change);
-                         })}};
+  return {.key = key,
+          .label = "ellipse " + std::to_string(static_cast<int>(aspect)) + ":1",
+          .measure = at(
+              nodes, [=](double x) { return error(aspect, x, solve_reduced, no_change); }, 2.0),
+          .claim = claim,
+          .control = Control{defect.name, at(nodes, [=](double x) {
+                               return error(aspect, x, defect.solve, defect.change);
+                             })}};
 }
 
 Line loaded_line(const std::string& key, const std::string& id, double aspect,
@@ -154,8 +154,9 @@ Experiment loaded_ellipses() {
   const Line circle{
       .key = "circle",
       .label = "circle",
-      .measure = at(few_nodes,
-                    [](double x) { return error_under_load(1.0, x, solve_reduced, no_change); }),
+      .measure = at(
+          few_nodes, [](double x) { return error_under_load(1.0, x, solve_reduced, no_change); },
+          2.0),
       .claim = Claim{.id = "03_1",
                      .statement = "The motion of a loaded circle is exact with six nodes or more.",
                      .law = Identity{1e-14},

@@ -46,13 +46,16 @@ inline std::vector<double> node_counts(double a, double b, int count) {
 }
 
 /// Measures a number at each of the points; a quick study takes every second one.
+/// @param  unknowns_a_node  where the points are numbers of nodes
 template <class Number>
-study::Measure at(const std::vector<double>& points, const Number& number) {
+study::Measure at(const std::vector<double>& points, const Number& number,
+                  double unknowns_a_node = study::unmeasured) {
   return [=](study::Size size) {
     std::vector<study::Measurement> measurements;
     const std::size_t step = size == study::Size::full ? 1 : 2;
     for (std::size_t i = 0; i < points.size(); i += step) {
-      measurements.push_back({.x = points[i], .error = number(points[i])});
+      measurements.push_back(
+          {.x = points[i], .error = number(points[i]), .unknowns = unknowns_a_node * points[i]});
     }
     return measurements;
   };

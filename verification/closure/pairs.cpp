@@ -184,8 +184,8 @@ Experiment gaps() {
 
 Experiment streams() {
   const std::vector<double> nodes = node_counts(8, 80, 13);
-  const Measure with_rigid_part =
-      at(nodes, [](double n) { return drift(n, assemble_with_rigid_part); });
+  const Measure with_rigid_part = at(
+      nodes, [](double n) { return drift(n, assemble_with_rigid_part); }, 4.0);
   return {
       .key = "streams",
       .title = "Two circles in a uniform stream",
@@ -195,7 +195,8 @@ Experiment streams() {
       .lines = {
           {.key = "without_rigid_part",
            .label = "D (I - P) eta",
-           .measure = at(nodes, [](double n) { return drift(n, assemble_reduced); }),
+           .measure = at(
+               nodes, [](double n) { return drift(n, assemble_reduced); }, 4.0),
            .claim = Claim{.id = "03_34",
                           .statement = "A uniform stream carries all bodies with it, "
                                        "however few the nodes.",

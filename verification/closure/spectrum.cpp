@@ -76,8 +76,9 @@ Experiment spectrum() {
       .lines = {
           {.key = "circle",
            .label = "circle",
-           .measure = at(circle_nodes,
-                         [](double x) { return circle_error(reduced(body(Circle{0.7}, x))); }),
+           .measure = at(
+               circle_nodes, [](double x) { return circle_error(reduced(body(Circle{0.7}, x))); },
+               2.0),
            .claim = Claim{.id = "03_13",
                           .statement = "On a circle the reduced system has the eigenvalues -1 and "
                                        "-1/2, and no others.",
@@ -92,8 +93,8 @@ Experiment spectrum() {
                                  })}},
           {.key = "ellipse",
            .label = "ellipse 3:1",
-           .measure =
-               at(nodes, [=](double x) { return ellipse_error(reduced(body(ellipse, x)), m); }),
+           .measure = at(
+               nodes, [=](double x) { return ellipse_error(reduced(body(ellipse, x)), m); }, 2.0),
            .claim = Claim{.id = "03_14",
                           .statement = "On an ellipse the reduced system has the eigenvalues of "
                                        "-1/2 + D, those of the rigid motions moved to -1.",

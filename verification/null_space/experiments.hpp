@@ -40,10 +40,13 @@ double wall_distance(const test::EccentricAnnulus& annulus);
 using ErrorOfNodes = std::function<double(Eigen::Index)>;
 
 /// Measures over even N with rate N from first to last, equidistant as far as they can be.
-study::Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error);
+/// @param  curves  of N nodes each
+study::Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error,
+                          int curves = 2);
 
 /// Measures over given N.
-study::Measure over_nodes(const std::vector<Eigen::Index>& counts, const ErrorOfNodes& error);
+study::Measure over_nodes(const std::vector<Eigen::Index>& counts, const ErrorOfNodes& error,
+                          int curves = 2);
 
 /// Measures over given numbers, the same in a quick study and a full one.
 study::Measure over(const std::vector<double>& points, const std::function<double(double)>& error);

@@ -110,8 +110,8 @@ using NodeVector = ComplexVector (*)(const StokesProblem&);
 Measure alone(Residual residual, NodeVector vector) {
   std::vector<Index> counts;
   for (Index n = 8; n <= 60; n += 4) counts.push_back(n);
-  return over_nodes(counts,
-                    [=](Index n) { return residual(wall_alone(n), vector(wall_alone(n))); });
+  return over_nodes(
+      counts, [=](Index n) { return residual(wall_alone(n), vector(wall_alone(n))); }, 1);
 }
 
 /// The distance from the real axis of the parameter, made complex, at which an ellipse finds a point
@@ -134,9 +134,9 @@ double rate_with_bodies() {
 }
 
 Measure with_bodies(Residual residual, NodeVector vector) {
-  return over_nodes(rate_with_bodies(), 7.0, 28.0, [=](Index n) {
-    return residual(wall_with_bodies(n), vector(wall_with_bodies(n)));
-  });
+  return over_nodes(
+      rate_with_bodies(), 7.0, 28.0,
+      [=](Index n) { return residual(wall_with_bodies(n), vector(wall_with_bodies(n))); }, 3);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ double wall_distance(const test::EccentricAnnulus& annulus) {
   return std::log(annulus.outer_radius / (annulus.inner_radius + eccentricity));
 }
 
-Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error) {
+Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error, int curves) {
   return [=](Size size) {
     const int steps = size == Size::full ? 16 : 8;
     std::vector<Index> counts;
@@ -35,15 +35,17 @@ Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& e
       const Index n = 2 * std::lround(0.5 * (first + (last - first) * k / steps) / rate);
       if (counts.empty() || n > counts.back()) counts.push_back(n);
     }
-    return over_nodes(counts, error)(size);
+    return over_nodes(counts, error, curves)(size);
   };
 }
 
-Measure over_nodes(const std::vector<Index>& counts, const ErrorOfNodes& error) {
+Measure over_nodes(const std::vector<Index>& counts, const ErrorOfNodes& error, int curves) {
   return [=](Size) {
     std::vector<Measurement> measurements;
     for (const Index n : counts) {
-      measurements.push_back({.x = static_cast<double>(n), .error = error(n)});
+      measurements.push_back({.x = static_cast<double>(n),
+                              .error = error(n),
+                              .unknowns = 2.0 * curves * static_cast<double>(n)});
     }
     return measurements;
   };
