@@ -38,9 +38,9 @@ struct DenseSystem {
 /// @return          square matrix of 2n rows, and 3 more an inner component in the bordered forms,
 ///                  with its right-hand side; velocities, length / time, in the rows of nodes
 /// @throws std::invalid_argument when the form is reduced and Closure refuses the problem
-/// @par Accuracy    geometric in the nodes, @ref claim_03_2, and in the distances of components over
-///                  node spacings, @ref claim_03_31; the same in any unit of length in the scaled
-///                  and reduced forms, @ref claim_03_28
+/// @par Accuracy    geometric in the nodes, @ref claim_03_2, and in the distances of components
+/// over node spacings, @ref claim_03_31; the same in any unit of length in the scaled and reduced
+/// forms, @ref claim_03_28
 /// @par Cost        \f$ 4 n^2 \f$ entries; the reduced form multiplies matrices, O(n^3)
 /// @par Not for     close components (no near correction); use suspension
 DenseSystem assemble(const StokesProblem& problem, ClosureForm form);

@@ -61,8 +61,8 @@ double stokeslet_gauge(const StokesProblem& problem, std::size_t k);
 /// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. Reported is the
 /// velocity at infinity, which the Stokeslets' different gauges share in:
 /// \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
-/// @par Accuracy  that of the rule: geometric in the nodes, @ref claim_03_2; uniform streams exactly,
-/// @ref claim_03_34
+/// @par Accuracy  that of the rule: geometric in the nodes, @ref claim_03_2; uniform streams
+/// exactly, @ref claim_03_34
 /// @par Cost      n_w n Stokeslets and rotlets for n_w loaded components, else O(n)
 class Closure {
  public:

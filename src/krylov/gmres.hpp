@@ -46,8 +46,8 @@ struct GmresResult {
 ///                residual that the recurrence converged to, as A is singular to rounding
 /// @par Accuracy  residuals by the recurrence and true ones agree to rounding, @ref claim_05_7; of
 /// the reduced form, error and tolerance within a factor 10, @ref claim_05_23
-/// @par Cost      iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of memory
-/// for k iterations
+/// @par Cost      iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of
+/// memory for k iterations
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
                   const GmresOptions& options);

@@ -13,8 +13,8 @@ namespace stokesbook::study {
 /// @return       the same as HTML shows it
 std::string escaped(const std::string& text);
 
-/// Writes a number of three digits for a page, powers of ten as such: 1.3·10⁻¹². Whole numbers below
-/// a million keep all of theirs.
+/// Writes a number of three digits for a page, powers of ten as such: 1.3·10⁻¹². Whole numbers
+/// below a million keep all of theirs.
 ///
 /// @param  x  a number; NaN is a dash
 /// @return    HTML

@@ -57,8 +57,8 @@ std::string study_page(const StudyResult& result, const Provenance& provenance);
 std::string claims_page(const std::vector<StudyResult>& results);
 
 /// Writes the files of a study into a directory: `<name>.csv`, `<name>.json`, `<name>.aliases`,
-/// `<name>_study.md`, and for each experiment `<name>_<experiment>_table.html` and `..._figure.html`, where they were
-/// asked for `..._work_table.html` and `..._work_figure.html`.
+/// `<name>_study.md`, and for each experiment `<name>_<experiment>_table.html` and
+/// `..._figure.html`, where they were asked for `..._work_table.html` and `..._work_figure.html`.
 ///
 /// @param  result      of the study
 /// @param  provenance  of this build

@@ -58,8 +58,8 @@ Curve place(const Curve& reference, Complex position, double orientation);
 ///
 /// @param  curve  N nodes
 /// @return        N weights, length
-/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, at the distance of
-/// the nearest pole: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
+/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, at the distance
+/// of the nearest pole: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
 /// @par Not for   integrands that are singular, or nearly so, on the curve: use near_singular
 Eigen::VectorXd weights(const Curve& curve);
 

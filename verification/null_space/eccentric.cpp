@@ -19,8 +19,8 @@ namespace {
 
 using test::EccentricAnnulus;
 
-/// Loads (F_1, F_2, L), column by column, of an inner circle of radius 1 that moves along 1, along 2
-/// and turns; the outer one is at rest.
+/// Loads (F_1, F_2, L), column by column, of an inner circle of radius 1 that moves along 1, along
+/// 2 and turns; the outer one is at rest.
 template <class LoadOf>
 Matrix3d resistance(EccentricAnnulus annulus, const LoadOf& load_of) {
   annulus.outer = {};

@@ -1,5 +1,5 @@
-// The two null vectors of an enclosing wall, alone and with bodies in it: n on all of the boundary on
-// the left; on the right n |x'| on an elliptic wall and nothing on the bodies.
+// The two null vectors of an enclosing wall, alone and with bodies in it: n on all of the boundary
+// on the left; on the right n |x'| on an elliptic wall and nothing on the bodies.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -114,8 +114,8 @@ Measure alone(Residual residual, NodeVector vector) {
       counts, [=](Index n) { return residual(wall_alone(n), vector(wall_alone(n))); }, 1);
 }
 
-/// The distance from the real axis of the parameter, made complex, at which an ellipse finds a point
-/// of its frame: w = e^{it} solves (a + b) w^2 - 2 z w + a - b = 0.
+/// The distance from the real axis of the parameter, made complex, at which an ellipse finds a
+/// point of its frame: w = e^{it} solves (a + b) w^2 - 2 z w + a - b = 0.
 double preimage_distance(const Ellipse& ellipse, Complex z) {
   const auto [a, b] = ellipse;
   const Complex root = std::sqrt(z * z - a * a + b * b);
