@@ -137,6 +137,7 @@ class Flow {
 std::vector<std::vector<Complex>> streamlines(const Flow& flow,
                                               const std::vector<Complex>& starts) {
   constexpr double step = 0.04;
+  constexpr std::size_t most_steps = 1000;  // the longest line has a third of them
   const auto direction = [&](Complex x) {
     const Complex u = flow(ComplexVector::Constant(1, x))[0];
     return u / std::abs(u);
@@ -145,6 +146,7 @@ std::vector<std::vector<Complex>> streamlines(const Flow& flow,
   for (const Complex start : starts) {
     std::vector<Complex> line{start};
     while (line.size() < 3 || std::abs(line.back() - start) > 0.7 * step) {
+      if (line.size() > most_steps) throw std::runtime_error("a streamline does not close");
       const Complex x = line.back(), k1 = direction(x), k2 = direction(x + 0.5 * step * k1),
                     k3 = direction(x + 0.5 * step * k2), k4 = direction(x + step * k3);
       line.push_back(x + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4));
