@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/QR>
 #include <boost/test/unit_test.hpp>
 
 #include "krylov/gmres.hpp"
@@ -22,22 +21,28 @@ namespace {
 using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using ExtendedVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// Relative residuals of GMRES in extended precision: Arnoldi's basis by modified Gram-Schmidt,
-// twice, and the projection of b on its image by Householder's QR factorisation, anew in every
-// iteration.
+// The part of w orthogonal to the first columns of a basis, of length 1: modified Gram-Schmidt,
+// twice.
+ExtendedVector next_direction(const ExtendedMatrix& basis, Index columns, ExtendedVector w) {
+  for (int pass = 0; pass < 2; ++pass) {
+    for (Index i = 0; i < columns; ++i) w -= basis.col(i).dot(w) * basis.col(i);
+  }
+  return w / w.norm();
+}
+
+// Relative residuals of GMRES in extended precision: orthonormal bases of the Krylov space and of
+// its image, and what is left of b beside the latter.
 std::vector<double> extended_history(const ExtendedMatrix& a, const ExtendedVector& b, Index most) {
-  ExtendedMatrix basis(b.size(), most + 1);
+  ExtendedMatrix basis(b.size(), most + 1), image(b.size(), most);
   basis.col(0) = b / b.norm();
+  ExtendedVector residual = basis.col(0);
   std::vector<double> history{1.0};
   for (Index k = 0; k < most; ++k) {
-    ExtendedVector w = a * basis.col(k);
-    for (int pass = 0; pass < 2; ++pass) {
-      for (Index i = 0; i <= k; ++i) w -= basis.col(i).dot(w) * basis.col(i);
-    }
-    basis.col(k + 1) = w / w.norm();
-    const ExtendedMatrix image = a * basis.leftCols(k + 1);
-    const ExtendedVector y = image.householderQr().solve(b);
-    history.push_back(static_cast<double>((b - image * y).norm() / b.norm()));
+    const ExtendedVector w = a * basis.col(k);
+    basis.col(k + 1) = next_direction(basis, k + 1, w);
+    image.col(k) = next_direction(image, k, w);
+    residual -= image.col(k).dot(residual) * image.col(k);
+    history.push_back(static_cast<double>(residual.norm()));
   }
   return history;
 }
