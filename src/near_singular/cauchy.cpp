@@ -34,6 +34,16 @@ MatrixXcd cauchy_matrix(const Curve& curve, const ComplexVector& cauchy_weights)
   return matrix;
 }
 
+// Drops the modes that hold nothing but rounding, which differentiation would amplify N times.
+ComplexVector without_rounding(const ComplexVector& f) {
+  ComplexVector modes = fourier_coefficients(f);
+  const double least = 1e-14 * modes.cwiseAbs().maxCoeff();
+  for (Complex& mode : modes) {
+    if (std::abs(mode) < least) mode = 0.0;
+  }
+  return fourier_values(modes);
+}
+
 }  // namespace
 
 CauchyCurve::CauchyCurve(const Curve& reference)
@@ -92,6 +102,37 @@ Complex CauchyCurve::velocity(const CauchyData& data, Index column, Complex targ
     return limit[nearest];
   }
   return Complex{first_x, first_y} / delta - std::conj(Complex{second_x, second_y} / delta);
+}
+
+CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const {
+  const Eigen::ArrayXcd dt = curve_.dx.array();
+  CauchyDerivativeData result{data.dphi, data.dphi, data.dphi};
+  for (Index column = 0; column < data.phi.cols(); ++column) {
+    const ComplexVector phi = without_rounding(data.phi.col(column));
+    const ComplexVector dphi = differentiate(phi).array() / dt;
+    const ComplexVector chi =
+        without_rounding((data.phi.col(column) - data.limit.col(column)).conjugate());
+    result.dphi.col(column) = dphi;
+    result.ddphi.col(column) = differentiate(without_rounding(dphi)).array() / dt;
+    result.stress.col(column) = (differentiate(chi).array() - dphi.array() * dt.conjugate()) / dt;
+  }
+  return result;
+}
+
+FlowDerivatives CauchyCurve::derivatives(const CauchyDerivativeData& data, Index column,
+                                         Complex target) const {
+  const auto dphi = data.dphi.col(column).array(), ddphi = data.ddphi.col(column).array(),
+             stress = data.stress.col(column).array();
+  const auto flow = [](Complex slope, Complex conjugate) -> FlowDerivatives {
+    return {-4.0 * slope.real(), 4.0 * slope.imag(), -2.0 * std::conj(conjugate)};
+  };
+  const Eigen::ArrayXcd distance = curve_.x.array() - target;
+  Index nearest = 0;
+  if (distance.abs2().minCoeff(&nearest) == 0.0) return flow(dphi[nearest], stress[nearest]);
+  const Eigen::ArrayXcd weight = cauchy_weights_.array() / distance;
+  const Complex delta = weight.sum() + (curve_.side == Side::fluid_outside ? 1.0 : 0.0);
+  return flow((weight * dphi).sum() / delta,
+              (weight * (stress - distance.conjugate() * ddphi)).sum() / delta);
 }
 
 bool CauchyCurve::in_fluid(Complex point) const {

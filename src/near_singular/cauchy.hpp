@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "double_layer/flow_derivatives.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "trapezoid/curve.hpp"
 
@@ -21,6 +22,14 @@ struct CauchyData {
   Eigen::MatrixXcd dphi;   ///< 1 / time
 };
 
+/// Node values of the functions that carry the derivatives of a double layer's flow, see
+/// CauchyCurve. One column a density.
+struct CauchyDerivativeData {
+  Eigen::MatrixXcd dphi;    ///< \f$ \phi' \f$, 1 / time
+  Eigen::MatrixXcd ddphi;   ///< \f$ \phi'' \f$, 1 / (length time)
+  Eigen::MatrixXcd stress;  ///< \f$ g = \psi' + \bar t\phi'' \f$, 1 / time
+};
+
 /// The spectral close evaluation of one curve's double layer: Cauchy integrals on the curve,
 /// compensated barycentric interpolation off it. Everything is in the curve's own frame, so that
 /// all bodies of one shape share it.
@@ -30,6 +39,10 @@ struct CauchyData {
 /// \f[ U(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]},\quad
 ///     w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
+/// Derivatives have the same form: pressure over viscosity and vorticity are \f$ -4\,\mathrm{Re} \f$
+/// and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$, and with
+/// \f$ g = d\chi/dt - \phi'\,d\bar t/dt \f$ along the curve
+/// \f[ \partial u/\partial\bar z = -\overline{\sum_j w_j[g_j + (\bar z - \bar t_j)\phi''_j]}. \f]
 /// @par Accuracy  1e-13 relative at any distance, once the density is resolved
 /// @par Not for   targets on the other side of the curve
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
@@ -56,6 +69,25 @@ class CauchyCurve {
   /// @return         velocity in the curve's frame, length / time
   /// @par Cost       30 N operations and N divisions
   Complex velocity(const CauchyData& data, Eigen::Index column, Complex target) const;
+
+  /// Computes the node values for the derivatives of the flow.
+  ///
+  /// @param  data  from data(), k densities
+  /// @return       N x k each
+  /// @par Cost     O(N k log N)
+  CauchyDerivativeData derivative_data(const CauchyData& data) const;
+
+  /// Evaluates pressure, vorticity and strain at a target on the fluid's side, at any distance or
+  /// on a node, where they are the limits.
+  ///
+  /// @param  data    from derivative_data()
+  /// @param  column  which density
+  /// @param  target  z, in the curve's frame, length
+  /// @return         in the curve's frame, 1 / time
+  /// @par Accuracy  1e-11 relative at any distance, once the density is resolved
+  /// @par Cost      30 N operations and N divisions
+  FlowDerivatives derivatives(const CauchyDerivativeData& data, Eigen::Index column,
+                              Complex target) const;
 
   /// Evaluates what the trapezoid rule gives instead, see StressletSum.
   ///

@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "double_layer/flow_derivatives.hpp"
 #include "support/exact_flows.hpp"
 #include "support/finite_differences.hpp"
 
@@ -23,6 +24,7 @@ constexpr double viscosity = 1.3, gauge = 0.7, torque = -0.9;
 struct Flow {
   std::function<Complex(Complex)> velocity;
   std::function<double(Complex)> pressure;
+  std::function<FlowDerivatives(Complex)> derivatives;
   Complex force;
   double torque = 0.0;
 };
@@ -35,12 +37,15 @@ const std::vector<Flow> flows = {
               (2.0 * dot(r, unit_normal) * dot(r, density) / rho2 - dot(unit_normal, density)) /
               rho2;
      },
+     [](Complex r) { return stresslet_derivatives(r, unit_normal, density); },
      {},
      0.0},
     {[](Complex r) { return stokeslet(r, force, viscosity, gauge); },
-     [](Complex r) { return dot(r, force) / (2.0 * pi * std::norm(r)); }, force, 0.0},
+     [](Complex r) { return dot(r, force) / (2.0 * pi * std::norm(r)); },
+     [](Complex r) { return stokeslet_derivatives(r, force, viscosity); }, force, 0.0},
     {[](Complex r) { return rotlet(r, torque, viscosity); },
      [](Complex) { return 0.0; },
+     [](Complex r) { return rotlet_derivatives(r, torque, viscosity); },
      {},
      torque}};
 
@@ -53,6 +58,20 @@ BOOST_AUTO_TEST_CASE(kernels_solve_stokes_equations) {
       BOOST_TEST(std::abs(test::momentum_residual(flow.velocity, flow.pressure, viscosity, r)) <
                  1e-9);
       BOOST_TEST(std::abs(viscosity * test::laplacian(flow.velocity, r)) < 10.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
+  for (const Flow& flow : flows) {
+    for (Complex r : {Complex{0.9, 0.1}, Complex{-0.5, 0.8}, Complex{0.2, -1.5}}) {
+      const FlowDerivatives found = flow.derivatives(r);
+      const Complex along_1 = test::derivative(flow.velocity, r, 1.0),
+                    along_2 = test::derivative(flow.velocity, r, imaginary);
+      const Complex strain{along_1.real() - along_2.imag(), along_2.real() + along_1.imag()};
+      BOOST_TEST(std::abs(found.strain - strain) < 1e-11);
+      BOOST_TEST(std::abs(found.vorticity - (along_1.imag() - along_2.real())) < 1e-11);
+      BOOST_TEST(std::abs(viscosity * found.pressure - flow.pressure(r)) < 1e-14);
     }
   }
 }

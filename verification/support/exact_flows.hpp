@@ -43,14 +43,28 @@ struct ExactFlow {
     return p;
   }
 
-  /// Traction sigma n; 2 e n = q conj(n) with the strain rate q = 2 du/d(conj z).
-  Complex traction(Complex z, Complex n) const {
-    Complex strain = extension;
+  double vorticity(Complex z) const {
+    double w = 0.0;
+    for (const Pole& pole : poles) {
+      const Complex r = z - pole.at;
+      w -= 4.0 * (pole.dipole / (r * r)).imag();
+    }
+    return w;
+  }
+
+  /// Rate of strain q = e_11 - e_22 + 2 i e_12 = 2 du/d(conj z).
+  Complex strain(Complex z) const {
+    Complex slope = extension;
     for (const Pole& pole : poles) {
       const Complex r = std::conj(z - pole.at);
-      strain -= (2.0 * std::conj(r * pole.dipole) / r + pole.source) / (r * r);
+      slope -= (2.0 * std::conj(r * pole.dipole) / r + pole.source) / (r * r);
     }
-    return -pressure(z) * n + 2.0 * strain * std::conj(n);
+    return 2.0 * slope;
+  }
+
+  /// Traction sigma n; 2 e n = q conj(n).
+  Complex traction(Complex z, Complex n) const {
+    return -pressure(z) * n + strain(z) * std::conj(n);
   }
 };
 
