@@ -166,7 +166,7 @@ class Records(Program):
         self.assertEqual(self.files("threads1"), self.files("threads2"))
 
     def test_a_directory_with_a_run_is_kept(self):
-        self.run_scene("--set", "time.t_final=0.05")
+        self.run_scene("--set", "time.t_final=0.2")
         before = self.files("out/pair")
         refused = self.run_scene("--set", "time.t_final=0.2", code=3)
         self.assertIn("--overwrite", refused.stderr)
