@@ -2,7 +2,7 @@
 
 For authors. An exercise is a folder chapters/NN_METHOD/exercises/K_NAME of three files, and a line
 in chapters/CMakeLists.txt, where it has the library METHOD and all that this one uses; a check that
-wants another, such as record for a picture, links it there.
+wants another, such as study for a plot, links it there.
 
 README.md     A title ("# ..."), objective, tasks (numbered as in check.cpp), what is out of scope,
               and hints, each folded in <details>.

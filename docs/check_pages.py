@@ -12,8 +12,8 @@ Results are not typed. In the prose of a chapter, these are refused:
 - counts and times with their unit: 47 iterations, 2.5 s.
 In formulas, a decimal mantissa times a power of ten is: 1.3 \\cdot 10^{-12}.
 Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
-tolerances and parameters as code (`1e-12`), headings' and equations'
-numbers, (01.10), and aliases, which carry the results.
+tolerances and parameters as code (`1e-12`), numbers of headings and of equations, (01.10), and
+aliases, which carry the results.
 """
 
 import html.parser

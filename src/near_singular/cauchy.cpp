@@ -106,8 +106,10 @@ Complex CauchyCurve::velocity(const CauchyData& data, Index column, Complex targ
 
 CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const {
   const Eigen::ArrayXcd dt = curve_.dx.array();
-  CauchyDerivativeData result{data.dphi, data.dphi, data.dphi};
-  for (Index column = 0; column < data.phi.cols(); ++column) {
+  const Index rows = data.phi.rows(), columns = data.phi.cols();
+  CauchyDerivativeData result{MatrixXcd(rows, columns), MatrixXcd(rows, columns),
+                              MatrixXcd(rows, columns)};
+  for (Index column = 0; column < columns; ++column) {
     const ComplexVector phi = without_rounding(data.phi.col(column));
     const ComplexVector dphi = differentiate(phi).array() / dt;
     const ComplexVector chi =

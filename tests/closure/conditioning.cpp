@@ -7,16 +7,11 @@
 
 #include "support/mean_square.hpp"
 #include "support/problems.hpp"
-#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
-  return condition_number(between_mean_squares(assemble(problem, form).matrix, problem));
-}
 
 StokesProblem circle_problem(double radius) {
   return {{free_body(Circle{radius}, 32, {{0.3, 0.1}})}, 1.0, {}, 1.0};

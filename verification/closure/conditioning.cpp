@@ -26,7 +26,7 @@ double with_scaled_torque(double b) {
   const StokesProblem problem = free_ellipse(b);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
   system.matrix.bottomRows(1) /= b;
-  return mean_square_condition(system.matrix, problem);
+  return test::mean_square_condition(system.matrix, problem);
 }
 
 /// A planted defect: omega as unknown, not a omega.
@@ -34,7 +34,7 @@ double with_plain_turn(double b) {
   const StokesProblem problem = free_ellipse(b);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.rightCols(1) *= b;
-  return mean_square_condition(system.matrix, problem);
+  return test::mean_square_condition(system.matrix, problem);
 }
 
 /// A planted defect: integrals instead of means in P.
@@ -42,7 +42,7 @@ double with_integrals(double b) {
   const StokesProblem problem = free_ellipse(b);
   const double length = perimeter(problem.components[0].curve);
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
-  return mean_square_condition(matrix + (1.0 - length) * projection_matrix(problem), problem);
+  return test::mean_square_condition(matrix + (1.0 - length) * projection_matrix(problem), problem);
 }
 
 /// A planted defect: sums over the nodes instead of means in the border.
@@ -50,14 +50,14 @@ double with_sums(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.bottomRows(3) *= nodes;
-  return mean_square_condition(system.matrix, problem);
+  return test::mean_square_condition(system.matrix, problem);
 }
 
 /// A planted defect: the same in P.
 double with_sums_in_projection(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
-  return mean_square_condition(matrix + (1.0 - nodes) * projection_matrix(problem), problem);
+  return test::mean_square_condition(matrix + (1.0 - nodes) * projection_matrix(problem), problem);
 }
 
 /// The plain 2-norm of the vectors of node values.
@@ -79,7 +79,7 @@ double without_viscosity(double mu) {
   const StokesProblem problem = held_ellipse(mu);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
   system.matrix.topRightCorner(system.matrix.rows() - 3, 3) *= 4.0 * std::numbers::pi * mu;
-  return mean_square_condition(system.matrix, problem);
+  return test::mean_square_condition(system.matrix, problem);
 }
 
 /// A planted defect: F / (4 pi) as unknown, not F / (4 pi mu).
@@ -87,7 +87,7 @@ double with_load_unscaled(double mu) {
   const StokesProblem problem = held_ellipse(mu);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.rightCols(3) /= mu;
-  return mean_square_condition(system.matrix, problem);
+  return test::mean_square_condition(system.matrix, problem);
 }
 
 /// A planted defect: P without the factor between motions and loads.
@@ -98,22 +98,23 @@ double with_load_for_motion(double mu) {
   const Eigen::MatrixXd loads =
       -bordered.matrix.topRightCorner(n, 3) * bordered.matrix.bottomLeftCorner(3, n);
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
-  return mean_square_condition(matrix + (1.0 / mu - 1.0) * loads, problem);
+  return test::mean_square_condition(matrix + (1.0 / mu - 1.0) * loads, problem);
 }
 
 Measure over_sizes(double a, double b, int points, ClosureForm form) {
   return at(log_points(a, b, points),
-            [=](double size) { return mean_square_condition(free_ellipse(size), form); });
+            [=](double size) { return test::mean_square_condition(free_ellipse(size), form); });
 }
 
 Measure over_nodes(ClosureForm form) {
-  return at(node_counts(32, 128, 9),
-            [=](double nodes) { return mean_square_condition(free_ellipse(1.0, nodes), form); });
+  return at(node_counts(32, 128, 9), [=](double nodes) {
+    return test::mean_square_condition(free_ellipse(1.0, nodes), form);
+  });
 }
 
 Measure over_viscosities(double a, double b, int points, ClosureForm form) {
   return at(log_points(a, b, points),
-            [=](double mu) { return mean_square_condition(held_ellipse(mu), form); });
+            [=](double mu) { return test::mean_square_condition(held_ellipse(mu), form); });
 }
 
 const std::vector<std::string> assemble_api{"stokesbook::assemble", "stokesbook::ClosureForm"};

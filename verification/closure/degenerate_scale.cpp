@@ -24,11 +24,11 @@ StokesProblem without_gauge(StokesProblem problem) {
 }
 
 double condition_with_gauge(double radius) {
-  return mean_square_condition(held_ellipse(radius), ClosureForm::reduced);
+  return test::mean_square_condition(held_ellipse(radius), ClosureForm::reduced);
 }
 
 double condition_with_balance(double radius) {
-  return mean_square_condition(without_gauge(held_ellipse(radius)), ClosureForm::reduced);
+  return test::mean_square_condition(without_gauge(held_ellipse(radius)), ClosureForm::reduced);
 }
 
 /// Mean radius at which a force along the major axis gives no velocity there:

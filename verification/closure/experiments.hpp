@@ -5,6 +5,7 @@
 
 #include "study/study.hpp"
 #include "support/mean_square.hpp"
+#include "support/over_nodes.hpp"
 #include "support/problems.hpp"
 #include "support/spectra.hpp"
 
@@ -36,13 +37,10 @@ inline std::vector<double> log_points(double a, double b, int count) {
   return points;
 }
 
-/// Numbers of nodes from a to b, rounded to even ones.
+/// Numbers of nodes from a to b, rounded to even ones, as points of an axis.
 inline std::vector<double> node_counts(double a, double b, int count) {
-  std::vector<double> points;
-  for (int k = 0; k < count; ++k) {
-    points.push_back(2.0 * std::round(0.5 * (a + (b - a) * k / (count - 1.0))));
-  }
-  return points;
+  const std::vector<Eigen::Index> counts = test::even_counts(a, b, count - 1);
+  return {counts.begin(), counts.end()};
 }
 
 /// Measures a number at each of the points; a quick study takes every second one.
@@ -64,15 +62,6 @@ study::Measure at(const std::vector<double>& points, const Number& number,
 /// Number of nodes of a point on the axis "nodes N".
 inline Eigen::Index count(double x) {
   return static_cast<Eigen::Index>(x);
-}
-
-/// Condition number of a problem's dense matrix between mean-square norms.
-inline double mean_square_condition(const Eigen::MatrixXd& matrix, const StokesProblem& problem) {
-  return test::condition_number(test::between_mean_squares(matrix, problem));
-}
-
-inline double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
-  return mean_square_condition(assemble(problem, form).matrix, problem);
 }
 
 /// P as a matrix on the nodes of one free body, from the border of its scaled system: minus the

@@ -6,6 +6,8 @@
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
 #include "study/study.hpp"
+#include "support/over_nodes.hpp"
+#include "support/vectors.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook::verification::double_layer {
@@ -71,38 +73,16 @@ inline Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
   return layer;
 }
 
-/// Largest modulus of a vector's entries.
-inline double largest(const ComplexVector& v) {
-  return v.cwiseAbs().maxCoeff();
-}
-
 /// Largest error, relative to the largest exact value.
 inline double relative_error(const ComplexVector& got, const ComplexVector& exact) {
-  return largest(got - exact) / largest(exact);
+  return test::largest(got - exact) / test::largest(exact);
 }
 
-/// Even node counts that lower e^{-rate n} from about 1 to rounding in that many steps.
-inline std::vector<Eigen::Index> node_counts(double rate, int steps) {
-  std::vector<Eigen::Index> counts;
-  for (int k = 1; k <= steps; ++k) {
-    const Eigen::Index n = 2 * std::lround(18.0 * k / (steps * rate));
-    if (n >= 4 && (counts.empty() || n > counts.back())) counts.push_back(n);
-  }
-  return counts;
-}
-
-/// Measures an error, a function of the number of nodes, at node counts that fit its rate.
+/// Measures an error, a function of the number of nodes, at node counts that lower e^{-rate n} from
+/// 1 to rounding.
 template <class Error>
 study::Measure errors_at(double rate, const Error& error) {
-  return [=](study::Size size) {
-    std::vector<study::Measurement> measurements;
-    for (const Eigen::Index n : node_counts(rate, size == study::Size::full ? 24 : 12)) {
-      measurements.push_back({.x = static_cast<double>(n),
-                              .error = error(n),
-                              .unknowns = 2.0 * static_cast<double>(n)});
-    }
-    return measurements;
-  };
+  return test::over_nodes(0.0, 36.0 / rate, 24, error, 2.0);
 }
 
 }  // namespace stokesbook::verification::double_layer

@@ -34,7 +34,8 @@ double error(Index n, double height, double share, const Factors& factors) {
   });
   const ComplexVector velocity =
       factors.single_layer * single_layer - plain_rule(body, flow.velocity(body.x), targets);
-  return largest(velocity - share * flow.velocity(targets)) / largest(flow.velocity(body.x));
+  return test::largest(velocity - share * flow.velocity(targets)) /
+         test::largest(flow.velocity(body.x));
 }
 
 Measure errors_of(double height, double share, const Factors& factors = {}) {

@@ -23,7 +23,8 @@ ComplexVector rigid_motion(const ComplexVector& x) {
 double error_off_curve(Index n, double height, double share) {
   const Curve curve = body(n);
   const ComplexVector targets = points_at(ellipse, height), v = rigid_motion(curve.x);
-  return largest(plain_rule(curve, v, targets) - share * rigid_motion(targets)) / largest(v);
+  return test::largest(plain_rule(curve, v, targets) - share * rigid_motion(targets)) /
+         test::largest(v);
 }
 
 /// Error of D v = v/2 on the curve, by its matrix.

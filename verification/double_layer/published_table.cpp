@@ -18,7 +18,7 @@ double error_at(double y, Index n, Side side) {
   const Curve wall = sample(Ellipse{1.0, 2.0}, n, side);
   const ComplexVector target = ComplexVector::Constant(1, Complex{0.0, y});
   const ComplexVector density = test::density_of(wall, extension.velocity(wall.x));
-  return largest(plain_rule(wall, density, target) - extension.velocity(target));
+  return test::largest(plain_rule(wall, density, target) - extension.velocity(target));
 }
 
 struct Entry {

@@ -3,6 +3,7 @@
 
 #include "double_layer/stresslet_sum.hpp"
 #include "experiments.hpp"
+#include "support/over_nodes.hpp"
 
 namespace stokesbook::verification::null_space {
 
@@ -28,27 +29,11 @@ double wall_distance(const test::EccentricAnnulus& annulus) {
 }
 
 Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error, int curves) {
-  return [=](Size size) {
-    const int steps = size == Size::full ? 16 : 8;
-    std::vector<Index> counts;
-    for (int k = 0; k <= steps; ++k) {
-      const Index n = 2 * std::lround(0.5 * (first + (last - first) * k / steps) / rate);
-      if (counts.empty() || n > counts.back()) counts.push_back(n);
-    }
-    return over_nodes(counts, error, curves)(size);
-  };
+  return test::over_nodes(first / rate, last / rate, 16, error, 2.0 * curves);
 }
 
 Measure over_nodes(const std::vector<Index>& counts, const ErrorOfNodes& error, int curves) {
-  return [=](Size) {
-    std::vector<Measurement> measurements;
-    for (const Index n : counts) {
-      measurements.push_back({.x = static_cast<double>(n),
-                              .error = error(n),
-                              .unknowns = 2.0 * curves * static_cast<double>(n)});
-    }
-    return measurements;
-  };
+  return [=](Size) { return test::errors_at(counts, error, 2.0 * curves); };
 }
 
 Measure over(const std::vector<double>& points, const std::function<double(double)>& error) {

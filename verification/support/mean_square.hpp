@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "closure/problem.hpp"
+#include "closure/bordered_system.hpp"
+#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 
@@ -19,6 +20,15 @@ inline Eigen::MatrixXd between_mean_squares(Eigen::MatrixXd matrix, const Stokes
     }
   }
   return matrix;
+}
+
+/// Condition number of a problem's dense matrix between mean-square norms.
+inline double mean_square_condition(const Eigen::MatrixXd& matrix, const StokesProblem& problem) {
+  return condition_number(between_mean_squares(matrix, problem));
+}
+
+inline double mean_square_condition(const StokesProblem& problem, ClosureForm form) {
+  return mean_square_condition(assemble(problem, form).matrix, problem);
 }
 
 }  // namespace stokesbook::test

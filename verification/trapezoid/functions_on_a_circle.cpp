@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
+#include "support/over_nodes.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::trapezoid {
@@ -12,27 +13,10 @@ using Eigen::Index;
 
 namespace {
 
-/// Node counts that lower e^{-rate n} from about 1 to rounding, even.
-std::vector<Index> node_counts(double rate, Size size) {
-  const int points = size == Size::full ? 24 : 12;
-  std::vector<Index> counts;
-  for (int k = 1; k <= points; ++k) {
-    const auto half = static_cast<Index>(std::lround(18.0 * k / (points * rate)));
-    counts.push_back(2 * half);
-  }
-  return counts;
-}
-
+/// Measures at node counts that lower e^{-rate n} from 1 to rounding.
 template <class Error>
 Measure at_counts(double rate, const Error& error) {
-  return [=](Size size) {
-    std::vector<Measurement> measurements;
-    for (const Index n : node_counts(rate, size)) {
-      measurements.push_back(
-          {.x = static_cast<double>(n), .error = error(n), .unknowns = static_cast<double>(n)});
-    }
-    return measurements;
-  };
+  return test::over_nodes(0.0, 36.0 / rate, 24, error, 1.0);
 }
 
 template <class Rule>

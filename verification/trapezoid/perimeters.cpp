@@ -4,6 +4,7 @@
 #include <gsl/gsl_sf_ellint.h>
 
 #include "experiments.hpp"
+#include "support/over_nodes.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook::verification::trapezoid {
@@ -29,18 +30,11 @@ double polygon_perimeter(const Curve& curve) {
 
 template <class Perimeter>
 Measure relative_errors(const Ellipse& ellipse, double distance, const Perimeter& length) {
-  return [=](Size size) {
-    const int points = size == Size::full ? 20 : 10;
-    std::vector<Measurement> measurements;
-    for (int k = points / 10; k <= points; ++k) {
-      const Index n = 2 * std::lround(15.0 * k / (points * distance));
-      const Curve curve = sample(ellipse, n, Side::fluid_outside);
-      measurements.push_back({.x = static_cast<double>(n),
-                              .error = std::abs(length(curve) / exact_perimeter(ellipse) - 1.0),
-                              .unknowns = static_cast<double>(n)});
-    }
-    return measurements;
+  const auto error = [=](Index n) {
+    const Curve curve = sample(ellipse, n, Side::fluid_outside);
+    return std::abs(length(curve) / exact_perimeter(ellipse) - 1.0);
   };
+  return test::over_nodes(0.0, 30.0 / distance, 20, error, 1.0);
 }
 
 Line ellipse_line(const std::string& key, const std::string& id, double aspect) {
