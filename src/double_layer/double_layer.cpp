@@ -95,4 +95,16 @@ double rigid_motion_residual(const Curve& curve) {
                    residual(imaginary * arm) / size});
 }
 
+Eigen::MatrixXd interleaved_map(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  Eigen::MatrixXd map(2 * a.rows(), 2 * a.cols());
+  for (Index j = 0; j < a.cols(); ++j) {
+    for (Index i = 0; i < a.rows(); ++i) {
+      const Complex sum = a(i, j) + b(i, j), difference = a(i, j) - b(i, j);
+      map.block<2, 2>(2 * i, 2 * j) << sum.real(), -difference.imag(), sum.imag(),
+          difference.real();
+    }
+  }
+  return map;
+}
+
 }  // namespace stokesbook

@@ -70,6 +70,14 @@ inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eige
   return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};
 }
 
+/// Writes a real-linear map of plane vectors, \f$ \eta \to A\eta + B\bar\eta \f$, as a real matrix
+/// of interleaved vectors.
+///
+/// @param  a  A, m x n
+/// @param  b  B, m x n
+/// @return    2m x 2n, ordered as by interleaved(), unit of A
+Eigen::MatrixXd interleaved_map(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
+
 /// @}
 
 }  // namespace stokesbook

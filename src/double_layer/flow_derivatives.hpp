@@ -18,6 +18,16 @@ struct FlowDerivatives {
   double pressure = 0.0;   ///< over the viscosity, 1 / time
   double vorticity = 0.0;  ///< \f$ \partial_1 u_2 - \partial_2 u_1 \f$, 1 / time
   Complex strain;          ///< \f$ e_{11} - e_{22} + 2ie_{12} \f$ of the rate of strain, 1 / time
+
+  /// Superposes another flow.
+  /// @param  other  at the same point
+  /// @return        the sum
+  FlowDerivatives& operator+=(const FlowDerivatives& other) {
+    pressure += other.pressure;
+    vorticity += other.vorticity;
+    strain += other.strain;
+    return *this;
+  }
 };
 
 /// Evaluates the derivatives of stresslet() with respect to the target.

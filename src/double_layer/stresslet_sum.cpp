@@ -78,28 +78,34 @@ StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage stora
     least2_.segment(first, m) = 0.25 * w.array().square();
     first += m;
   }
-  if (storage == KernelStorage::stored) {
-    matrix_.resize(2 * n, 2 * n);
+  if (storage == KernelStorage::stored) matrix_ = matrix(nodes());
+}
+
+ComplexVector StressletSum::nodes() const {
+  ComplexVector z(size());
+  z.real() = x_;
+  z.imag() = y_;
+  return z;
+}
+
+Eigen::MatrixXd StressletSum::matrix(const ComplexVector& targets) const {
+  const Index m = targets.size(), n = size();
+  Eigen::MatrixXd result(2 * m, 2 * n);
 #pragma omp parallel for schedule(static)
-    for (Index j = 0; j < n; ++j) {
-      for (Index i = 0; i < n; ++i) {
-        const Eigen::Vector2d r{x_[i] - x_[j], y_[i] - y_[j]};
-        const double rho2 = std::max(r.squaredNorm(), least2_[j]);
-        const double factor = (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2);
-        matrix_.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
-      }
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < m; ++i) {
+      const Eigen::Vector2d r{targets[i].real() - x_[j], targets[i].imag() - y_[j]};
+      const double rho2 = std::max(r.squaredNorm(), least2_[j]);
+      const double factor = (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2);
+      result.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
     }
   }
+  return result;
 }
 
 ComplexVector StressletSum::operator()(const ComplexVector& density) const {
-  if (matrix_.size() > 0) {
-    return deinterleaved(matrix_ * interleaved(density));
-  }
-  ComplexVector targets(size());
-  targets.real() = x_;
-  targets.imag() = y_;
-  return (*this)(targets, density);
+  return matrix_.size() > 0 ? deinterleaved(matrix_ * interleaved(density))
+                            : (*this)(nodes(), density);
 }
 
 ComplexVector StressletSum::operator()(const ComplexVector& targets,
@@ -126,6 +132,44 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
     }
   }
   return velocity;
+}
+
+std::vector<FlowDerivatives> StressletSum::derivatives(const ComplexVector& targets,
+                                                       const ComplexVector& density) const {
+  // With a = n eta and b = n.eta, weights included, and c = 1 / conj(r): a / r^2 = a conj(c)^2, and
+  // the strain is -c^2 (b + conj(a) r c).
+  const Eigen::ArrayXd ax = nx_.array() * density.real().array() -
+                            ny_.array() * density.imag().array(),
+                       ay = nx_.array() * density.imag().array() +
+                            ny_.array() * density.real().array(),
+                       b = nx_.array() * density.real().array() +
+                           ny_.array() * density.imag().array();
+  const Index m = targets.size(), n = size();
+  std::vector<FlowDerivatives> flow(static_cast<std::size_t>(m));
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < m; ++i) {
+    const double zx = targets[i].real(), zy = targets[i].imag();
+    const double *x = x_.data(), *y = y_.data(), *least2 = least2_.data();
+    const double *source_x = ax.data(), *source_y = ay.data(), *source_b = b.data();
+    double pressure = 0.0, vorticity = 0.0, strain_x = 0.0, strain_y = 0.0;
+#pragma omp simd reduction(+ : pressure, vorticity, strain_x, strain_y)
+    for (Index j = 0; j < n; ++j) {
+      const double dx = zx - x[j], dy = zy - y[j];
+      const double distance2 = dx * dx + dy * dy;
+      const double inverse = 1.0 / (distance2 > least2[j] ? distance2 : least2[j]);
+      const double cx = dx * inverse, cy = dy * inverse;
+      const double c2x = cx * cx - cy * cy, c2y = 2.0 * cx * cy;
+      pressure += source_x[j] * c2x + source_y[j] * c2y;
+      vorticity += source_x[j] * c2y - source_y[j] * c2x;
+      const double rcx = dx * cx - dy * cy, rcy = dx * cy + dy * cx;
+      const double gx = source_b[j] + source_x[j] * rcx + source_y[j] * rcy;
+      const double gy = source_x[j] * rcy - source_y[j] * rcx;
+      strain_x -= c2x * gx - c2y * gy;
+      strain_y -= c2x * gy + c2y * gx;
+    }
+    flow[static_cast<std::size_t>(i)] = {pressure, vorticity, {strain_x, strain_y}};
+  }
+  return flow;
 }
 
 KernelStorage StressletSum::automatic_storage(Index n_nodes) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "double_layer/flow_derivatives.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook {
@@ -53,6 +54,24 @@ class StressletSum {
   /// @par Not for     targets nearer than about 5 node spacings: add a NearCorrection
   ComplexVector operator()(const ComplexVector& targets, const ComplexVector& density) const;
 
+  /// Assembles the map from a density to the velocities at targets.
+  ///
+  /// @param  targets  m points, length
+  /// @return          2m x 2n, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
+  /// @par Cost        m n kernel evaluations
+  Eigen::MatrixXd matrix(const ComplexVector& targets) const;
+
+  /// Evaluates pressure, vorticity and strain of the sum, see stresslet_derivatives().
+  ///
+  /// \f$ \rho \f$ is bounded as for velocities, so that a near correction can subtract them again.
+  /// @param  targets  m points, length
+  /// @param  density  at all nodes, in the curves' order, length / time
+  /// @return          of the flow at the m targets, 1 / time
+  /// @par Cost        m n kernel evaluations for m targets
+  /// @par Not for     targets nearer than about 6 node spacings: add NearDerivatives
+  std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
+                                           const ComplexVector& density) const;
+
   /// Counts the nodes.
   /// @return n
   Eigen::Index size() const { return x_.size(); }
@@ -64,6 +83,8 @@ class StressletSum {
   static KernelStorage automatic_storage(Eigen::Index n_nodes);
 
  private:
+  ComplexVector nodes() const;
+
   Eigen::VectorXd x_, y_;    // nodes
   Eigen::VectorXd nx_, ny_;  // normal times weight over pi
   Eigen::VectorXd least2_;   // squared half weight

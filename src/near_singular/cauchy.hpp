@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 
 #include "double_layer/flow_derivatives.hpp"
-#include "double_layer/stresslet_sum.hpp"
-#include "trapezoid/curve.hpp"
+#include "near_singular/barycentric.hpp"
 
 namespace stokesbook {
 
@@ -36,9 +35,8 @@ struct CauchyDerivativeData {
 ///
 /// With \f$ D[\eta] = \phi - z\overline{\phi'} - \overline{\psi} \f$ and
 /// \f$ \chi = \psi + \bar t\phi' = \overline{\phi - U} \f$ on the curve,
-/// \f[ U(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]},\quad
-///     w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
-///     \Delta = \sum_j W_j + [s=-1]. \f]
+/// \f[ U(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]} \f]
+/// with the weights of Barycentric.
 /// Derivatives have the same form: pressure over viscosity and vorticity are \f$ -4\,\mathrm{Re} \f$
 /// and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$, and with
 /// \f$ g = d\chi/dt - \phi'\,d\bar t/dt \f$ along the curve
@@ -61,14 +59,22 @@ class CauchyCurve {
   /// @par Cost          12 N^2 k real multiplications
   CauchyData data(const Eigen::MatrixXcd& densities) const;
 
-  /// Evaluates the velocity at a target on the fluid's side, at any distance or on a node.
+  /// Evaluates the velocity on the fluid's side, at any distance or on a node.
   ///
-  /// @param  data    from data()
-  /// @param  column  which density
-  /// @param  target  z, in the curve's frame, length
-  /// @return         velocity in the curve's frame, length / time
-  /// @par Cost       30 N operations and N divisions
-  Complex velocity(const CauchyData& data, Eigen::Index column, Complex target) const;
+  /// @param  data     from data()
+  /// @param  column   which density
+  /// @param  targets  m points, in the curve's frame, length
+  /// @return          m velocities in the curve's frame, length / time
+  /// @par Cost        35 N operations and N / 2 divisions a target
+  ComplexVector velocity(const CauchyData& data, Eigen::Index column,
+                         const ComplexVector& targets) const;
+
+  /// Assembles the map from a density to the velocities at targets, of velocity() and data().
+  ///
+  /// @param  targets  m points on the fluid's side or on nodes, in the curve's frame, length
+  /// @return          2m x 2N, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
+  /// @par Cost        16 N^2 real multiplications a target, as matrix products
+  Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
   /// Computes the node values for the derivatives of the flow.
   ///
@@ -77,28 +83,17 @@ class CauchyCurve {
   /// @par Cost     O(N k log N)
   CauchyDerivativeData derivative_data(const CauchyData& data) const;
 
-  /// Evaluates pressure, vorticity and strain at a target on the fluid's side, at any distance or
-  /// on a node, where they are the limits.
+  /// Evaluates pressure, vorticity and strain on the fluid's side, at any distance or on a node,
+  /// where they are the limits.
   ///
-  /// @param  data    from derivative_data()
-  /// @param  column  which density
-  /// @param  target  z, in the curve's frame, length
-  /// @return         in the curve's frame, 1 / time
-  /// @par Accuracy  1e-11 relative at any distance, once the density is resolved
-  /// @par Cost      30 N operations and N divisions
-  FlowDerivatives derivatives(const CauchyDerivativeData& data, Eigen::Index column,
-                              Complex target) const;
-
-  /// Evaluates what the trapezoid rule gives instead, see StressletSum.
-  ///
-  /// @param  density  at the nodes, in the curve's frame, length / time
+  /// @param  data     from derivative_data()
+  /// @param  column   which density
   /// @param  targets  m points, in the curve's frame, length
-  /// @return          m velocities in the curve's frame, length / time
-  /// @par Cost        m N kernel evaluations
-  ComplexVector trapezoid_velocity(const ComplexVector& density,
-                                   const ComplexVector& targets) const {
-    return trapezoid_(targets, density);
-  }
+  /// @return          m values in the curve's frame, 1 / time
+  /// @par Accuracy  1e-11 relative at any distance, once the density is resolved
+  /// @par Cost      as velocity()
+  std::vector<FlowDerivatives> derivatives(const CauchyDerivativeData& data, Eigen::Index column,
+                                           const ComplexVector& targets) const;
 
   /// Tells on which side of the curve a point lies, by \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
   ///
@@ -106,7 +101,7 @@ class CauchyCurve {
   /// @return        true in the fluid and on a node
   /// @par Accuracy  the border is the curve, between nodes too, once its shape is resolved
   /// @par Cost      O(N)
-  bool in_fluid(Complex point) const;
+  bool in_fluid(Complex point) const { return barycentric_.side(point) > 0.5; }
 
   /// Returns the nodes.
   /// @return N nodes, in the curve's own frame
@@ -114,11 +109,10 @@ class CauchyCurve {
 
  private:
   Curve curve_;
-  StressletSum trapezoid_;
-  ComplexVector cauchy_weights_;  // s t'_j h / (2 pi i)
-  Eigen::MatrixXcd phi_;          // density -> phi
-  Eigen::MatrixXcd dphi_;         // density -> phi'
-  Eigen::MatrixXd limit_;         // -1/2 + D, interleaved
+  Barycentric barycentric_;
+  Eigen::MatrixXcd phi_;   // density -> phi
+  Eigen::MatrixXcd dphi_;  // density -> phi'
+  Eigen::MatrixXd limit_;  // -1/2 + D, interleaved
 };
 
 /// @}

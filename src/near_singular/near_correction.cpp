@@ -1,88 +1,114 @@
 #include "near_singular/near_correction.hpp"
 
-#include <algorithm>
 #include <map>
 
-#include "near_singular/near_test.hpp"
+#include "double_layer/double_layer.hpp"
 
 namespace stokesbook {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
 
-NearCorrection::NearCorrection(std::vector<PlacedCauchyCurve> curves, const ComplexVector& targets,
-                               Targets kind, double tolerance)
-    : curves_(std::move(curves)), near_(curves_.size()), target_count_(targets.size()) {
-  offsets_.push_back(0);
-  for (const PlacedCauchyCurve& curve : curves_) {
-    offsets_.push_back(offsets_.back() + curve.reference->curve().size());
+namespace {
+
+// Real multiplications decide; a solve takes about thirty applications.
+bool rows_pay(const PlacedCurve& placed, Index near_targets) {
+  if (std::holds_alternative<std::shared_ptr<const InterpolationCurve>>(placed.scheme)) {
+    return true;  // an evaluation costs as much as a row has entries, m sigma times
   }
-  const auto count = static_cast<Index>(curves_.size());
-#pragma omp parallel for schedule(dynamic)
-  for (Index k = 0; k < count; ++k) {
-    const auto source = static_cast<std::size_t>(k);
-    near_[source] = find_targets(source, targets, kind, tolerance);
-  }
-  std::map<const CauchyCurve*, std::size_t> group_of;
+  constexpr double applications = 30.0;
+  const auto n = static_cast<double>(placed.curve().size());
+  const auto m = static_cast<double>(near_targets);
+  const double factored = applications * (12.0 * n * n + 50.0 * n * m);
+  const double explicit_rows = 24.0 * n * n * m + applications * 4.0 * n * m;
+  return explicit_rows < factored;
+}
+
+ComplexVector turned(const ComplexVector& v, double angle) {
+  return std::polar(1.0, angle) * v;
+}
+
+}  // namespace
+
+NearCorrection::NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets,
+                               Targets kind, const NearSettings& settings)
+    : curves_(std::move(curves)),
+      offsets_(node_offsets(curves_)),
+      near_(find_near_targets(curves_, targets, kind, settings.tolerance)),
+      target_count_(targets.size()) {
+  std::map<CloseScheme, std::size_t> group_of;
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    if (near_[k].index.empty()) continue;
-    const auto [entry, is_new] = group_of.try_emplace(curves_[k].reference.get(), groups_.size());
-    if (is_new) groups_.emplace_back();
-    groups_[entry->second].push_back(k);
+    const Index count = near_[k].local.size();
+    if (count == 0) continue;
+    if (settings.storage == NearStorage::explicit_rows ||
+        (settings.storage == NearStorage::automatic && rows_pay(curves_[k], count))) {
+      rows_.push_back({k, {}});
+      continue;
+    }
+    const auto [entry, is_new] = group_of.try_emplace(curves_[k].scheme, groups_.size());
+    if (is_new) groups_.push_back({{}, StressletSum({curves_[k].curve()})});
+    groups_[entry->second].curves.push_back(k);
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (Rows& rows : rows_) {
+    const ComplexVector& local = near_[rows.curve].local;
+    rows.matrix = std::visit([&](const auto& scheme) { return scheme->velocity_rows(local); },
+                             curves_[rows.curve].scheme) -
+                  StressletSum({curves_[rows.curve].curve()}).matrix(local);
   }
 }
 
-NearCorrection::NearTargets NearCorrection::find_targets(std::size_t source,
-                                                         const ComplexVector& targets, Targets kind,
-                                                         double tolerance) const {
-  const PlacedCauchyCurve& placed = curves_[source];
-  const Curve& curve = placed.reference->curve();
-  const Complex turn = std::polar(1.0, -placed.orientation);
-  const double reach = bounding_radius(curve, 0.0) + near_reach(curve, tolerance);
-  NearTargets near;
-  std::vector<Complex> local;
-  for (Index i = 0; i < targets.size(); ++i) {
-    if (kind == Targets::own_nodes && i >= offsets_[source] && i < offsets_[source + 1]) continue;
-    const Complex target = (targets[i] - placed.position) * turn;
-    if (std::abs(target) < reach && is_near(curve, target, tolerance)) {
-      near.index.push_back(i);
-      local.push_back(target);
-    }
+ComplexVector NearCorrection::local_density(const ComplexVector& density, std::size_t curve) const {
+  return turned(density.segment(offsets_[curve], offsets_[curve + 1] - offsets_[curve]),
+                -curves_[curve].orientation);
+}
+
+void NearCorrection::evaluate(const Group& group, const ComplexVector& density,
+                              std::vector<ComplexVector>& corrections) const {
+  const PlacedCurve& first = curves_[group.curves.front()];
+  const auto columns = static_cast<Index>(group.curves.size());
+  MatrixXcd densities(first.curve().size(), columns);
+  for (Index c = 0; c < columns; ++c) {
+    densities.col(c) = local_density(density, group.curves[static_cast<std::size_t>(c)]);
   }
-  near.local = Eigen::Map<const ComplexVector>(local.data(), static_cast<Index>(local.size()));
-  return near;
+  std::visit(
+      [&](const auto& scheme) {
+        const auto data = scheme->data(densities);
+#pragma omp parallel for schedule(dynamic)
+        for (Index c = 0; c < columns; ++c) {
+          const std::size_t k = group.curves[static_cast<std::size_t>(c)];
+          const ComplexVector& targets = near_[k].local;
+          corrections[k] =
+              scheme->velocity(data, c, targets) - group.trapezoid(targets, densities.col(c));
+        }
+      },
+      first.scheme);
 }
 
 ComplexVector NearCorrection::operator()(const ComplexVector& density) const {
-  std::vector<ComplexVector> corrections(curves_.size());
-  for (const std::vector<std::size_t>& group : groups_) {
-    const CauchyCurve& reference = *curves_[group.front()].reference;
-    const Index n = reference.curve().size();
-    const auto columns = static_cast<Index>(group.size());
-    Eigen::MatrixXcd densities(n, columns);
-    for (Index c = 0; c < columns; ++c) {
-      const std::size_t k = group[static_cast<std::size_t>(c)];
-      densities.col(c) = std::polar(1.0, -curves_[k].orientation) * density.segment(offsets_[k], n);
-    }
-    const CauchyData data = reference.data(densities);
+  std::vector<ComplexVector> corrections(curves_.size());  // in the curves' frames
+  for (const Group& group : groups_) evaluate(group, density, corrections);
 #pragma omp parallel for schedule(dynamic)
-    for (Index c = 0; c < columns; ++c) {
-      const std::size_t k = group[static_cast<std::size_t>(c)];
-      const ComplexVector& targets = near_[k].local;
-      ComplexVector correction = -reference.trapezoid_velocity(densities.col(c), targets);
-      for (Index i = 0; i < targets.size(); ++i) {
-        correction[i] += reference.velocity(data, c, targets[i]);
-      }
-      corrections[k] = std::polar(1.0, curves_[k].orientation) * correction;
-    }
+  for (const Rows& rows : rows_) {
+    const Eigen::VectorXd product =
+        rows.matrix * interleaved(local_density(density, rows.curve)).eval();
+    corrections[rows.curve] = deinterleaved(product);
   }
   // In the curves' order, so that the sum does not depend on the threads.
   ComplexVector velocity = ComplexVector::Zero(target_count_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    for (std::size_t i = 0; i < near_[k].index.size(); ++i) {
-      velocity[near_[k].index[i]] += corrections[k][static_cast<Index>(i)];
+    const ComplexVector correction = turned(corrections[k], curves_[k].orientation);
+    for (Index i = 0; i < correction.size(); ++i) {
+      velocity[near_[k].index[static_cast<std::size_t>(i)]] += correction[i];
     }
   }
   return velocity;
+}
+
+Index NearCorrection::pair_count() const {
+  Index count = 0;
+  for (const NearTargets& near : near_) count += near.local.size();
+  return count;
 }
 
 }  // namespace stokesbook

@@ -1,68 +1,82 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
-#include "near_singular/cauchy.hpp"
+#include "near_singular/near_targets.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup near_singular
 /// @{
 
-/// A curve placed in the plane: the shared reference and where it is.
-struct PlacedCauchyCurve {
-  std::shared_ptr<const CauchyCurve> reference;  ///< shared by all curves of one shape
-  Complex position;                              ///< of the reference's origin, length
-  double orientation = 0.0;                      ///< radians, counter-clockwise
+/// What a near correction keeps between applications.
+enum class NearStorage {
+  automatic,     ///< the cheaper one for about thirty applications, a curve at a time
+  factored,      ///< nothing: every application evaluates the scheme
+  explicit_rows  ///< the map from a curve's density to its targets, 32 N bytes a target
 };
 
-/// Whose nodes the targets of a near correction are.
-enum class Targets {
-  own_nodes,  ///< all nodes of the curves themselves, in order; a curve is not corrected on itself
-  points      ///< points of the fluid
+/// How a near correction is to be planned.
+struct NearSettings {
+  double tolerance = 1e-14;                      ///< of velocities relative to densities, > 0
+  NearStorage storage = NearStorage::automatic;  ///< what is kept
 };
 
-/// The near correction of a trapezoid sum: replaces it by the Cauchy scheme at the targets
-/// where the rule is too coarse. Planned once per geometry, applied many times.
+/// The near correction of a trapezoid sum: replaces it by a scheme of close evaluation at the
+/// targets where the rule is too coarse. Planned once per geometry, applied many times.
 ///
-/// @par Accuracy  1e-13 relative once the density is resolved, at any gap
-/// @par Cost      12 N^2 real multiplications a curve with near targets, 50 N operations a near
-/// target; O(1) memory a pair
+/// @par Accuracy  that of the scheme, at any gap, once the density is resolved
+/// @par Cost      factored, by the Cauchy scheme: 12 N^2 real multiplications a curve with near
+/// targets and 50 N operations a near target, O(1) memory a pair; explicit rows: 4 N real
+/// multiplications a near target, 24 N^2 once
 class NearCorrection {
  public:
-  /// Finds the near targets of every curve.
+  /// Finds the near targets of every curve and assembles the rows that pay.
   ///
-  /// @param  curves     placed curves, in the order of the densities
-  /// @param  targets    m points, length
-  /// @param  kind       what the targets are
-  /// @param  tolerance  of velocities relative to densities, > 0; decides which targets are near
-  /// @par Cost          a bounding-circle test a target and curve, O(N) for a target inside it
-  NearCorrection(std::vector<PlacedCauchyCurve> curves, const ComplexVector& targets, Targets kind,
-                 double tolerance);
+  /// @param  curves    placed curves, in the order of the densities
+  /// @param  targets   m points, length
+  /// @param  kind      what the targets are
+  /// @param  settings  tolerance, which decides what is near, and storage
+  /// @par Cost         that of find_near_targets(), and of the rows
+  NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets, Targets kind,
+                 const NearSettings& settings);
 
-  /// Evaluates Cauchy value minus trapezoid value, summed over the near curves of each
-  /// target.
+  /// Evaluates scheme minus trapezoid rule, summed over the near curves of each target.
   ///
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          velocities at the m targets, length / time
   ComplexVector operator()(const ComplexVector& density) const;
 
+  /// Counts the pairs of a target and a curve that is near it.
+  /// @return number of corrections that are summed
+  Eigen::Index pair_count() const;
+
+  /// Counts the curves whose rows are kept.
+  /// @return 0 for factored storage
+  Eigen::Index explicit_count() const { return static_cast<Eigen::Index>(rows_.size()); }
+
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
-  struct NearTargets {
-    std::vector<Eigen::Index> index;  // which targets
-    ComplexVector local;              // in the source's frame
+  struct Rows {
+    std::size_t curve;
+    Eigen::MatrixXd matrix;  // density -> scheme minus trapezoid rule, interleaved, curve's frame
+  };
+  struct Group {
+    std::vector<std::size_t> curves;  // that share a scheme
+    StressletSum trapezoid;
   };
   /// @endcond
-  NearTargets find_targets(std::size_t source, const ComplexVector& targets, Targets kind,
-                           double tolerance) const;
+  ComplexVector local_density(const ComplexVector& density, std::size_t curve) const;
+  void evaluate(const Group& group, const ComplexVector& density,
+                std::vector<ComplexVector>& corrections) const;
 
-  std::vector<PlacedCauchyCurve> curves_;
-  std::vector<Eigen::Index> offsets_;             // first node of each curve, and the total
-  std::vector<NearTargets> near_;                 // of each curve
-  std::vector<std::vector<std::size_t>> groups_;  // curves with near targets, by reference
+  std::vector<PlacedCurve> curves_;
+  std::vector<Eigen::Index> offsets_;  // first node of each curve, and the total
+  std::vector<NearTargets> near_;      // of each curve
+  std::vector<Rows> rows_;             // of curves for which they pay
+  std::vector<Group> groups_;          // of the other curves with near targets
   Eigen::Index target_count_;
 };
 

@@ -171,9 +171,10 @@ enum class Summation {
 
 /// How integrals are corrected where a target is near a curve.
 enum class NearSingular {
-  automatic,  ///< the plan decides
-  cauchy,     ///< spectral Cauchy scheme, see CauchyCurve
-  off         ///< not at all: gaps that need it are refused
+  automatic,      ///< the plan decides
+  cauchy,         ///< spectral Cauchy scheme, see CauchyCurve
+  interpolation,  ///< the scheme of the literature, see InterpolationCurve
+  off             ///< not at all: gaps that need it are refused
 };
 
 /// Preconditioner of GMRES.

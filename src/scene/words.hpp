@@ -51,7 +51,7 @@ inline constexpr Words<Summation, 3> summations{{
 inline constexpr Words<NearSingular, 4> near_singular_schemes{{
     {"auto", NearSingular::automatic},
     {"cauchy", NearSingular::cauchy},
-    {"interpolation", not_yet},
+    {"interpolation", NearSingular::interpolation},
     {"off", NearSingular::off},
 }};
 

@@ -18,8 +18,7 @@ std::vector<Curve> curves_of(const StokesProblem& problem) {
 }  // namespace
 
 SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
-                                       const std::vector<PlacedCauchyCurve>& placed,
-                                       const Plan& plan)
+                                       const std::vector<PlacedCurve>& placed, const Plan& plan)
     : curves_(curves_of(problem)),
       offsets_(node_offsets(problem)),
       closure_(problem),
@@ -29,7 +28,8 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
     nodes.segment(offsets_[k], curves_[k].size()) = curves_[k].x;
     if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
   }
-  if (!placed.empty()) near_.emplace(placed, nodes, Targets::own_nodes, plan.near_tolerance);
+  if (!placed.empty())
+    near_.emplace(placed, nodes, Targets::own_nodes, NearSettings{plan.near_tolerance});
 }
 
 ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
@@ -51,13 +51,14 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
 
 ComplexVector SuspensionOperator::velocity(const ComplexVector& density,
                                            const ComplexVector& points,
-                                           const std::vector<PlacedCauchyCurve>& placed,
+                                           const std::vector<PlacedCurve>& placed,
                                            double tolerance) const {
   const ComplexVector rest = closure_.without_rigid_part(density);
   ComplexVector velocity =
       sum_(points, rest) + closure_.singular_velocity(closure_.complete(density), points);
   if (!placed.empty()) {
-    velocity += NearCorrection(placed, points, Targets::points, tolerance)(rest);
+    velocity +=
+        NearCorrection(placed, points, Targets::points, {tolerance, NearStorage::factored})(rest);
   }
   return velocity;
 }

@@ -25,7 +25,7 @@ class SuspensionOperator {
   /// @param  placed   the same components for near corrections; empty: none
   /// @param  plan     storage of the kernel and tolerance of the near corrections
   /// @throws std::invalid_argument when Closure refuses the problem
-  SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCauchyCurve>& placed,
+  SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                      const Plan& plan);
 
   /// Applies the operator.
@@ -45,7 +45,7 @@ class SuspensionOperator {
   /// @par Cost          m n kernel evaluations; near corrections are planned anew
   /// @par Not for       points near the boundary without placed components
   ComplexVector velocity(const ComplexVector& density, const ComplexVector& points,
-                         const std::vector<PlacedCauchyCurve>& placed, double tolerance) const;
+                         const std::vector<PlacedCurve>& placed, double tolerance) const;
 
   /// Returns the closure of the problem.
   /// @return what ties motions and loads to the density

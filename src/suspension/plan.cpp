@@ -112,10 +112,12 @@ Plan make_plan(const Scene& scene) {
        plan.storage == KernelStorage::stored
            ? "few nodes: the matrix stays in the cache"
            : "evaluating the kernel beats reading a stored matrix"});
+  const std::string scheme =
+      scene.solver.near_singular == NearSingular::interpolation ? "interpolation" : "Cauchy";
   const std::string near_reason =
       scene.solver.near_singular == NearSingular::off ? "solver.near_singular = \"off\""
       : census.components == 1                        ? "a single component"
-                               : "Cauchy scheme where the trapezoid rule errs by more than " +
+                               : scheme + " scheme where the trapezoid rule errs by more than " +
                                      short_number(plan.near_tolerance);
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
   plan.lines.push_back(

@@ -13,10 +13,14 @@ std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape, int n_n
   }
   const Side side =
       kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-  Reference reference{shape, kind, sample(shape, n_nodes, side), {}, 0.0, {}, {}};
+  Reference reference{shape, kind, sample(shape, n_nodes, side), {}, 0.0, {}, {}, {}};
   reference.interpolant = std::make_shared<TrigonometricPolynomial>(reference.curve.x);
   reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
   if (needs_.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
+  if (needs_.interpolation_tolerance) {
+    reference.interpolation = std::make_shared<InterpolationCurve>(
+        reference.curve, InterpolationSettings::for_tolerance(*needs_.interpolation_tolerance));
+  }
   if (needs_.inverse_block) {
     const Component alone{kind, reference.curve, {}, {}, 0.0, {}};
     reference.inverse_block =

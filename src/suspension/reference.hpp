@@ -6,8 +6,8 @@
 
 #include "closure/problem.hpp"
 #include "krylov/block_diagonal.hpp"
-#include "near_singular/cauchy.hpp"
 #include "near_singular/closest_points.hpp"
+#include "near_singular/near_targets.hpp"
 #include "trapezoid/shape.hpp"
 
 namespace stokesbook {
@@ -24,14 +24,17 @@ struct Reference {
   std::shared_ptr<const TrigonometricPolynomial> interpolant;  ///< of the nodes
   double rigid_motion_residual;               ///< of the curve, by the function of this name
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
+  std::shared_ptr<const InterpolationCurve>
+      interpolation;  ///< none unless velocities are to be interpolated
   std::shared_ptr<const Eigen::MatrixXd>
       inverse_block;  ///< none unless a preconditioner is planned
 };
 
 /// What a reference is to hold beside its nodes.
 struct ReferenceNeeds {
-  bool cauchy = false;                 ///< matrices of the near corrections
-  bool inverse_block = false;          ///< of the preconditioner
+  bool cauchy = false;                            ///< matrices of the near corrections
+  std::optional<double> interpolation_tolerance;  ///< of velocities by interpolation, if wanted
+  bool inverse_block = false;                     ///< of the preconditioner
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
 

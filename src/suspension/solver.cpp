@@ -42,8 +42,10 @@ double prescribed_extent(const StokesProblem& problem) {
 
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
   const bool bounded = plan_.null_space_fix;
-  ReferenceShelf shelf(
-      {plan_.near_correction, plan_.block_diagonal, bounded ? std::nullopt : scene.gauge_length});
+  const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
+  ReferenceShelf shelf({plan_.near_correction,
+                        interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
+                        plan_.block_diagonal, bounded ? std::nullopt : scene.gauge_length});
   const auto add = [&](const auto& component) {
     references_.push_back(shelf.get(component.shape, component.n_nodes, kind_of(component)));
   };
@@ -91,14 +93,15 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration, doub
   return problem;
 }
 
-std::vector<PlacedCauchyCurve> SuspensionSolver::placed(const Configuration& configuration) const {
-  std::vector<PlacedCauchyCurve> placed;
+std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configuration) const {
+  std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const Reference& reference = *references_[k];
     // A component that is alone has none: only the fluid's velocity near it asks for one.
-    const auto cauchy = references_[k]->cauchy
-                            ? references_[k]->cauchy
-                            : std::make_shared<const CauchyCurve>(references_[k]->curve);
-    placed.push_back({cauchy, configuration[k].position, configuration[k].orientation});
+    CloseScheme scheme =
+        reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
+    if (reference.interpolation) scheme = reference.interpolation;
+    placed.push_back({scheme, configuration[k].position, configuration[k].orientation});
   }
   return placed;
 }
@@ -181,7 +184,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
   refuse_bad_data(problem);
 
   const auto near_curves =
-      plan_.near_correction ? placed(configuration) : std::vector<PlacedCauchyCurve>{};
+      plan_.near_correction ? placed(configuration) : std::vector<PlacedCurve>{};
   const SuspensionOperator system(problem, near_curves, plan_);
   const LinearMap apply = [&](const VectorXd& v) -> VectorXd {
     const ComplexVector velocity = system(deinterleaved(v));
@@ -228,7 +231,7 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
   const StokesProblem problem = this->problem(configuration, drive);
   const SuspensionOperator system(problem, {}, plan_);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
-                               ? std::vector<PlacedCauchyCurve>{}
+                               ? std::vector<PlacedCurve>{}
                                : placed(configuration);
   ComplexVector velocity =
       system.velocity(solution.density, points, near_curves, plan_.near_tolerance);

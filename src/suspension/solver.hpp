@@ -117,7 +117,7 @@ class SuspensionSolver {
   void refuse_bad_data(const StokesProblem& problem) const;
   void estimate_error(Solution& solution, const StokesProblem& problem,
                       const ComplexVector& rest) const;
-  std::vector<PlacedCauchyCurve> placed(const Configuration& configuration) const;
+  std::vector<PlacedCurve> placed(const Configuration& configuration) const;
   BlockDiagonalPreconditioner preconditioner(const Configuration& configuration) const;
 
   Scene scene_;

@@ -102,6 +102,18 @@ ComplexVector resample(const ComplexVector& f, Index m) {
   return fourier_values(resampled);
 }
 
+Eigen::RowVectorXd interpolation_weights(Index n, double t) {
+  require_even(n);
+  const auto nodes = static_cast<double>(n);
+  Eigen::RowVectorXd result(n);
+  for (Index j = 0; j < n; ++j) {
+    const double turn = 2.0 * std::numbers::pi;
+    const double lag = std::remainder(t - turn * static_cast<double>(j) / nodes, turn);
+    result[j] = lag == 0.0 ? 1.0 : std::sin(0.5 * nodes * lag) / (nodes * std::tan(0.5 * lag));
+  }
+  return result;
+}
+
 double fourier_tail(const ComplexVector& f) {
   require_even(f.size());
   const Index n = f.size();

@@ -64,6 +64,18 @@ Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 /// @par Cost      O(N log N + m log m)
 ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 
+/// Returns the weights with which node values enter the trigonometric interpolant at a parameter:
+/// \f$ \frac1N \sin\frac{N\tau}{2} \cot\frac{\tau}{2},\ \tau = t - t_j \f$.
+///
+/// @param  n  number of nodes N, even
+/// @param  t  parameter, radians, any real number
+/// @return    1 x N, dimensionless
+/// @throws std::invalid_argument when n is odd or < 2
+/// @par Accuracy  of the interpolant: geometric in N for analytic functions: @ref claim_01_7
+/// @par Cost      O(N)
+/// @par Not for   many values of one function: use TrigonometricPolynomial
+Eigen::RowVectorXd interpolation_weights(Eigen::Index n, double t);
+
 /// Measures what the highest modes carry: max |c_k| over |k| >= N/2 - max(2, N/16).
 ///
 /// For a resolved analytic function this is the size of the interpolation error.

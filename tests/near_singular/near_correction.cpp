@@ -26,10 +26,9 @@ std::shared_ptr<const CauchyCurve> reference(const Shape& shape, Index n, Side s
 
 // Curves with a smooth density on each, and their nodes in order.
 struct Assembly {
-  explicit Assembly(std::vector<PlacedCauchyCurve> placed_curves)
-      : placed(std::move(placed_curves)) {
-    for (const PlacedCauchyCurve& p : placed) {
-      curves.push_back(place(p.reference->curve(), p.position, p.orientation));
+  explicit Assembly(std::vector<PlacedCurve> placed_curves) : placed(std::move(placed_curves)) {
+    for (const PlacedCurve& p : placed) {
+      curves.push_back(place(p.curve(), p.position, p.orientation));
       offsets.push_back(offsets.back() + curves.back().size());
     }
     nodes.resize(offsets.back());
@@ -48,12 +47,11 @@ struct Assembly {
   // The velocity of one curve by the Cauchy scheme, in the plane.
   ComplexVector cauchy_velocity(std::size_t k, const ComplexVector& targets) const {
     const Complex turn = std::polar(1.0, placed[k].orientation);
-    const CauchyCurve& cauchy = *placed[k].reference;
+    const CauchyCurve& cauchy = *std::get<std::shared_ptr<const CauchyCurve>>(placed[k].scheme);
     const CauchyData data =
         cauchy.data(std::conj(turn) * density.segment(offsets[k], curves[k].size()));
-    return targets.unaryExpr([&](Complex z) {
-      return turn * cauchy.velocity(data, 0, std::conj(turn) * (z - placed[k].position));
-    });
+    const ComplexVector local = std::conj(turn) * (targets.array() - placed[k].position).matrix();
+    return turn * cauchy.velocity(data, 0, local);
   }
 
   // The principal values and all other curves' velocities at the nodes, by Cauchy alone.
@@ -64,7 +62,7 @@ struct Assembly {
   }
 
   ComplexVector corrected_at_nodes() const {
-    const NearCorrection near(placed, nodes, Targets::own_nodes, tolerance);
+    const NearCorrection near(placed, nodes, Targets::own_nodes, {tolerance});
     ComplexVector velocity = StressletSum(curves)(density) + near(density);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const Index n = curves[k].size();
@@ -74,7 +72,7 @@ struct Assembly {
     return velocity;
   }
 
-  std::vector<PlacedCauchyCurve> placed;
+  std::vector<PlacedCurve> placed;
   std::vector<Curve> curves;
   std::vector<Index> offsets{0};
   ComplexVector nodes, density;
@@ -106,7 +104,7 @@ BOOST_AUTO_TEST_CASE(two_bodies_at_any_gap) {
   }
   // Without the correction the sum is off by far more.
   const Assembly bodies = pair(1e-2, 0.0, 0.0);
-  const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, tolerance);
+  const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, {tolerance});
   BOOST_TEST(largest(near(bodies.density)) > 0.1);
 }
 
@@ -128,7 +126,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
   const ComplexVector targets =
       ComplexVector{{first + std::polar(1.0 + 5e-5, 0.3), first + std::polar(1.0, 0.3),
                      bodies.nodes[100], first + Complex{0.0, 9.0}}};
-  const NearCorrection near(bodies.placed, targets, Targets::points, tolerance);
+  const NearCorrection near(bodies.placed, targets, Targets::points, {tolerance});
   const ComplexVector exact =
       bodies.cauchy_velocity(0, targets) + bodies.cauchy_velocity(1, targets);
   const ComplexVector sum = StressletSum(bodies.curves)(targets, bodies.density);
@@ -136,15 +134,39 @@ BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
   BOOST_TEST(near(bodies.density)[3] == 0.0);
 }
 
+// Rows are the same correction, kept; the automatic choice keeps them for few targets only.
+BOOST_AUTO_TEST_CASE(explicit_rows) {
+  for (double gap : {1e-1, 1e-4, 1e-8}) {
+    const Assembly bodies = pair(gap, 0.3, 1.0);
+    const auto planned = [&](NearStorage storage) {
+      return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes, {tolerance, storage});
+    };
+    const NearCorrection factored = planned(NearStorage::factored),
+                         rows = planned(NearStorage::explicit_rows);
+    BOOST_TEST(factored.explicit_count() == 0);
+    BOOST_TEST(rows.explicit_count() == 2);
+    BOOST_TEST(rows.pair_count() == factored.pair_count());
+    BOOST_TEST(largest(rows(bodies.density) - factored(bodies.density)) < 1e-12);
+  }
+  const auto circle = reference(Circle{1.0}, 256, Side::fluid_outside);
+  const Assembly two({{circle, {0.0, 0.0}, 0.0}, {circle, {2.03, 0.0}, 1.0}});
+  const NearCorrection few(two.placed, two.nodes, Targets::own_nodes, {1e-2}),
+      many(two.placed, two.nodes, Targets::own_nodes, {1e-14});
+  BOOST_TEST(few.pair_count() > 0);
+  BOOST_TEST(few.explicit_count() == 2);
+  BOOST_TEST(many.pair_count() > few.pair_count());
+  BOOST_TEST(many.explicit_count() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(only_near_targets_are_corrected) {
   const auto circle = reference(Circle{1.0}, 64, Side::fluid_outside);
   const Assembly far({{circle, {0.0, 0.0}, 0.0}, {circle, {9.0, 0.0}, 0.0}});
-  const NearCorrection nothing(far.placed, far.nodes, Targets::own_nodes, tolerance);
+  const NearCorrection nothing(far.placed, far.nodes, Targets::own_nodes, {tolerance});
   BOOST_TEST(corrected_count(nothing(far.density)) == 0);
 
   const Assembly three(
       {{circle, {0.0, 0.0}, 0.0}, {circle, {9.0, 0.0}, 0.0}, {circle, {0.0, 2.1}, 0.0}});
-  const NearCorrection one_pair(three.placed, three.nodes, Targets::own_nodes, 1e-6);
+  const NearCorrection one_pair(three.placed, three.nodes, Targets::own_nodes, {1e-6});
   const ComplexVector correction = one_pair(three.density);
   BOOST_TEST(corrected_count(correction.segment(64, 64)) == 0);
   for (Index first : {0, 128}) {
@@ -157,10 +179,10 @@ BOOST_AUTO_TEST_CASE(a_loose_tolerance_corrects_fewer_and_is_met) {
   const Assembly bodies = pair(0.05, 0.3, 1.0);
   const ComplexVector exact =
       StressletSum(bodies.curves)(bodies.density) +
-      NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes, 1e-14)(bodies.density);
+      NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes, {1e-14})(bodies.density);
   Index previous = bodies.nodes.size();
   for (double loose : {1e-12, 1e-9, 1e-6, 1e-3}) {
-    const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, loose);
+    const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, {loose});
     const ComplexVector velocity =
         StressletSum(bodies.curves)(bodies.density) + near(bodies.density);
     BOOST_TEST(largest(velocity - exact) < loose * largest(bodies.density));
@@ -171,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_loose_tolerance_corrects_fewer_and_is_met) {
 
 BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   const auto ellipse = reference(Ellipse{0.5, 0.25}, 64, Side::fluid_outside);
-  std::vector<PlacedCauchyCurve> row;
+  std::vector<PlacedCurve> row;
   for (int k = 0; k < 7; ++k)
     row.push_back({ellipse, {0.55 * k, 0.0}, 0.5 * std::numbers::pi + 0.01 * k});
   const Assembly bodies(row);
@@ -179,7 +201,7 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   const auto correction = [&](int threads) -> ComplexVector {
     omp_set_num_threads(threads);
     return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes,
-                          tolerance)(bodies.density);
+                          {tolerance})(bodies.density);
   };
   const ComplexVector alone = correction(1);
   BOOST_TEST(largest(alone) > 0.01);

@@ -83,11 +83,12 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:2:13: solver.summation = \"fmm\": not available yet: must be one of auto, direct"},
       {"[solver]\nsummation = 'tree'\n",
        "s.toml:2:13: solver.summation = \"tree\": must be one of auto, direct"},
-      {"[solver]\nnear_singular = 'interpolation'\n",
-       "s.toml:2:17: solver.near_singular = \"interpolation\": not available yet: must be one of "
-       "auto, cauchy, off"},
+      {"[solver]\nnear_singular = 'interpolated'\n",
+       "s.toml:2:17: solver.near_singular = \"interpolated\": must be one of auto, cauchy, "
+       "interpolation, off"},
       {"[solver]\nnear_singular = true\n",
-       "s.toml:2:17: solver.near_singular = true: must be one of auto, cauchy, off, not a boolean"},
+       "s.toml:2:17: solver.near_singular = true: must be one of auto, cauchy, "
+       "interpolation, off, not a boolean"},
       {"[solver]\npreconditioner = 'ilu'\n",
        "s.toml:2:18: solver.preconditioner = \"ilu\": must be one of auto, none, block_diagonal"},
       {"[solver]\ncoupling = 'local'\n",

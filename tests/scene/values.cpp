@@ -185,6 +185,8 @@ BOOST_AUTO_TEST_CASE(solver_settings) {
   BOOST_TEST((solver("summation = 'direct'").summation == Summation::direct));
   BOOST_TEST((solver("near_singular = 'auto'").near_singular == NearSingular::automatic));
   BOOST_TEST((solver("near_singular = 'cauchy'").near_singular == NearSingular::cauchy));
+  BOOST_TEST(
+      (solver("near_singular = 'interpolation'").near_singular == NearSingular::interpolation));
   BOOST_TEST((solver("near_singular = 'off'").near_singular == NearSingular::off));
   using enum PreconditionerKind;
   BOOST_TEST((solver("preconditioner = 'auto'").preconditioner == automatic));

@@ -34,7 +34,7 @@ Scene taylor_green(const Case& c) {
 
 SuspensionOperator system_of(const SuspensionSolver& solver) {
   const Configuration start = solver.initial_configuration();
-  std::vector<PlacedCauchyCurve> placed;
+  std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < start.size(); ++k) {
     placed.push_back({solver.references()[k]->cauchy, start[k].position, start[k].orientation});
   }

@@ -54,8 +54,7 @@ Evaluation refined_by_steps(const Curve& wall, const ComplexVector& density) {
 Evaluation cauchy(const Curve& wall, const ComplexVector& density) {
   const CauchyCurve curve(wall);
   const CauchyData data = curve.data(density);
-  return {targets.unaryExpr([&](Complex target) { return curve.velocity(data, 0, target); }),
-          wall.size() * (targets.size() + 3 * wall.size())};
+  return {curve.velocity(data, 0, targets), wall.size() * (targets.size() + 3 * wall.size())};
 }
 
 /// The flow's density; beyond 96 nodes, which resolve it to rounding, it is interpolated.

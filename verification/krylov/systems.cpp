@@ -31,11 +31,11 @@ std::vector<std::shared_ptr<const Object>> shared_by_shape(const std::vector<Pla
   return objects;
 }
 
-std::vector<PlacedCauchyCurve> placed_curves(const std::vector<PlacedBody>& bodies, Index nodes) {
+std::vector<PlacedCurve> placed_curves(const std::vector<PlacedBody>& bodies, Index nodes) {
   const auto references = shared_by_shape<CauchyCurve>(bodies, [&](const Shape& shape) {
     return CauchyCurve(sample(shape, nodes, Side::fluid_outside));
   });
-  std::vector<PlacedCauchyCurve> placed;
+  std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     placed.push_back({references[k], bodies[k].position, bodies[k].orientation});
   }
@@ -82,7 +82,7 @@ StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Index nodes, con
 
 NearCorrection near_correction(const std::vector<PlacedBody>& bodies, Index nodes) {
   return {placed_curves(bodies, nodes), nodes_of(curves_of(bodies, nodes)), Targets::own_nodes,
-          near_tolerance};
+          {near_tolerance}};
 }
 
 BlockDiagonalPreconditioner block_diagonal(const std::vector<PlacedBody>& bodies, Index nodes) {

@@ -1,0 +1,168 @@
+#include "near_singular/interpolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "double_layer/double_layer.hpp"
+#include "near_singular/near_test.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+namespace {
+
+void require_in_range(const InterpolationSettings& settings) {
+  if (settings.degree >= 1 && settings.step > 0.0 && settings.upsampling >= 1) return;
+  throw std::invalid_argument(
+      "interpolation wants degree >= 1, step > 0 and upsampling >= 1, got " +
+      std::to_string(settings.degree) + ", " + std::to_string(settings.step) + " and " +
+      std::to_string(settings.upsampling));
+}
+
+// The interpolating trigonometric polynomial between the nodes, sampled more densely.
+Curve refined(const Curve& curve, Index n) {
+  return {resample(curve.x, n), resample(curve.dx, n), resample(curve.ddx, n), curve.side};
+}
+
+// Fine node values of a vector that is 1 at one node, a column a node.
+MatrixXd refinement(Index n, Index fine) {
+  MatrixXd matrix(fine, n);
+  for (Index j = 0; j < n; ++j) {
+    matrix.col(j) = resample(ComplexVector::Unit(n, j), fine).real();
+  }
+  return matrix;
+}
+
+// Lagrange polynomials of the nodes 0, 1, ..., degree at a point.
+std::vector<double> lagrange(int degree, double at) {
+  std::vector<double> values;
+  for (int j = 0; j <= degree; ++j) {
+    double value = 1.0;
+    for (int k = 0; k <= degree; ++k) {
+      if (k != j) value *= (at - k) / (j - k);
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+InterpolationSettings InterpolationSettings::published(Index n_nodes) {
+  const int root = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n_nodes))));
+  return {6, 1.1, root, Spacing::mean};
+}
+
+InterpolationSettings InterpolationSettings::for_tolerance(double tolerance) {
+  const double spacings = std::log(100.0 / std::max(tolerance, 1e-12)) / (2.0 * std::numbers::pi);
+  if (tolerance >= 1e-6) return {8, 1.0, static_cast<int>(std::ceil(spacings)), Spacing::local};
+  return {12, 0.5, static_cast<int>(std::ceil(2.0 * spacings)), Spacing::local};
+}
+
+InterpolationCurve::InterpolationCurve(const Curve& reference,
+                                       const InterpolationSettings& settings)
+    : curve_(reference),
+      fine_curve_(refined(curve_, std::max(1, settings.upsampling) * curve_.size())),
+      settings_(settings),
+      mean_spacing_(perimeter(curve_) / static_cast<double>(curve_.size())),
+      shape_(curve_.x),
+      fine_sum_({fine_curve_}),
+      refine_(refinement(curve_.size(), fine_curve_.size())),
+      limit_(double_layer_matrix(curve_)) {
+  require_in_range(settings);
+  limit_.diagonal().array() -= 0.5;
+}
+
+InterpolationData InterpolationCurve::data(const MatrixXcd& densities) const {
+  InterpolationData result{{}, refine_ * densities};
+  for (Index column = 0; column < densities.cols(); ++column) {
+    const ComplexVector density = densities.col(column);
+    const Eigen::VectorXd limit = limit_ * interleaved(density);
+    result.limit.emplace_back(deinterleaved(limit));
+  }
+  return result;
+}
+
+InterpolationCurve::Stencil InterpolationCurve::stencil(Complex target) const {
+  const double step = 2.0 * std::numbers::pi / static_cast<double>(curve_.size());
+  const Index node = nearest_node(curve_, target);
+  double t = step * static_cast<double>(node) + preimage(curve_, node, target).real();
+  // Newton's method for (x(t) - target).x'(t) = 0; the preimage is a good start.
+  TrigonometricPolynomial::Jet at = shape_(t);
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const double slope = dot(at.value - target, at.first);
+    const double curvature = std::norm(at.first) + dot(at.value - target, at.second);
+    const double change = std::clamp(-slope / std::abs(curvature), -step, step);
+    t += change;
+    at = shape_(t);
+    if (std::abs(change) < 1e-14) break;
+  }
+  const double spacing = settings_.spacing == InterpolationSettings::Spacing::local
+                             ? std::abs(at.first) * step
+                             : mean_spacing_;
+  const Complex into_fluid = imaginary * curve_.sign() * at.first / std::abs(at.first);
+  const double first = settings_.step * spacing;
+  const double distance = dot(target - at.value, into_fluid) / first;
+  if (distance >= 1.0) return {t, 0.0, {target}, {1.0}};
+  const std::vector<double> weights = lagrange(settings_.degree, distance);
+  Stencil result{t, weights.front(), {}, {weights.begin() + 1, weights.end()}};
+  for (int j = 1; j <= settings_.degree; ++j) {
+    result.points.push_back(at.value + j * first * into_fluid);
+  }
+  return result;
+}
+
+ComplexVector InterpolationCurve::velocity(const InterpolationData& data, Index column,
+                                           const ComplexVector& targets) const {
+  std::vector<Stencil> stencils;
+  std::vector<Complex> points;
+  for (const Complex target : targets) {
+    stencils.push_back(stencil(target));
+    points.insert(points.end(), stencils.back().points.begin(), stencils.back().points.end());
+  }
+  const ComplexVector values =
+      fine_sum_(Eigen::Map<const ComplexVector>(points.data(), static_cast<Index>(points.size())),
+                data.fine.col(column));
+  const TrigonometricPolynomial& limit = data.limit[static_cast<std::size_t>(column)];
+  ComplexVector result(targets.size());
+  Index next = 0;
+  for (Index i = 0; i < targets.size(); ++i) {
+    const Stencil& at = stencils[static_cast<std::size_t>(i)];
+    result[i] = at.limit_weight == 0.0 ? 0.0 : at.limit_weight * limit(at.parameter).value;
+    for (const double weight : at.weights) result[i] += weight * values[next++];
+  }
+  return result;
+}
+
+MatrixXd InterpolationCurve::velocity_rows(const ComplexVector& targets) const {
+  const Index m = targets.size();
+  MatrixXd of_limit = MatrixXd::Zero(m, curve_.size());
+  MatrixXcd direct = MatrixXcd::Zero(m, fine_curve_.size()), conjugate = direct;
+  const Eigen::VectorXd fine_weights = stokesbook::weights(fine_curve_);
+  const ComplexVector normal = normals(fine_curve_);
+  for (Index i = 0; i < m; ++i) {
+    const Stencil at = stencil(targets[i]);
+    of_limit.row(i) = at.limit_weight * interpolation_weights(curve_.size(), at.parameter);
+    for (std::size_t p = 0; p < at.points.size(); ++p) {
+      // (w / pi) (r.n) (r.eta) r / rho^4 with 2 (r.eta) r = rho^2 eta + r^2 conj(eta)
+      for (Index j = 0; j < fine_curve_.size(); ++j) {
+        const Complex r = at.points[p] - fine_curve_.x[j];
+        const double rho2 = std::norm(r);
+        const double factor =
+            at.weights[p] * 0.5 * std::numbers::inv_pi * fine_weights[j] * dot(r, normal[j]) / rho2;
+        direct(i, j) += factor;
+        conjugate(i, j) += factor * (r * r / rho2);
+      }
+    }
+  }
+  return interleaved_map(of_limit, MatrixXcd::Zero(m, curve_.size())) * limit_ +
+         interleaved_map(direct * refine_, conjugate * refine_);
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,77 @@
+#include "near_singular/near_derivatives.hpp"
+
+#include <stdexcept>
+
+#include "double_layer/stresslet_sum.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+const CauchyCurve& cauchy_of(const PlacedCurve& placed) {
+  const auto* cauchy = std::get_if<std::shared_ptr<const CauchyCurve>>(&placed.scheme);
+  if (cauchy == nullptr) {
+    throw std::invalid_argument("pressure and strain near a curve want the Cauchy scheme");
+  }
+  return **cauchy;
+}
+
+// Pressure and vorticity do not turn with the curve, the strain turns twice.
+FlowDerivatives turned(const FlowDerivatives& flow, Complex turn) {
+  return {flow.pressure, flow.vorticity, flow.strain * turn * turn};
+}
+
+FlowDerivatives difference(const FlowDerivatives& a, const FlowDerivatives& b) {
+  return {a.pressure - b.pressure, a.vorticity - b.vorticity, a.strain - b.strain};
+}
+
+// Cauchy scheme minus trapezoid rule at a curve's near targets, in the plane.
+std::vector<FlowDerivatives> correction(const PlacedCurve& placed, const NearTargets& near,
+                                        const ComplexVector& density) {
+  const CauchyCurve& cauchy = cauchy_of(placed);
+  const Complex turn = std::polar(1.0, placed.orientation);
+  const ComplexVector local_density = std::conj(turn) * density;
+  std::vector<FlowDerivatives> flow =
+      cauchy.derivatives(cauchy.derivative_data(cauchy.data(local_density)), 0, near.local);
+  const std::vector<FlowDerivatives> coarse =
+      StressletSum({cauchy.curve()}).derivatives(near.local, local_density);
+  for (std::size_t i = 0; i < flow.size(); ++i) {
+    flow[i] = turned(difference(flow[i], coarse[i]), turn);
+  }
+  return flow;
+}
+
+}  // namespace
+
+std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
+                                                      const ComplexVector& density,
+                                                      const ComplexVector& targets,
+                                                      double tolerance) {
+  std::vector<Curve> placed;
+  for (const PlacedCurve& curve : curves) {
+    cauchy_of(curve);
+    placed.push_back(place(curve.curve(), curve.position, curve.orientation));
+  }
+  std::vector<FlowDerivatives> flow = StressletSum(placed).derivatives(targets, density);
+  const std::vector<Index> offsets = node_offsets(curves);
+  const std::vector<NearTargets> near =
+      find_near_targets(curves, targets, Targets::points, tolerance);
+  std::vector<std::vector<FlowDerivatives>> corrections(curves.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (near[k].index.empty()) continue;
+    corrections[k] =
+        correction(curves[k], near[k], density.segment(offsets[k], offsets[k + 1] - offsets[k]));
+  }
+  // In the curves' order, so that the sum does not depend on the threads.
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    for (std::size_t i = 0; i < corrections[k].size(); ++i) {
+      flow[static_cast<std::size_t>(near[k].index[i])] += corrections[k][i];
+    }
+  }
+  return flow;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "near_singular/near_targets.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup near_singular
+/// @{
+
+/// Evaluates pressure, vorticity and strain of the double layers of several curves, at any distance
+/// from them: the trapezoid rule, and the Cauchy scheme where that is too coarse.
+///
+/// On a node of a curve the values are the limits from the fluid.
+/// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
+/// @param  density    at all nodes, in the curves' order, length / time
+/// @param  targets    m points of the fluid or its boundary, length
+/// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
+/// @return            m values, 1 / time
+/// @throws std::invalid_argument when a curve has another scheme
+/// @par Accuracy  1e-11 relative, once the densities are resolved
+/// @par Cost      m n kernel evaluations, O(N^2) a curve with near targets, 50 N operations a near
+/// target
+std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
+                                                      const ComplexVector& density,
+                                                      const ComplexVector& targets,
+                                                      double tolerance);
+
+/// @}
+
+}  // namespace stokesbook
