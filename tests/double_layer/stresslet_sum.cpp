@@ -10,6 +10,7 @@
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 
+#include "double_layer/double_layer.hpp"
 #include "support/vectors.hpp"
 
 using namespace stokesbook;
@@ -151,6 +152,45 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
     }
   }
   omp_set_num_threads(threads_before);
+}
+
+// At targets off the nodes, and on one, whose distance is bounded from below.
+BOOST_AUTO_TEST_CASE(matrix_is_the_same_map) {
+  const std::vector<Curve> curves = scene(1.0);
+  const StressletSum sum(curves);
+  const ComplexVector density = random_vector(200, 3);
+  const ComplexVector targets =
+      ComplexVector{{Complex{0.3, 3.0}, Complex{-4.0, 1.0}, curves[0].x[3]}};
+  const Eigen::VectorXd product = sum.matrix(targets) * interleaved(density);
+  BOOST_TEST(error_of(deinterleaved(product), curves, targets, density) < rounding);
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_are_the_sum_of_the_kernels) {
+  for (double scale : {1e-3, 1.0, 1e3}) {
+    const std::vector<Curve> curves = scene(scale);
+    const ComplexVector density = random_vector(200, 3);
+    const ComplexVector targets =
+        scale * ComplexVector{{Complex{0.3, 3.0}, Complex{-4.0, 1.0}, Complex{0.1, 0.4}}};
+    const std::vector<FlowDerivatives> found = StressletSum(curves).derivatives(targets, density);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      FlowDerivatives exact;
+      double terms = 0.0;
+      Index first = 0;
+      for (const Curve& curve : curves) {
+        const ComplexVector normal = normals(curve);
+        const Eigen::VectorXd w = weights(curve);
+        for (Index j = 0; j < curve.size(); ++j) {
+          const Complex r = targets[static_cast<Index>(i)] - curve.x[j];
+          exact += stresslet_derivatives(r, normal[j], w[j] * density[first + j]);
+          terms += w[j] * std::abs(density[first + j]) / std::norm(r);
+        }
+        first += curve.size();
+      }
+      BOOST_TEST(std::abs(found[i].pressure - exact.pressure) < rounding * terms);
+      BOOST_TEST(std::abs(found[i].vorticity - exact.vorticity) < rounding * terms);
+      BOOST_TEST(std::abs(found[i].strain - exact.strain) < rounding * terms);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(matrices_are_stored_for_few_nodes_only) {

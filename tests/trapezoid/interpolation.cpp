@@ -93,6 +93,16 @@ BOOST_AUTO_TEST_CASE(resampling_to_as_many_nodes_is_the_identity) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(weights_of_the_interpolant) {
+  const ComplexVector values = random_vector(12, 5);
+  const TrigonometricPolynomial interpolant(values);
+  for (double t : {0.0, 0.3, node(1, 12), node(5, 12) + 1e-9, 6.2, -1.0, 20.0}) {
+    const Complex value = interpolation_weights(12, t) * values;
+    BOOST_TEST(std::abs(value - interpolant(t).value) < 1e-13);
+  }
+  BOOST_CHECK_THROW(interpolation_weights(7, 0.3), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(resampling_down_cuts_the_series) {
   // 33 nodes hold exp(a e^{it}) to rounding; of its modes k >= 0 the coarse grid keeps 0 ... m/2
   // - 1.
