@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(far_away_it_is_the_trapezoid_rule) {
     const std::vector<FlowDerivatives> close =
         cauchy.derivatives(cauchy.derivative_data(data), 0, targets);
     const std::vector<FlowDerivatives> plain = StressletSum({curve}).derivatives(targets, density);
-    for (std::size_t i : {0, 1}) {
+    for (std::size_t i : {0U, 1U}) {
       BOOST_TEST(std::abs(close[i].pressure - plain[i].pressure) < 1e-11);
       BOOST_TEST(std::abs(close[i].vorticity - plain[i].vorticity) < 1e-11);
       BOOST_TEST(std::abs(close[i].strain - plain[i].strain) < 1e-11);

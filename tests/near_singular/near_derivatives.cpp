@@ -32,7 +32,7 @@ struct TwoBodies {
     flow = {{{centre + Complex{0.1, 0.02}, {0.5, -0.3}, 0.4}}};
     other = {{{second + Complex{-0.05, 0.03}, {0.1, 0.2}, -0.1}}};
     density.resize(360);
-    for (std::size_t k : {0, 1}) {
+    for (std::size_t k : {0U, 1U}) {
       const Curve curve = place(placed[k].curve(), placed[k].position, placed[k].orientation);
       curves.push_back(curve);
       density.segment(k == 0 ? 0 : 160, curve.size()) =

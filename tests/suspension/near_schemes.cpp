@@ -28,13 +28,13 @@ BOOST_AUTO_TEST_CASE(agree_on_pairs_of_any_kind) {
   const Solved cauchy(crowded_cell(NearSingular::cauchy, 1e-10));
   for (const double tolerance : {1e-6, 1e-9}) {
     const Solved interpolated(crowded_cell(NearSingular::interpolation, tolerance));
-    for (const std::size_t k : {0, 1}) {
+    for (const std::size_t k : {0U, 1U}) {
       const RigidMotion &a = cauchy.motion(k), &b = interpolated.motion(k);
       BOOST_TEST(std::abs(a.velocity - b.velocity) < tolerance);
       BOOST_TEST(std::abs(a.omega - b.omega) < tolerance);
       BOOST_TEST(std::abs(a.velocity) > 1e-2);
     }
-    for (const std::size_t k : {2, 3, 4}) {
+    for (const std::size_t k : {2U, 3U, 4U}) {
       BOOST_TEST(std::abs(cauchy.load(k).force - interpolated.load(k).force) < 30 * tolerance);
       BOOST_TEST(std::abs(cauchy.load(k).torque - interpolated.load(k).torque) < 30 * tolerance);
     }
