@@ -117,7 +117,8 @@ int run_scene(const RunOptions& options) {
     std::fflush(stdout);
   }
   if (options.dry_run) {
-    solver.refuse_unresolved(solver.initial_configuration());
+    const Solution first = solver.solve(solver.initial_configuration());
+    std::printf("  %s\n", describe(solver, first).c_str());
     return exit_done;
   }
 
@@ -146,6 +147,7 @@ int run_scene(const RunOptions& options) {
   const auto finish = [&](int status, const std::string& message) {
     progress.finish();
     info.totals = simulation.totals();
+    info.resolution = simulation.resolution();
     info.exit_status = status;
     info.message = message;
     info.wall_seconds =

@@ -44,7 +44,7 @@ struct StepInfo {
   int contacts = 0;             ///< pairs in contact
   double min_gap = 0.0;         ///< least distance of two curves, length; infinite for a single one
   double residual = 0.0;        ///< largest relative residual of its linear solves
-  double error_estimate = 0.0;  ///< largest of its solves: of velocities, relative to their scale
+  double error_estimate = 0.0;  ///< of its first solve: of velocities, relative to their scale
   double seconds = 0.0;         ///< wall time of its solves
 };
 

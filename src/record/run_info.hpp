@@ -16,6 +16,13 @@ struct RunTotals {
   long long matvecs = 0;           ///< applications of the operator
 };
 
+/// How finely a run was resolved, and how well.
+struct RunResolution {
+  std::vector<int> first_nodes;  ///< of each component at its first solve: bodies, then walls
+  std::vector<int> most_nodes;   ///< largest of all its solves
+  double error_estimate = 0.0;   ///< largest of all its solves
+};
+
 /// Where a run came from, what it decided and how it ended.
 struct RunInfo {
   std::string version;            ///< of the program
@@ -26,6 +33,7 @@ struct RunInfo {
   int threads = 1;                ///< in parallel regions
   std::vector<std::string> plan;  ///< one decision with its reason a line
   RunTotals totals;               ///< what it has cost
+  RunResolution resolution;       ///< how well it was resolved
   double wall_seconds = 0.0;      ///< how long it took
   int exit_status = 0;            ///< of the program
   std::string message;            ///< how the run ended, for people

@@ -126,7 +126,8 @@ std::vector<double> value_as(const Node& node, std::string_view expected) {
 }
 
 int read(const Node& node, NodeCount rule) {
-  if (node.text == "\"auto\"") fail(node, "not available yet: must be " + describe(rule));
+  const auto* word = std::get_if<std::string>(&node.value);
+  if (word != nullptr && *word == automatic_word) return automatic_nodes;
   const int count = value_as<int>(node, describe(rule));
   if (count < fewest_nodes || count % 2 != 0) {
     const auto next = std::max<std::int64_t>(fewest_nodes, std::int64_t{count} + 1);
@@ -136,7 +137,8 @@ int read(const Node& node, NodeCount rule) {
 }
 
 std::string describe(NodeCount) {
-  return "an even integer >= " + std::to_string(fewest_nodes);
+  return "an even integer >= " + std::to_string(fewest_nodes) + " or \"" +
+         std::string(automatic_word) + "\"";
 }
 
 }  // namespace stokesbook::scene_text

@@ -161,8 +161,8 @@ inline constexpr NodeCount node_count;
 ///
 /// @param  node  the value
 /// @param  rule  #node_count
-/// @return       number of nodes
-/// @throws SceneError when it is no even integer >= 8; the message names one
+/// @return       number of nodes, or automatic_nodes
+/// @throws SceneError when it is neither an even integer >= 8, which the message names, nor "auto"
 int read(const Node& node, NodeCount rule);
 
 /// Says what a number of nodes must be.

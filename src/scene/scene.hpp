@@ -121,13 +121,16 @@ enum class WallRole {
   inner   ///< lies in the fluid
 };
 
+/// Stands for a number of collocation nodes that the solver chooses, `n_nodes = "auto"`.
+inline constexpr int automatic_nodes = 0;
+
 /// Curve with a given velocity.
 struct Wall {
   WallRole role = WallRole::inner;  ///< where the fluid lies
   Shape shape{};                    ///< in its own frame
   Complex position{};               ///< of the frame's origin, length
   double orientation = 0.0;         ///< radians, counter-clockwise
-  int n_nodes = 0;                  ///< collocation nodes, even, >= 8
+  int n_nodes = automatic_nodes;    ///< collocation nodes, even, >= 8, or automatic
   WallMotion motion{};              ///< velocity on the curve
 
   /// @return true when all members are equal
@@ -144,7 +147,7 @@ struct Body {
   bool held = false;         ///< true: velocity and omega prescribed, force and torque come out
   Complex velocity{};        ///< of a held body, length / time
   double omega = 0.0;        ///< of a held body, counter-clockwise, 1 / time
-  int n_nodes = 0;           ///< collocation nodes, even, >= 8
+  int n_nodes = automatic_nodes;  ///< collocation nodes, even, >= 8, or automatic
 
   /// @return true when all members are equal
   bool operator==(const Body&) const = default;
@@ -157,7 +160,7 @@ struct Fill {
   std::optional<int> count{};                  ///< bodies, >= 1; or area_fraction is given
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
-  int n_nodes = 0;                             ///< collocation nodes of each body, even, >= 8
+  int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
 
   /// @return true when all members are equal
   bool operator==(const Fill&) const = default;

@@ -34,6 +34,9 @@ std::string_view name_of(T meaning, const Words<T, N>& words) {
   return std::ranges::find(words, std::optional(meaning), &Word<T>::meaning)->name;
 }
 
+/// The word for automatic_nodes in `n_nodes`.
+inline constexpr std::string_view automatic_word = "auto";
+
 /// Words of `role` in [[walls]].
 inline constexpr Words<WallRole, 2> wall_roles{{
     {"outer", WallRole::outer},

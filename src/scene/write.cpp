@@ -12,6 +12,10 @@ namespace {
 
 using namespace scene_text;
 
+Entry node_entry(int n_nodes) {
+  return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
+}
+
 std::string own_entries(const QuiescentFlow&) {
   return lines({{"kind", "quiescent"}});
 }
@@ -52,7 +56,7 @@ std::string section(const Wall& wall) {
                                   {"shape", wall.shape},
                                   {"position", wall.position},
                                   {"orientation", wall.orientation},
-                                  {"n_nodes", wall.n_nodes},
+                                  node_entry(wall.n_nodes),
                                   {"motion", wall.motion}});
 }
 
@@ -64,7 +68,7 @@ std::string section(const Body& body) {
          lines({{"shape", body.shape},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
-         driving + lines({{"n_nodes", body.n_nodes}});
+         driving + lines({node_entry(body.n_nodes)});
 }
 
 std::string section(const Fill& fill) {
@@ -72,7 +76,7 @@ std::string section(const Fill& fill) {
   if (fill.area_fraction) text += lines({{"area_fraction", *fill.area_fraction}});
   if (fill.count) text += lines({{"count", *fill.count}});
   if (fill.box) text += "region = " + inline_table({{"box", *fill.box}}) + "\n";
-  return text + lines({{"clearance", fill.clearance}, {"n_nodes", fill.n_nodes}});
+  return text + lines({{"clearance", fill.clearance}, node_entry(fill.n_nodes)});
 }
 
 std::string section(const SolverSettings& solver) {

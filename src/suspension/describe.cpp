@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "record/number_text.hpp"
-#include "suspension/refusal.hpp"
 
 namespace stokesbook {
 
@@ -33,8 +34,9 @@ std::string aligned(const std::string& topic, const std::string& text) {
   return topic + std::string(topic.size() < width ? width - topic.size() : 1, ' ') + text;
 }
 
-// One line for all components that share a reference.
+// One line for all components that share a shape and a resolution.
 std::vector<std::string> component_lines(const SuspensionSolver& solver,
+                                         const Resolutions& resolutions,
                                          const std::vector<int>& recommended) {
   const References& references = solver.references();
   std::vector<std::string> lines;
@@ -43,45 +45,44 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
     if (done[k]) continue;
     int members = 0, nodes = 0;
     for (std::size_t j = k; j < references.size(); ++j) {
-      if (references[j] != references[k]) continue;
+      if (references[j] != references[k] || resolutions[j] != resolutions[k]) continue;
       done[j] = true;
       ++members;
       nodes = std::max(nodes, recommended[j]);
     }
-    const auto n = references[k]->curve.size();
-    lines.push_back(
-        aligned("components", std::to_string(members) + " x " + shape_name(references[k]->shape) +
-                                  ", " + std::to_string(n) + " nodes; " + std::to_string(nodes) +
-                                  " recommended for shape and gaps"));
+    const bool chosen = given_nodes(solver.scene(), k) == automatic_nodes;
+    lines.push_back(aligned(
+        "components",
+        std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
+            std::to_string(resolutions[k].n_nodes) + " nodes" +
+            (chosen ? " to begin with, chosen" : "; " + std::to_string(nodes) + " recommended") +
+            " for shape and gaps"));
   }
   return lines;
 }
 
-// What the nodes are expected to leave as error, before any solve.
-std::vector<std::string> resolution_lines(const SuspensionSolver& solver,
-                                          const Configuration& configuration) {
-  const References& references = solver.references();
-  const double tolerance = solver.scene().solver.tolerance;
-  double error = 0.0;
-  for (const auto& reference : references) {
-    error = std::max(error, reference->rigid_motion_residual);
-  }
-  std::vector<std::string> lines;
-  const std::vector<Gap> gaps = find_gaps(configuration, references, tolerance);
-  for (const Gap& gap : gaps) {
-    const bool apart = gap.points.gap > 0.0;
-    error = std::max(error, apart ? gap_resolution(gap, configuration, references).error : 1.0);
-  }
-  if (!gaps.empty()) {
-    lines.push_back(
-        aligned("closest pair", component_name(solver.scene(), gaps.front().a) + " and " +
-                                    component_name(solver.scene(), gaps.front().b) + ", " +
-                                    short_number(gaps.front().points.gap) + " apart"));
-  }
-  lines.push_back(aligned("resolution", "estimated error " + short_number(error) +
-                                            " of the velocities from shapes and gaps, " +
-                                            short_number(tolerance) + " asked"));
-  return lines;
+// What the nodes make the system.
+std::vector<std::string> size_lines(const Resolutions& resolutions) {
+  long long nodes = 0;
+  for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
+  const bool stored = StressletSum::automatic_storage(nodes) == KernelStorage::stored;
+  return {aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
+                                  " nodes; motions and loads are functionals of the density "
+                                  "(reduced closure)"),
+          aligned("summation",
+                  stored ? "direct, stored matrix: few nodes, the matrix stays in the cache"
+                         : "direct, streamed: evaluating the kernel beats reading a stored "
+                           "matrix")};
+}
+
+std::vector<std::string> gap_lines(const SuspensionSolver& solver,
+                                   const Configuration& configuration) {
+  const std::vector<Gap> gaps =
+      find_gaps(configuration, solver.references(), solver.scene().solver.tolerance);
+  if (gaps.empty()) return {};
+  return {aligned("closest pair", component_name(solver.scene(), gaps.front().a) + " and " +
+                                      component_name(solver.scene(), gaps.front().b) + ", " +
+                                      short_number(gaps.front().points.gap) + " apart")};
 }
 
 std::string time_line(const Scene& scene) {
@@ -106,11 +107,30 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
   }
   lines.push_back(aligned("time", time_line(solver.scene())));
   const Configuration start = solver.initial_configuration();
-  for (std::string& line : component_lines(solver, solver.recommended_nodes(start))) {
-    lines.push_back(std::move(line));
-  }
-  for (std::string& line : resolution_lines(solver, start)) lines.push_back(std::move(line));
+  const Resolutions resolutions = solver.first_resolutions(start);
+  const auto add = [&](std::vector<std::string> more) {
+    std::ranges::move(more, std::back_inserter(lines));
+  };
+  add(size_lines(resolutions));
+  add(component_lines(solver, resolutions, solver.recommended_nodes(start)));
+  add(gap_lines(solver, start));
   return lines;
+}
+
+std::string describe(const SuspensionSolver& solver, const Solution& solution) {
+  std::map<int, int> components;  // by their nodes
+  for (const Resolution& resolution : resolutions_of(solution.references)) {
+    ++components[resolution.n_nodes];
+  }
+  std::string nodes;
+  for (const auto& [count, members] : components) {
+    nodes += (nodes.empty() ? "" : ", ") + std::to_string(members) + " x " + std::to_string(count);
+  }
+  return aligned("resolution",
+                 "estimated error " + short_number(solution.error_estimate) +
+                     " of the velocities at the start, " +
+                     short_number(solver.scene().solver.tolerance) + " asked; nodes " + nodes +
+                     "; " + std::to_string(solution.cost.gmres_iterations) + " GMRES iterations");
 }
 
 }  // namespace stokesbook

@@ -24,6 +24,13 @@ std::string shape_name(const Shape& shape);
 /// @par Cost       that of SuspensionSolver::recommended_nodes(); nothing is solved
 std::vector<std::string> describe(const SuspensionSolver& solver);
 
+/// Describes how well a solution is resolved.
+///
+/// @param  solver    of the scene
+/// @param  solution  at the start
+/// @return           a line: estimate, tolerance, nodes
+std::string describe(const SuspensionSolver& solver, const Solution& solution);
+
 /// @}
 
 }  // namespace stokesbook

@@ -46,6 +46,12 @@ std::string component_name(const Scene& scene, std::size_t component) {
                             : "wall " + std::to_string(component - bodies);
 }
 
+int given_nodes(const Scene& scene, std::size_t component) {
+  const std::size_t bodies = scene.bodies.size();
+  return component < bodies ? scene.bodies[component].n_nodes
+                            : scene.walls[component - bodies].n_nodes;
+}
+
 SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
   return {place(reference.curve, placement.position, placement.orientation), reference.interpolant,
           placement.position, placement.orientation};

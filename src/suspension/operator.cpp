@@ -22,7 +22,7 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
     : curves_(curves_of(problem)),
       offsets_(node_offsets(problem)),
       closure_(problem),
-      sum_(curves_, plan.storage) {
+      sum_(curves_, StressletSum::automatic_storage(offsets_.back())) {
   ComplexVector nodes(offsets_.back());
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     nodes.segment(offsets_[k], curves_[k].size()) = curves_[k].x;

@@ -23,7 +23,7 @@ class SuspensionOperator {
   ///
   /// @param  problem  the boundary value problem, n nodes in all
   /// @param  placed   the same components for near corrections; empty: none
-  /// @param  plan     storage of the kernel and tolerance of the near corrections
+  /// @param  plan     tolerance of the near corrections
   /// @throws std::invalid_argument when Closure refuses the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                      const Plan& plan);
@@ -46,6 +46,10 @@ class SuspensionOperator {
   /// @par Not for       points near the boundary without placed components
   ComplexVector velocity(const ComplexVector& density, const ComplexVector& points,
                          const std::vector<PlacedCurve>& placed, double tolerance) const;
+
+  /// Returns the position of each component's first node.
+  /// @return one entry a component, and one more with the number of all nodes
+  const std::vector<Eigen::Index>& offsets() const { return offsets_; }
 
   /// Returns the closure of the problem.
   /// @return what ties motions and loads to the density

@@ -16,23 +16,21 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
 struct Census {
   std::size_t free = 0, held = 0, inner = 0, outer = 0, circles = 0, components = 0;
   bool loaded = false;
-  Eigen::Index nodes = 0;
 };
 
 Census take_census(const Scene& scene) {
   Census census;
-  const auto add = [&](const Shape& shape, int n_nodes) {
+  const auto add = [&](const Shape& shape) {
     ++census.components;
-    census.nodes += n_nodes;
     if (std::holds_alternative<Circle>(shape)) ++census.circles;
   };
   for (const Body& body : scene.bodies) {
-    add(body.shape, body.n_nodes);
+    add(body.shape);
     ++(body.held ? census.held : census.free);
     census.loaded = census.loaded || body.force != Complex{} || body.torque != 0.0;
   }
   for (const Wall& wall : scene.walls) {
-    add(wall.shape, wall.n_nodes);
+    add(wall.shape);
     ++(wall.role == WallRole::outer ? census.outer : census.inner);
   }
   return census;
@@ -83,7 +81,6 @@ Plan make_plan(const Scene& scene) {
   const Census census = take_census(scene);
   const double tolerance = scene.solver.tolerance;
   Plan plan;
-  plan.n_nodes = census.nodes;
   plan.null_space_fix = census.outer > 0;
   plan.near_correction = scene.solver.near_singular != NearSingular::off && census.components > 1;
   // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
@@ -91,7 +88,6 @@ Plan make_plan(const Scene& scene) {
   plan.block_diagonal =
       scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
       (scene.solver.preconditioner == PreconditionerKind::automatic && !only_circles);
-  plan.storage = StressletSum::automatic_storage(census.nodes);
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
@@ -99,19 +95,10 @@ Plan make_plan(const Scene& scene) {
 
   plan.lines.push_back(problem_line(census, scene));
   plan.lines.push_back(far_field_line(census, scene));
-  plan.lines.push_back({"unknowns", std::to_string(2 * census.nodes),
-                        std::to_string(census.nodes) + " nodes; motions and loads are functionals "
-                                                       "of the density (reduced closure)"});
   plan.lines.push_back(singularity_line(census));
   plan.lines.push_back(plan.null_space_fix
                            ? Plan::Line{"N_0", "yes", "an enclosing wall has a null space"}
                            : Plan::Line{"N_0", "no", "no enclosing wall"});
-  plan.lines.push_back(
-      {"summation",
-       plan.storage == KernelStorage::stored ? "direct, stored matrix" : "direct, streamed",
-       plan.storage == KernelStorage::stored
-           ? "few nodes: the matrix stays in the cache"
-           : "evaluating the kernel beats reading a stored matrix"});
   const std::string scheme =
       scene.solver.near_singular == NearSingular::interpolation ? "interpolation" : "Cauchy";
   const std::string near_reason =

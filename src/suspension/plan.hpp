@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "double_layer/stresslet_sum.hpp"
 #include "scene/scene.hpp"
 
 namespace stokesbook {
@@ -20,14 +19,12 @@ struct Plan {
         reason;         ///< why
   };
 
-  Eigen::Index n_nodes = 0;                         ///< in all components
-  bool null_space_fix = false;                      ///< a wall encloses the fluid
-  bool near_correction = false;                     ///< components may come close
-  bool block_diagonal = false;                      ///< precondition by the components' own blocks
-  KernelStorage storage = KernelStorage::streamed;  ///< of the direct sum
-  double gmres_tolerance = 0.0;                     ///< relative residual
-  double near_tolerance = 0.0;  ///< of the sums' quadrature, relative to the density
-  std::vector<Line> lines;      ///< all decisions, in the order in which they are told
+  bool null_space_fix = false;   ///< a wall encloses the fluid
+  bool near_correction = false;  ///< components may come close
+  bool block_diagonal = false;   ///< precondition by the components' own blocks
+  double gmres_tolerance = 0.0;  ///< relative residual
+  double near_tolerance = 0.0;   ///< of the sums' quadrature, relative to the density
+  std::vector<Line> lines;       ///< all decisions, in the order in which they are told
 };
 
 /// Decides what a scene needs.

@@ -1,33 +1,57 @@
 #include "suspension/reference.hpp"
 
+#include <algorithm>
+
 #include "double_layer/double_layer.hpp"
 
 namespace stokesbook {
 
-std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape, int n_nodes,
-                                                     ComponentKind kind) {
-  for (const auto& known : built_) {
-    if (known->kind == kind && known->curve.size() == n_nodes && known->shape == shape) {
-      return known;
-    }
-  }
+namespace {
+
+Reference build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
+                const ReferenceNeeds& needs) {
   const Side side =
       kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-  Reference reference{shape, kind, sample(shape, n_nodes, side), {}, 0.0, {}, {}, {}};
+  Reference reference{shape, resolution, kind, sample(shape, resolution.n_nodes, side), {}, 0.0,
+                      {},    {},         {}};
   reference.interpolant = std::make_shared<TrigonometricPolynomial>(reference.curve.x);
   reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
-  if (needs_.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
-  if (needs_.interpolation_tolerance) {
+  if (needs.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
+  if (needs.interpolation_tolerance) {
     reference.interpolation = std::make_shared<InterpolationCurve>(
-        reference.curve, InterpolationSettings::for_tolerance(*needs_.interpolation_tolerance));
+        reference.curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
   }
-  if (needs_.inverse_block) {
+  if (needs.inverse_block) {
     const Component alone{kind, reference.curve, {}, {}, 0.0, {}};
     reference.inverse_block =
-        std::make_shared<Eigen::MatrixXd>(invert_block(self_block(alone, needs_.gauge_length)));
+        std::make_shared<Eigen::MatrixXd>(invert_block(self_block(alone, needs.gauge_length)));
   }
-  built_.push_back(std::make_shared<Reference>(std::move(reference)));
-  return built_.back();
+  return reference;
+}
+
+}  // namespace
+
+Resolutions resolutions_of(const References& references) {
+  Resolutions resolutions;
+  for (const auto& reference : references) resolutions.push_back(reference->resolution);
+  return resolutions;
+}
+
+std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape,
+                                                     const Resolution& resolution,
+                                                     ComponentKind kind) {
+  const std::lock_guard lock(mutex_);
+  ++calls_;
+  std::erase_if(kept_, [&](const Kept& kept) { return kept.last_call + patience_ < calls_; });
+  for (Kept& kept : kept_) {
+    const Reference& known = *kept.reference;
+    if (known.kind == kind && known.resolution == resolution && known.shape == shape) {
+      kept.last_call = calls_;
+      return kept.reference;
+    }
+  }
+  kept_.push_back({std::make_shared<Reference>(build(shape, resolution, kind, needs_)), calls_});
+  return kept_.back().reference;
 }
 
 }  // namespace stokesbook

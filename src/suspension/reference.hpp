@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -15,10 +17,21 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// What all components of one shape, node count and kind share, in the shape's own frame. Built
-/// once.
+/// How finely a component is discretised.
+struct Resolution {
+  int n_nodes = 0;  ///< collocation nodes, even
+
+  /// @return true when all members are equal
+  bool operator==(const Resolution&) const = default;
+};
+
+/// The resolution of each component: bodies, then walls, in the scene's order.
+using Resolutions = std::vector<Resolution>;
+
+/// What all components of one shape, resolution and kind share, in the shape's own frame.
 struct Reference {
   Shape shape;                                                 ///< what was sampled
+  Resolution resolution;                                       ///< how finely
   ComponentKind kind;                                          ///< sets the side of the curve
   Curve curve;                                                 ///< nodes
   std::shared_ptr<const TrigonometricPolynomial> interpolant;  ///< of the nodes
@@ -41,27 +54,54 @@ struct ReferenceNeeds {
 /// The shared reference of each component.
 using References = std::vector<std::shared_ptr<const Reference>>;
 
-/// Builds the distinct references of a scene, each once.
+/// Returns the resolution of each reference.
+///
+/// @param  references  of each component
+/// @return             in the same order
+Resolutions resolutions_of(const References& references);
+
+/// Keeps the references that are in use, each built once.
+///
+/// Resolutions may change from solve to solve: what has not been asked for lately is dropped, and
+/// built anew, equal to the last bit, should it be asked for again. Safe to use from several threads
+/// at once.
 class ReferenceShelf {
  public:
   /// Starts with an empty shelf.
-  /// @param  needs  what each reference is to hold
-  explicit ReferenceShelf(const ReferenceNeeds& needs) : needs_(needs) {}
+  /// @param  needs     what each reference is to hold
+  /// @param  patience  calls of get() for which a reference is kept that none of them asks for
+  ReferenceShelf(const ReferenceNeeds& needs, std::size_t patience)
+      : needs_(needs), patience_(patience) {}
 
-  /// Returns the reference of a shape, node count and kind; builds it when it is not there yet.
+  /// Returns the reference of a shape, resolution and kind; builds it when it is not there.
   ///
-  /// @param  shape    in its own frame
-  /// @param  n_nodes  N, even, >= 4
-  /// @param  kind     of the component
-  /// @return          the one that all such components share
+  /// @param  shape       in its own frame
+  /// @param  resolution  N nodes, even, >= 4
+  /// @param  kind        of the component
+  /// @return             the one that all such components share
   /// @throws std::invalid_argument when N is odd or too small
   /// @throws std::domain_error when its own block is singular
   /// @par Cost        O(N^3) for a new one, O(N^2) without near corrections and preconditioner
-  std::shared_ptr<const Reference> get(const Shape& shape, int n_nodes, ComponentKind kind);
+  std::shared_ptr<const Reference> get(const Shape& shape, const Resolution& resolution,
+                                       ComponentKind kind);
+
+  /// Counts what is kept.
+  /// @return number of references
+  std::size_t size() const { return kept_.size(); }
 
  private:
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
+  struct Kept {
+    std::shared_ptr<const Reference> reference;
+    std::size_t last_call;
+  };
+  /// @endcond
+
   ReferenceNeeds needs_;
-  References built_;
+  std::size_t patience_, calls_ = 0;
+  std::vector<Kept> kept_;
+  std::mutex mutex_;
 };
 
 /// @}

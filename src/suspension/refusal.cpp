@@ -5,11 +5,28 @@
 
 #include "double_layer/double_layer.hpp"
 #include "near_singular/near_test.hpp"
+#include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
+#include "suspension/node_choice.hpp"
 
 namespace stokesbook {
 
 namespace {
+
+// What shapes and gaps say before a solve is up to 1200 times the error, measured on 45 random
+// scenes: beyond that no solve is needed to know.
+constexpr double hopeless = 1e4;
+
+// Radius about their centroid of all components with prescribed velocity; 0 when there is none.
+double prescribed_extent(const StokesProblem& problem) {
+  std::vector<Complex> nodes;
+  for (const Component& component : problem.components) {
+    if (component.kind != ComponentKind::prescribed) continue;
+    nodes.insert(nodes.end(), component.curve.x.begin(), component.curve.x.end());
+  }
+  const Eigen::Map<const ComplexVector> x(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
+  return nodes.empty() ? 0.0 : (x.array() - x.mean()).abs().maxCoeff();
+}
 
 // Curves that are apart by no more than rounding of their positions touch.
 bool overlaps(const Gap& gap, const Configuration& configuration) {
@@ -27,8 +44,8 @@ std::string overlap_message(const Scene& scene, const Gap& gap) {
 }
 
 std::string shape_message(const Scene& scene, std::size_t component, const Reference& reference) {
-  const int nodes =
-      nodes_for_shape(reference, scene.solver.tolerance, static_cast<int>(reference.curve.size()));
+  const int nodes = nodes_for_shape(reference.shape, reference.curve.side, scene.solver.tolerance,
+                                    reference.resolution.n_nodes);
   return component_name(scene, component) + ": " + std::to_string(reference.curve.size()) +
          " nodes resolve its shape to " + short_number(reference.rigid_motion_residual) +
          " only, solver.tolerance = " + short_number(scene.solver.tolerance) +
@@ -68,54 +85,113 @@ std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution&
          " at least";
 }
 
-}  // namespace
-
-std::string density_refusal(const Scene& scene, std::size_t component, Eigen::Index n_nodes,
-                            const TailEstimate& tail, const std::vector<Gap>& gaps) {
-  const double tolerance = scene.solver.tolerance;
-  // At the measured rate of decay; a spectrum that hardly falls asks for half as many nodes again.
-  const auto nodes = static_cast<double>(n_nodes);
-  const double missing = std::log(tail.error / tolerance) /
-                         std::max(tail.decay, 2.0 * std::log(tail.error / tolerance) / nodes);
-  const int advice = 16 * static_cast<int>(std::ceil((nodes + missing) / 16.0));
-  const auto nearest = std::find_if(gaps.begin(), gaps.end(), [&](const Gap& gap) {
-    return gap.a == component || gap.b == component;
-  });
-  std::string neighbour;
-  if (nearest != gaps.end()) {
-    const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
-    neighbour = " (nearest: " + component_name(scene, other) + ", " +
-                short_number(nearest->points.gap) + " apart)";
-  }
-  return "the density on " + component_name(scene, component) + " is not resolved" + neighbour +
-         ": estimated error " + short_number(tail.error) + " of the velocities with its " +
-         std::to_string(n_nodes) + " nodes, solver.tolerance = " + short_number(tolerance) +
-         "; give it n_nodes = " + std::to_string(advice) + " or so";
+// " (nearest: body 3, 0.01 apart)", or nothing where no component is near.
+std::string nearest_neighbour(const Scene& scene, std::size_t component,
+                              const std::vector<Gap>& gaps) {
+  const auto nearest = std::ranges::find_if(
+      gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
+  if (nearest == gaps.end()) return {};
+  const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
+  return " (nearest: " + component_name(scene, other) + ", " + short_number(nearest->points.gap) +
+         " apart)";
 }
 
-int nodes_for_shape(const Reference& reference, double tolerance, int at_least) {
+}  // namespace
+
+std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
+  if (is_bounded(problem)) {
+    const double flux = net_flux(problem);
+    if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
+    return "the walls' velocities drive a net flux of " + short_number(flux) +
+           " out of the enclosed fluid, which is incompressible: make them balance";
+  }
+  const double extent = prescribed_extent(problem);
+  if (scene.gauge_length && extent > 0.5 * *scene.gauge_length) {
+    return "flow.gauge_length = " + short_number(*scene.gauge_length) +
+           " is not large against the held components, which reach " + short_number(extent) +
+           " from their centre: near that size the problem is singular (Stokes' paradox); give at "
+           "least " +
+           short_number(2.0 * extent) + ", or leave it out for zero net force";
+  }
+  double scale = 0.0;
+  for (const Component& component : problem.components) scale += std::abs(component.force);
+  const Complex force = total_given_force(problem);
+  if (extent == 0.0 && !scene.gauge_length && std::abs(force) > 1e-12 * scale) {
+    return "the loads have a net force of (" + short_number(force.real()) + ", " +
+           short_number(force.imag()) +
+           ") in an unbounded plane, where velocities grow like the logarithm of the distance "
+           "(Stokes' paradox): balance the forces, enclose the fluid, or give flow.gauge_length";
+  }
+  return {};
+}
+
+std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
+                             const std::vector<TailEstimate>& tails, double error,
+                             const std::vector<Gap>& gaps) {
+  const double tolerance = scene.solver.tolerance;
+  const std::string estimate = "estimated error " + short_number(error) +
+                               " of the velocities, solver.tolerance = " + short_number(tolerance);
+  const auto worst = std::ranges::max_element(tails, {}, &TailEstimate::error);
+  if (worst->error < tolerance) {
+    return estimate +
+           ": nodes resolve the densities, rounding or GMRES leaves this error; lower "
+           "solver.gmres_tol if it is given, or raise solver.tolerance";
+  }
+  const auto component = static_cast<std::size_t>(worst - tails.begin());
+  const int nodes = resolutions[component].n_nodes;
+  const int advice = rounded_nodes(extrapolated_nodes(nodes, worst->decay, error / tolerance));
+  return "the density on " + component_name(scene, component) + " is not resolved" +
+         nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
+         std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
+}
+
+int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least) {
   for (int n = 16 * ((at_least + 15) / 16); n <= 4096; n += std::max(16, n / 4 / 16 * 16)) {
-    if (rigid_motion_residual(sample(reference.shape, n, reference.curve.side)) <= tolerance) {
-      return n;
-    }
+    if (rigid_motion_residual(sample(shape, n, side)) <= tolerance) return n;
   }
   return 0;
 }
 
+std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
+                            const Configuration& configuration) {
+  const bool apart = gaps.empty() || !overlaps(gaps.front(), configuration);
+  return apart ? std::string{} : overlap_message(scene, gaps.front());
+}
+
+std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
+                          const std::vector<Gap>& gaps) {
+  long long all = 0;
+  bool chosen = false;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const int nodes = resolutions[k].n_nodes;
+    all += nodes;
+    if (given_nodes(scene, k) != automatic_nodes) continue;
+    chosen = true;
+    if (nodes <= most_nodes_of_a_component) continue;
+    return component_name(scene, k) + nearest_neighbour(scene, k, gaps) +
+           " would need n_nodes = " + std::to_string(nodes) +
+           " for solver.tolerance = " + short_number(scene.solver.tolerance) +
+           "; \"auto\" takes up to " + std::to_string(most_nodes_of_a_component) +
+           ": give the number yourself, or raise the tolerance";
+  }
+  if (!chosen || all <= most_nodes_in_all) return {};
+  return "the components would need " + std::to_string(all) +
+         " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
+         "; \"auto\" takes up to " + std::to_string(most_nodes_in_all) +
+         ": give the numbers yourself, or raise the tolerance";
+}
+
 std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
                              const Configuration& configuration, const References& references) {
-  if (!gaps.empty() && overlaps(gaps.front(), configuration)) {
-    return overlap_message(scene, gaps.front());
-  }
   const double tolerance = scene.solver.tolerance;
   for (std::size_t k = 0; k < references.size(); ++k) {
-    if (references[k]->rigid_motion_residual > tolerance) {
+    if (references[k]->rigid_motion_residual > hopeless * tolerance) {
       return shape_message(scene, k, *references[k]);
     }
   }
   for (const Gap& gap : gaps) {
     const GapResolution resolution = gap_resolution(gap, configuration, references);
-    if (resolution.error > tolerance) return gap_message(scene, gap, resolution);
+    if (resolution.error > hopeless * tolerance) return gap_message(scene, gap, resolution);
     if (scene.solver.near_singular == NearSingular::off) {
       const std::string message =
           plain_rule_message(scene, gap, smooth_curve(*references[gap.a], configuration[gap.a]),

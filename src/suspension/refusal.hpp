@@ -11,36 +11,65 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Explains what is wrong with a geometry.
+/// Explains which components overlap, or touch to rounding.
+///
+/// @param  scene          names the components
+/// @param  gaps           in ascending order
+/// @param  configuration  placements of all components
+/// @return                a message naming components and place; empty when all are apart
+std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
+                            const Configuration& configuration);
+
+/// Explains which shape or gap is hopeless at a resolution: no solve is needed to know.
 ///
 /// @param  scene          names the components and the tolerance
 /// @param  gaps           in ascending order
 /// @param  configuration  placements of all components
 /// @param  references     of each component
-/// @return                a message naming components, values and what to change; empty when every
-///                        shape and gap is resolved
+/// @return                a message naming components, values and what to change; empty when a
+///                        solve may succeed
 std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
                              const Configuration& configuration, const References& references);
 
-/// Explains that the density on a component is not resolved by its nodes.
+/// Explains that the nodes which automatic counts ask for are beyond their limits.
 ///
-/// @param  scene      names the component and the tolerance
-/// @param  component  bodies first, then walls
-/// @param  n_nodes    of the component
-/// @param  tail       its estimate, above the tolerance
-/// @param  gaps       in ascending order; names the neighbour that asks for nodes
-/// @return            a message with the estimate and a node count that should do
-std::string density_refusal(const Scene& scene, std::size_t component, Eigen::Index n_nodes,
-                            const TailEstimate& tail, const std::vector<Gap>& gaps);
+/// @param  scene        names the components
+/// @param  resolutions  asked for
+/// @param  gaps         in ascending order; names the neighbour that asks for nodes
+/// @return              a message naming counts and limits; empty within them
+std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
+                          const std::vector<Gap>& gaps);
+
+/// Explains why data have no solution, or none that could be trusted: a net flux out of an enclosed
+/// fluid, a net force in an unbounded one, a gauge length that is not large.
+///
+/// @param  scene    with its tolerance and gauge length
+/// @param  problem  of the scene
+/// @return          a message naming values and what to change; empty when nothing is wrong
+std::string data_refusal(const Scene& scene, const StokesProblem& problem);
+
+/// Explains that a solution is not as accurate as was asked, and what would help: nodes on the
+/// component whose density has the largest tail, or else fewer digits.
+///
+/// @param  scene        names components, and says whose nodes are automatic
+/// @param  resolutions  of each component
+/// @param  tails        of the density on each component
+/// @param  error        the solution's estimate, above the tolerance
+/// @param  gaps         in ascending order; names the neighbour that asks for nodes
+/// @return              a message with the estimate and a node count that should do
+std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
+                             const std::vector<TailEstimate>& tails, double error,
+                             const std::vector<Gap>& gaps);
 
 /// Recommends a node count for which a shape resolves its own double layer to a tolerance.
 ///
-/// @param  reference  the shape with its side
+/// @param  shape      in its own frame
+/// @param  side       of the fluid
 /// @param  tolerance  of rigid_motion_residual()
 /// @param  at_least   where the search starts
 /// @return            multiple of 16, >= at_least, or 0 when 4096 nodes are not enough
 /// @par Cost          rigid_motion_residual() of each count that is tried, 16 or a quarter apart
-int nodes_for_shape(const Reference& reference, double tolerance, int at_least);
+int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
 
 /// @}
 

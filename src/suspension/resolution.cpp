@@ -13,9 +13,9 @@ namespace {
 // Factor of alpha e^{-alpha n}: the largest measured on pairs of circles, ellipses and stars.
 constexpr double error_factor = 150.0;
 
-// What recommendations ask beyond that: the density of a computed solution has the last word, and
-// its estimate can be that much more careful.
-constexpr double margin = 100.0;
+// What recommendations ask beyond that: densities of loaded bodies can be larger than velocities,
+// and the estimate of a computed solution has the last word.
+constexpr double margin = 10.0;
 
 double signed_curvature(const SmoothCurve& curve, double t) {
   const TrigonometricPolynomial::Jet jet = curve.at(t);

@@ -108,27 +108,44 @@ void Simulation::solve_once() {
   write(solve(state_));
 }
 
-Solution Simulation::solve(const VectorXd& state) {
+Solution Simulation::solve(const VectorXd& state, const Solution* first_of_step) {
   const auto start = std::chrono::steady_clock::now();
   try {
-    Solution solution = solver_.solve(to_configuration(state), drive_);
-    step_.gmres_iterations += solution.gmres.iterations;
-    step_.matvecs += solution.gmres.iterations + 1;
-    step_.residual = std::max(step_.residual, solution.gmres.residual);
-    step_.error_estimate = std::max(step_.error_estimate, solution.error_estimate);
+    const Configuration configuration = to_configuration(state);
+    Solution solution = first_of_step == nullptr
+                            ? solver_.solve(configuration, drive_)
+                            : solver_.solve_nearby(configuration, *first_of_step, drive_);
     const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
                                              : solution.gaps.front().points.gap;
-    const bool first_solve = step_.matvecs == solution.gmres.iterations + 1;
-    step_.min_gap = first_solve ? gap : std::min(step_.min_gap, gap);
+    if (first_of_step == nullptr) {
+      step_.error_estimate = solution.error_estimate;
+      note_resolution(solution);
+    }
+    step_.min_gap = first_of_step == nullptr ? gap : std::min(step_.min_gap, gap);
+    step_.gmres_iterations += solution.cost.gmres_iterations;
+    step_.matvecs += solution.cost.matvecs;
+    step_.residual = std::max(step_.residual, solution.gmres.residual);
     step_.seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++totals_.solves;
-    totals_.gmres_iterations += solution.gmres.iterations;
-    totals_.matvecs += solution.gmres.iterations + 1;
+    totals_.gmres_iterations += solution.cost.gmres_iterations;
+    totals_.matvecs += solution.cost.matvecs;
     return solution;
   } catch (const NumericsRefused& refusal) {
     throw NumericsRefused("t = " + short_number(t_, 6) + ": " + refusal.what());
   }
+}
+
+void Simulation::note_resolution(const Solution& solution) {
+  std::vector<int> nodes;
+  for (const Resolution& resolution : resolutions_of(solution.references)) {
+    nodes.push_back(resolution.n_nodes);
+  }
+  if (resolution_.first_nodes.empty()) resolution_.first_nodes = resolution_.most_nodes = nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    resolution_.most_nodes[k] = std::max(resolution_.most_nodes[k], nodes[k]);
+  }
+  resolution_.error_estimate = std::max(resolution_.error_estimate, solution.error_estimate);
 }
 
 void Simulation::write(const Solution& now) {
@@ -161,7 +178,7 @@ void Simulation::advance(const Solution& now) {
   const double steps = std::max(1.0, std::ceil((event - t_) / time_.dt - 1e-9));
   const double dt = (event - t_) / steps;
   const VectorXd rate = to_rate(now);
-  const Rate f = [&](double, const VectorXd& state) { return to_rate(solve(state)); };
+  const Rate f = [&](double, const VectorXd& state) { return to_rate(solve(state, &now)); };
   if (time_.method == SteppingMethod::euler) {
     state_ = euler_step(state_, dt, rate);
   } else if (time_.method == SteppingMethod::adams_bashforth2 && previous_) {

@@ -25,9 +25,9 @@ struct Observer {
 ///
 /// Steps are no longer than time.dt, evened out so that written times, reversals and the end are
 /// hit exactly. Where there is no earlier rate, at the start and after a reversal,
-/// Adams-Bashforth 2 takes a step by Runge-Kutta 4.
-/// @par Accuracy  order 1, 2 or 4 in time.dt, as time.method says
-/// @par Cost      one solve a step, four by Runge-Kutta 4, and one at the end
+/// Adams-Bashforth 2 takes a step by Runge-Kutta 4. The order in time.dt is that of the method.
+/// @par Cost      one solve a step with its error estimate, three more solves by Runge-Kutta 4, and
+/// one at the end
 class Simulation {
  public:
   /// Takes the scene's initial configuration.
@@ -61,8 +61,14 @@ class Simulation {
   /// @return counts since this simulation was made; steps since the start of the run
   const RunTotals& totals() const { return totals_; }
 
+  /// Returns how finely the run was resolved, and how well.
+  /// @return of this simulation's solves; inner stages of steps left out
+  const RunResolution& resolution() const { return resolution_; }
+
  private:
-  Solution solve(const Eigen::VectorXd& state);
+  // Inner stages of a step give the step's first solution.
+  Solution solve(const Eigen::VectorXd& state, const Solution* first_of_step = nullptr);
+  void note_resolution(const Solution& solution);
   void advance(const Solution& now);
   void write(const Solution& now);
   Checkpoint checkpoint() const;
@@ -78,6 +84,7 @@ class Simulation {
   std::optional<PreviousStep> previous_;
   StepInfo step_;  // of the step under way
   RunTotals totals_;
+  RunResolution resolution_;
   bool written_ = false;  // the frame of t_ is on record
 };
 

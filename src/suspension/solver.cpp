@@ -1,14 +1,14 @@
 #include "suspension/solver.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "double_layer/double_layer.hpp"
-#include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
 #include "suspension/background_flow.hpp"
 #include "suspension/component_data.hpp"
-#include "suspension/operator.hpp"
+#include "suspension/error_estimate.hpp"
+#include "suspension/node_choice.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
@@ -27,15 +27,56 @@ ComplexVector all_nodes(const StokesProblem& problem) {
   return nodes;
 }
 
-// Radius about their centroid of all components with prescribed velocity; 0 when there is none.
-double prescribed_extent(const StokesProblem& problem) {
-  std::vector<Complex> nodes;
-  for (const Component& component : problem.components) {
-    if (component.kind != ComponentKind::prescribed) continue;
-    nodes.insert(nodes.end(), component.curve.x.begin(), component.curve.x.end());
+// A component's reference from the shelf, or the reason why it cannot be used.
+std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
+                                      std::size_t component, const Resolution& resolution) {
+  const std::size_t bodies = scene.bodies.size();
+  const auto get = [&](const auto& source) {
+    return shelf.get(source.shape, resolution, kind_of(source));
+  };
+  try {
+    return component < bodies ? get(scene.bodies[component]) : get(scene.walls[component - bodies]);
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused(
+        component_name(scene, component) + ": " + error.what() +
+        "; a gauge_length close to the size of a held component is a degenerate scale");
   }
-  const Eigen::Map<const ComplexVector> x(nodes.data(), static_cast<Index>(nodes.size()));
-  return nodes.empty() ? 0.0 : (x.array() - x.mean()).abs().maxCoeff();
+}
+
+// What a component asks for alone: the nodes it is given, or enough for its shape.
+Resolution own_resolution(const Scene& scene, std::size_t component) {
+  if (const int given = given_nodes(scene, component); given != automatic_nodes) return {given};
+  const std::size_t bodies = scene.bodies.size();
+  const auto nodes = [&](const auto& source) {
+    const Side side =
+        kind_of(source) == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
+    return nodes_for_shape(source.shape, side, scene.solver.tolerance, 16);
+  };
+  const int enough =
+      component < bodies ? nodes(scene.bodies[component]) : nodes(scene.walls[component - bodies]);
+  if (enough > 0) return {enough};
+  throw NumericsRefused(component_name(scene, component) +
+                        ": even 4096 nodes do not resolve its shape to solver.tolerance = " +
+                        short_number(scene.solver.tolerance) +
+                        ": smooth the curve or raise the tolerance");
+}
+
+// A refusal's text, if there is any, ends the solve.
+void refuse(const std::string& message) {
+  if (!message.empty()) throw NumericsRefused(message);
+}
+
+std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
+  const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
+  const std::vector<Index>& offsets = discrete.system.offsets();
+  std::vector<TailEstimate> tails;
+  for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
+    tails.push_back(tail_estimate(rest.segment(offsets[k], offsets[k + 1] - offsets[k]),
+                                  solution.velocity_scale));
+    // What aliases in the kernel, tails do not show.
+    tails[k].error = std::max(tails[k].error, solution.references[k]->rigid_motion_residual);
+  }
+  return tails;
 }
 
 }  // namespace
@@ -43,20 +84,17 @@ double prescribed_extent(const StokesProblem& problem) {
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
   const bool bounded = plan_.null_space_fix;
   const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
-  ReferenceShelf shelf({plan_.near_correction,
-                        interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
-                        plan_.block_diagonal, bounded ? std::nullopt : scene.gauge_length});
-  const auto add = [&](const auto& component) {
-    references_.push_back(shelf.get(component.shape, component.n_nodes, kind_of(component)));
-  };
-  try {
-    std::for_each(scene_.bodies.begin(), scene_.bodies.end(), add);
-    std::for_each(scene_.walls.begin(), scene_.walls.end(), add);
-  } catch (const std::domain_error& error) {
-    throw NumericsRefused(
-        component_name(scene_, references_.size()) + ": " + error.what() +
-        "; a gauge_length close to the size of a held component is a degenerate scale");
-  }
+  const std::size_t count = scene_.bodies.size() + scene_.walls.size();
+  // A solve and its estimate ask for two a component: some thirty solves long.
+  const std::size_t patience = 64 * count;
+  shelf_ = std::make_shared<ReferenceShelf>(
+      ReferenceNeeds{plan_.near_correction,
+                     interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
+                     plan_.block_diagonal, bounded ? std::nullopt : scene.gauge_length},
+      patience);
+  Resolutions own;
+  for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
+  references_ = references(own);
 }
 
 Configuration SuspensionSolver::initial_configuration() const {
@@ -69,12 +107,13 @@ Configuration SuspensionSolver::initial_configuration() const {
   return configuration;
 }
 
-StokesProblem SuspensionSolver::problem(const Configuration& configuration, double drive) const {
+StokesProblem SuspensionSolver::problem(const Configuration& configuration,
+                                        const References& references, double drive) const {
   StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
-    const Curve curve = place(references_[k]->curve, position, orientation);
-    Component component{references_[k]->kind, curve, position, {}, 0.0, {}};
+    const Curve curve = place(references[k]->curve, position, orientation);
+    Component component{references[k]->kind, curve, position, {}, 0.0, {}};
     if (k >= scene_.bodies.size()) {
       const Wall& wall = scene_.walls[k - scene_.bodies.size()];
       component.velocity = drive * wall_velocity(wall.motion, curve, position);
@@ -93,10 +132,11 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration, doub
   return problem;
 }
 
-std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configuration) const {
+std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configuration,
+                                                  const References& references) const {
   std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Reference& reference = *references_[k];
+    const Reference& reference = *references[k];
     // A component that is alone has none: only the fluid's velocity near it asks for one.
     CloseScheme scheme =
         reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
@@ -106,97 +146,36 @@ std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configura
   return placed;
 }
 
-BlockDiagonalPreconditioner SuspensionSolver::preconditioner(
-    const Configuration& configuration) const {
+DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
+                                             const References& references, double drive) const {
+  const StokesProblem problem = this->problem(configuration, references, drive);
+  const auto near_curves =
+      plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
+  DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
+  if (!plan_.block_diagonal) return discrete;
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({references_[k]->inverse_block, configuration[k].orientation});
+    members.push_back({references[k]->inverse_block, configuration[k].orientation});
   }
-  return BlockDiagonalPreconditioner(std::move(members));
+  discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
+  return discrete;
 }
 
-void SuspensionSolver::refuse_unresolved(const Configuration& configuration) const {
-  refuse_bad_geometry(configuration,
-                      find_gaps(configuration, references_, scene_.solver.tolerance));
+std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
+  std::vector<Gap> gaps = find_gaps(configuration, references_, scene_.solver.tolerance);
+  refuse(overlap_refusal(scene_, gaps, configuration));
+  return gaps;
 }
 
-void SuspensionSolver::refuse_bad_geometry(const Configuration& configuration,
-                                           const std::vector<Gap>& gaps) const {
-  const std::string refusal = geometry_refusal(scene_, gaps, configuration, references_);
-  if (!refusal.empty()) throw NumericsRefused(refusal);
-}
-
-void SuspensionSolver::refuse_bad_data(const StokesProblem& problem) const {
-  if (is_bounded(problem)) {
-    const double flux = net_flux(problem);
-    if (std::abs(flux) > scene_.solver.tolerance * flux_scale(problem)) {
-      throw NumericsRefused(
-          "the walls' velocities drive a net flux of " + short_number(flux) +
-          " out of the enclosed fluid, which is incompressible: make them balance");
-    }
-    return;
-  }
-  const double extent = prescribed_extent(problem);
-  if (scene_.gauge_length && extent > 0.5 * *scene_.gauge_length) {
-    throw NumericsRefused("flow.gauge_length = " + short_number(*scene_.gauge_length) +
-                          " is not large against the held components, which reach " +
-                          short_number(extent) +
-                          " from their centre: near that size the problem is singular (Stokes' "
-                          "paradox); give at least " +
-                          short_number(2.0 * extent) + ", or leave it out for zero net force");
-  }
-  double scale = 0.0;
-  for (const Component& component : problem.components) scale += std::abs(component.force);
-  const Complex force = total_given_force(problem);
-  if (extent == 0.0 && !scene_.gauge_length && std::abs(force) > 1e-12 * scale) {
-    throw NumericsRefused(
-        "the loads have a net force of (" + short_number(force.real()) + ", " +
-        short_number(force.imag()) +
-        ") in an unbounded plane, where velocities grow like the logarithm of the distance "
-        "(Stokes' "
-        "paradox): balance the forces, enclose the fluid, or give flow.gauge_length");
-  }
-}
-
-void SuspensionSolver::estimate_error(Solution& solution, const StokesProblem& problem,
-                                      const ComplexVector& rest) const {
-  const double tolerance = scene_.solver.tolerance;
-  solution.error_estimate = 10.0 * solution.gmres.residual;
-  if (solution.velocity_scale == 0.0) return;
-  Index first = 0;
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    const Index n = problem.components[k].curve.size();
-    const TailEstimate tail = tail_estimate(rest.segment(first, n), solution.velocity_scale);
-    first += n;
-    if (tail.error > tolerance) {
-      throw NumericsRefused(density_refusal(scene_, k, n, tail, solution.gaps));
-    }
-    solution.error_estimate =
-        std::max({solution.error_estimate, tail.error, references_[k]->rigid_motion_residual});
-  }
-}
-
-Solution SuspensionSolver::solve(const Configuration& configuration, double drive) const {
+Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const References& references,
+                                    double drive) const {
   Solution solution;
-  solution.gaps = find_gaps(configuration, references_, scene_.solver.tolerance);
-  refuse_bad_geometry(configuration, solution.gaps);
-  const StokesProblem problem = this->problem(configuration, drive);
-  refuse_bad_data(problem);
-
-  const auto near_curves =
-      plan_.near_correction ? placed(configuration) : std::vector<PlacedCurve>{};
-  const SuspensionOperator system(problem, near_curves, plan_);
-  const LinearMap apply = [&](const VectorXd& v) -> VectorXd {
-    const ComplexVector velocity = system(deinterleaved(v));
-    return interleaved(velocity);
-  };
-  LinearMap precondition;
-  if (plan_.block_diagonal) precondition = preconditioner(configuration);
-  const ComplexVector rhs = system.closure().right_hand_side();
+  solution.references = references;
+  const ComplexVector rhs = discrete.system.closure().right_hand_side();
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   try {
-    solution.gmres = gmres(apply, precondition, interleaved(rhs),
-                           {plan_.gmres_tolerance, scene_.solver.gmres_max_iterations});
+    solution.gmres = stokesbook::solve(discrete, rhs,
+                                       {plan_.gmres_tolerance, scene_.solver.gmres_max_iterations});
   } catch (const std::domain_error& error) {
     throw NumericsRefused(error.what());
   }
@@ -208,13 +187,11 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
                           ": raise solver.gmres_max_iterations or solver.tolerance");
   }
   solution.density = deinterleaved(solution.gmres.solution);
-  estimate_error(solution, problem, system.closure().without_rigid_part(solution.density));
-
-  const Completion completion = system.closure().complete(solution.density);
+  const Completion completion = discrete.system.closure().complete(solution.density);
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
+  for (std::size_t k = 0; k < references.size(); ++k) {
     if (k >= scene_.bodies.size()) {
       const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
       solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
@@ -225,14 +202,69 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
   return solution;
 }
 
+SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configuration,
+                                                    const std::vector<Gap>& gaps,
+                                                    const Resolutions& resolutions,
+                                                    double drive) const {
+  refuse(limit_refusal(scene_, resolutions, gaps));
+  const References references = this->references(resolutions);
+  refuse(geometry_refusal(scene_, gaps, configuration, references));
+  refuse(data_refusal(scene_, problem(configuration, references, drive)));
+  DiscreteProblem discrete = discretise(configuration, references, drive);
+  Solution solution = solve_at(discrete, references, drive);
+  solution.gaps = gaps;
+  return {std::move(discrete), std::move(solution)};
+}
+
+Solution SuspensionSolver::solve(const Configuration& configuration, double drive) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  Resolutions resolutions = first_resolutions(configuration, gaps);
+  SolveCost cost;
+  while (true) {
+    auto [discrete, solution] = attempt(configuration, gaps, resolutions, drive);
+    cost.gmres_iterations += solution.gmres.iterations;
+    cost.matvecs += solution.gmres.iterations + 1;
+    if (solution.velocity_scale > 0.0) {
+      const DiscreteProblem fine = discretise(configuration, references(finer(resolutions)), drive);
+      const ErrorEstimate estimate =
+          estimate_error(discrete, solution.density, fine, solution.velocity_scale);
+      solution.error_estimate = estimate.error;
+      cost.matvecs += estimate.matvecs;
+    }
+    solution.cost = cost;
+    if (solution.error_estimate <= scene_.solver.tolerance) return solution;
+    const std::vector<TailEstimate> tails = tails_of(discrete, solution);
+    const Resolutions next = raised(scene_, resolutions, tails, solution.error_estimate);
+    if (next == resolutions) {
+      throw NumericsRefused(
+          accuracy_refusal(scene_, resolutions, tails, solution.error_estimate, gaps));
+    }
+    resolutions = next;
+  }
+}
+
+Solution SuspensionSolver::solve_nearby(const Configuration& configuration, const Solution& earlier,
+                                        double drive) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  Resolutions resolutions = first_resolutions(configuration, gaps);
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    int& nodes = resolutions[k].n_nodes;
+    nodes = std::max(nodes, earlier.references[k]->resolution.n_nodes);
+  }
+  Solution solution = attempt(configuration, gaps, resolutions, drive).solution;
+  solution.cost = {solution.gmres.iterations, solution.gmres.iterations + 1};
+  solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
+  return solution;
+}
+
 ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
                                          const Solution& solution, const ComplexVector& points,
                                          double drive) const {
-  const StokesProblem problem = this->problem(configuration, drive);
+  const StokesProblem problem = this->problem(configuration, solution.references, drive);
   const SuspensionOperator system(problem, {}, plan_);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
-                               : placed(configuration);
+                               : placed(configuration, solution.references);
   ComplexVector velocity =
       system.velocity(solution.density, points, near_curves, plan_.near_tolerance);
   if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
@@ -243,7 +275,7 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
   const double tolerance = scene_.solver.tolerance;
   std::vector<int> nodes;
   for (const auto& reference : references_) {
-    nodes.push_back(nodes_for_shape(*reference, tolerance, 16));
+    nodes.push_back(nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16));
   }
   for (const Gap& gap : find_gaps(configuration, references_, tolerance)) {
     if (gap.points.gap <= 0.0) continue;
@@ -252,6 +284,37 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
     nodes[gap.b] = std::max(nodes[gap.b], stokesbook::recommended_nodes(decay.b, tolerance));
   }
   return nodes;
+}
+
+Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
+  return first_resolutions(configuration,
+                           find_gaps(configuration, references_, scene_.solver.tolerance));
+}
+
+Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
+                                                const std::vector<Gap>& gaps) const {
+  Resolutions resolutions = resolutions_of(references_);
+  const auto raise = [&](std::size_t component, double decay) {
+    if (given_nodes(scene_, component) != automatic_nodes) return;
+    int& nodes = resolutions[component].n_nodes;
+    const int asked = stokesbook::recommended_nodes(decay, scene_.solver.tolerance);
+    nodes = std::max(nodes, rounded_nodes(asked));
+  };
+  for (const Gap& gap : gaps) {
+    if (gap.points.gap <= 0.0) continue;
+    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
+    raise(gap.a, decay.a);
+    raise(gap.b, decay.b);
+  }
+  return resolutions;
+}
+
+References SuspensionSolver::references(const Resolutions& resolutions) const {
+  References references;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    references.push_back(take(*shelf_, scene_, k, resolutions[k]));
+  }
+  return references;
 }
 
 }  // namespace stokesbook

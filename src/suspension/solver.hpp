@@ -8,6 +8,7 @@
 #include "near_singular/near_correction.hpp"
 #include "scene/scene.hpp"
 #include "suspension/configuration.hpp"
+#include "suspension/discrete_problem.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/numerics_refused.hpp"
 #include "suspension/plan.hpp"
@@ -19,8 +20,15 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
+/// What a solution has cost, attempts at fewer nodes included.
+struct SolveCost {
+  int gmres_iterations = 0;  ///< of all solves for motions and loads
+  int matvecs = 0;           ///< applications of the operator, those of error estimates included
+};
+
 /// One quasi-static solution.
 struct Solution {
+  References references;  ///< that the density lives on, one a component
   ComplexVector density;  ///< at all nodes, components in order, length / time
   std::vector<RigidMotion>
       motions;                  ///< of every component about its position: solved on free bodies,
@@ -29,15 +37,17 @@ struct Solution {
   Complex uniform_velocity;     ///< of the fluid at infinity beside the background
   GmresResult gmres;            ///< of the linear system, converged
   double velocity_scale = 0.0;  ///< largest velocity in the data, length / time
-  double error_estimate = 0.0;  ///< of velocities, relative to velocity_scale
+  double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; not
+                                ///< a number where none was asked for
   std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
+  SolveCost cost;               ///< in counts
 };
 
 /// Solves a scene for any configuration of its components.
 ///
-/// Scene -> geometry -> plan -> operator -> velocities; references are built once, everything else
-/// anew a configuration.
-/// @par Accuracy  scene.solver.tolerance by the estimates of resolution.hpp, or the solve refuses
+/// Scene -> geometry -> plan -> resolution -> operator -> velocities. References are shared between
+/// solves; everything else is made anew for a configuration, and depends on it alone.
+/// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or the solve refuses
 class SuspensionSolver {
  public:
   /// Plans a scene without fills and prepares its references.
@@ -45,7 +55,7 @@ class SuspensionSolver {
   /// @param  scene  without fills: with_fills_placed() comes first
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @throws NumericsRefused when a component's own block is singular (gauge length at a degenerate
-  ///                scale)
+  ///                scale), or no number of nodes up to 4096 resolves a shape with automatic nodes
   /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
@@ -53,24 +63,33 @@ class SuspensionSolver {
   /// @return bodies, then walls, in the scene's order
   Configuration initial_configuration() const;
 
-  /// Solves for the motions of free bodies and the loads on all others.
+  /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
   ///
+  /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
+  /// estimate exceeds the tolerance.
   /// @param  configuration  where the components are
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @return                density, motions and loads of all components, and the error estimate
   /// @throws NumericsRefused on overlap, net flux, net force without gauge, a gauge length not
-  ///                large against held components, unresolved shapes, gaps or densities, no
-  ///                convergence, and numbers that are not finite
-  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
-  ///                iteration of GMRES
+  ///                large against held components, hopeless shapes and gaps, an estimate above the
+  ///                tolerance that no node count within the limits of node_choice.hpp brings down,
+  ///                no convergence, and numbers that are not finite
+  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
+  ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
   Solution solve(const Configuration& configuration, double drive = 1.0) const;
 
-  /// Checks the shapes and gaps of a configuration, without solving.
+  /// Solves a configuration near one that was solved before, without an estimate: for the inner
+  /// stages of a time step.
   ///
   /// @param  configuration  where the components are
-  /// @throws NumericsRefused on overlap, unresolved shapes and unresolved gaps
-  /// @par Cost      that of find_gaps()
-  void refuse_unresolved(const Configuration& configuration) const;
+  /// @param  earlier        solution whose resolution will do, unless gaps have closed
+  /// @param  drive          as in solve()
+  /// @return                density, motions and loads of all components
+  /// @throws NumericsRefused as solve() does, but for estimates
+  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
+  ///                iteration of GMRES
+  Solution solve_nearby(const Configuration& configuration, const Solution& earlier,
+                        double drive = 1.0) const;
 
   /// Evaluates the fluid's velocity in a solution.
   ///
@@ -84,12 +103,23 @@ class SuspensionSolver {
   ComplexVector velocity(const Configuration& configuration, const Solution& solution,
                          const ComplexVector& points, double drive = 1.0) const;
 
-  /// Poses the boundary value problem of a configuration.
+  /// Poses the boundary value problem of a configuration at a resolution.
   ///
   /// @param  configuration  where the components are
+  /// @param  references     of each component, such as a solution's
   /// @param  drive          as in solve()
   /// @return                bodies, then walls, with their nodes, loads and velocities
-  StokesProblem problem(const Configuration& configuration, double drive = 1.0) const;
+  StokesProblem problem(const Configuration& configuration, const References& references,
+                        double drive = 1.0) const;
+
+  /// Builds the linear system of a configuration at a resolution.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  references     of each component
+  /// @param  drive          as in solve()
+  /// @return                problem, operator, and the preconditioner of the plan
+  DiscreteProblem discretise(const Configuration& configuration, const References& references,
+                             double drive = 1.0) const;
 
   /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
   /// tolerance.
@@ -100,6 +130,21 @@ class SuspensionSolver {
   /// @par Cost      that of nodes_for_shape() a component, and of find_gaps()
   std::vector<int> recommended_nodes(const Configuration& configuration) const;
 
+  /// Chooses the resolution with which solve() begins.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                given node counts as they are; automatic ones from shapes and gaps
+  /// @par Cost      that of find_gaps()
+  Resolutions first_resolutions(const Configuration& configuration) const;
+
+  /// Returns the shared references of a resolution; builds those that are not there.
+  ///
+  /// @param  resolutions  of each component
+  /// @return              bodies, then walls, in the scene's order
+  /// @throws NumericsRefused when a component's own block is singular
+  /// @par Cost      that of ReferenceShelf::get() a component
+  References references(const Resolutions& resolutions) const;
+
   /// Returns the scene.
   /// @return the scene that was planned
   const Scene& scene() const { return scene_; }
@@ -108,20 +153,32 @@ class SuspensionSolver {
   /// @return what the scene needs, and why
   const Plan& plan() const { return plan_; }
 
-  /// Returns the shared reference of each component.
-  /// @return bodies, then walls, in the scene's order
+  /// Returns the shared reference of each component as far as it depends on no configuration.
+  /// @return bodies, then walls, in the scene's order; where nodes are automatic, with those that
+  ///         the shape alone asks for
   const References& references() const { return references_; }
 
  private:
-  void refuse_bad_geometry(const Configuration& configuration, const std::vector<Gap>& gaps) const;
-  void refuse_bad_data(const StokesProblem& problem) const;
-  void estimate_error(Solution& solution, const StokesProblem& problem,
-                      const ComplexVector& rest) const;
-  std::vector<PlacedCurve> placed(const Configuration& configuration) const;
-  BlockDiagonalPreconditioner preconditioner(const Configuration& configuration) const;
+  Resolutions first_resolutions(const Configuration& configuration,
+                                const std::vector<Gap>& gaps) const;
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
+  struct Attempt {
+    DiscreteProblem discrete;
+    Solution solution;
+  };
+  /// @endcond
+  Attempt attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
+                  const Resolutions& resolutions, double drive) const;
+  std::vector<Gap> open_gaps(const Configuration& configuration) const;
+  Solution solve_at(const DiscreteProblem& discrete, const References& references,
+                    double drive) const;
+  std::vector<PlacedCurve> placed(const Configuration& configuration,
+                                  const References& references) const;
 
   Scene scene_;
   Plan plan_;
+  std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
   References references_;
 };
 

@@ -1,7 +1,6 @@
 #include "taylor_green.hpp"
 
 #include "stopwatch.hpp"
-#include "suspension/operator.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook {
@@ -32,21 +31,12 @@ Scene taylor_green(const Case& c) {
   return scene;
 }
 
-SuspensionOperator system_of(const SuspensionSolver& solver) {
-  const Configuration start = solver.initial_configuration();
-  std::vector<PlacedCurve> placed;
-  for (std::size_t k = 0; k < start.size(); ++k) {
-    placed.push_back({solver.references()[k]->cauchy, start[k].position, start[k].orientation});
-  }
-  return {solver.problem(start), placed, solver.plan()};
-}
-
 std::vector<double> time_case(const Case& c, double budget) {
   const Scene scene = taylor_green(c);
   const SuspensionSolver solver(scene);
-  const SuspensionOperator system = system_of(solver);
-  const ComplexVector density = ComplexVector::Ones(solver.plan().n_nodes);
   const Configuration start = solver.initial_configuration();
+  const SuspensionOperator system = solver.discretise(start, solver.references()).system;
+  const ComplexVector density = ComplexVector::Ones(system.offsets().back());
   const double setup = least_seconds([&] { return SuspensionSolver(scene); }, budget);
   const double matvec = least_seconds([&] { return system(density); }, budget);
   const double solve = least_seconds([&] { return solver.solve(start); }, budget);

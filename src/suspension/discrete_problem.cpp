@@ -1,0 +1,16 @@
+#include "suspension/discrete_problem.hpp"
+
+#include "double_layer/double_layer.hpp"
+
+namespace stokesbook {
+
+GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
+                  const GmresOptions& options) {
+  const LinearMap apply = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+    const ComplexVector velocity = discrete.system(deinterleaved(v));
+    return interleaved(velocity);
+  };
+  return gmres(apply, discrete.precondition, interleaved(rhs), options);
+}
+
+}  // namespace stokesbook

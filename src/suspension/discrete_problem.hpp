@@ -1,0 +1,32 @@
+#pragma once
+
+#include "closure/problem.hpp"
+#include "krylov/gmres.hpp"
+#include "suspension/operator.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// The linear system of one configuration at one resolution.
+struct DiscreteProblem {
+  StokesProblem problem;        ///< components with their nodes and data
+  SuspensionOperator system;    ///< density in, velocity at the nodes out
+  LinearMap precondition = {};  ///< interleaved, as GMRES takes it; empty: none
+};
+
+/// Solves a system by GMRES.
+///
+/// @param  discrete  the system, n nodes in all
+/// @param  rhs       velocities at all n nodes, length / time
+/// @param  options   when to stop
+/// @return           solution and history, interleaved
+/// @throws std::domain_error as gmres() does
+/// @par Cost         that of gmres()
+GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
+                  const GmresOptions& options);
+
+/// @}
+
+}  // namespace stokesbook

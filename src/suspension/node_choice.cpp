@@ -1,0 +1,52 @@
+#include "suspension/node_choice.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace stokesbook {
+
+namespace {
+
+// Of the tolerance: what a component may leave, and what is aimed at where it leaves more.
+constexpr double share_allowed = 0.1, share_aimed_at = 0.05;
+
+// By how much nodes are raised at least.
+constexpr double least_factor = 1.125;
+
+}  // namespace
+
+int rounded_nodes(double nodes) {
+  const int least = static_cast<int>(std::ceil(std::clamp(nodes, 1.0, 1e9)));
+  const int unit = std::max(16, static_cast<int>(std::bit_floor(static_cast<unsigned>(least))) / 8);
+  return unit * ((least + unit - 1) / unit);
+}
+
+Resolutions finer(Resolutions resolutions) {
+  for (Resolution& resolution : resolutions) {
+    resolution.n_nodes += std::max(16, 2 * ((resolution.n_nodes + 7) / 8));
+  }
+  return resolutions;
+}
+
+double extrapolated_nodes(int n_nodes, double decay, double excess) {
+  const double nodes = n_nodes, orders = std::log(excess);
+  return nodes + std::min(orders / std::max(decay, 1e-300), 0.5 * nodes);
+}
+
+Resolutions raised(const Scene& scene, Resolutions before, const std::vector<TailEstimate>& tails,
+                   double error) {
+  const double tolerance = scene.solver.tolerance;
+  const double most = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  if (most < share_allowed * tolerance) return before;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double share = error * tails[k].error / most;
+    if (given_nodes(scene, k) != automatic_nodes || !(share > share_allowed * tolerance)) continue;
+    const double asked =
+        extrapolated_nodes(before[k].n_nodes, tails[k].decay, share / (share_aimed_at * tolerance));
+    before[k].n_nodes = rounded_nodes(std::max(asked, least_factor * before[k].n_nodes));
+  }
+  return before;
+}
+
+}  // namespace stokesbook
