@@ -6,6 +6,7 @@ Usage: test_cli.py PROGRAM SCENES [unittest arguments]
 import json
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -128,6 +129,14 @@ class Plan(Program):
         self.assertIn("n_nodes", result.stderr)
         self.assertRegex(result.stdout, r"48 nodes; \d+ recommended")
 
+    def test_dry_run_reports_nodes_and_estimate(self):
+        result = self.run_scene("--dry-run", text=PAIR.replace("n_nodes = 48", 'n_nodes = "auto"'))
+        self.assertRegex(result.stdout, r"components +1 x circle 1, \d+ nodes to begin with, chosen")
+        found = re.search(r"resolution +estimated error (\S+) of the velocities.*, 1e-05 asked; "
+                          r"nodes (\d+ x \d+)", result.stdout)
+        self.assertIsNotNone(found, result.stdout)
+        self.assertTrue(0.0 < float(found[1]) <= 1e-5)
+
     def test_the_plan_has_what_the_scene_needs_only(self):
         plan = stokes("run", SCENES / "couette.toml", "--dry-run").stdout
         self.assertRegex(plan, r"N_0 +yes")
@@ -153,6 +162,31 @@ class Records(Program):
         information = json.loads((folder / "run.json").read_text())
         self.assertEqual(information["exit_status"], 0)
         self.assertTrue(any("preconditioner" in line for line in information["plan"]))
+        resolution = information["resolution"]
+        self.assertEqual(resolution["first_nodes"], [48, 48])
+        self.assertEqual(resolution["most_nodes"], [48, 48])
+        self.assertGreaterEqual(resolution["error_estimate"], steps["error_estimate"].max())
+
+    def test_automatic_nodes_follow_the_gap(self):
+        """Circles driven together: nodes grow, the tolerance is kept, and resuming changes nothing."""
+        text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")
+        text = text.replace("2.0, -0.4", "1.5, 0.0").replace('"shear"', '"extensional"')
+        text = text.replace("rate = 1.0", "rate = -1.0")
+        self.run_scene("--out", "whole", "--set", "time.t_final=2.0", text=text)
+        folder = self.folder / "whole"
+        resolution = json.loads((folder / "run.json").read_text())["resolution"]
+        self.assertGreater(resolution["most_nodes"][0], resolution["first_nodes"][0])
+        steps = numpy.genfromtxt(folder / "steps.csv", names=True, delimiter=",")
+        self.assertTrue((steps["error_estimate"] <= 1e-5).all())
+        self.assertIn('n_nodes = "auto"', (folder / "scene.toml").read_text())
+        command = [PROGRAM, "run", self.scene(text), "--out", "killed", "--set", "time.t_final=2.0"]
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL)
+        while not (self.folder / "killed" / "checkpoint").exists():
+            time.sleep(0.001)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--resume", text=text)
+        self.assertEqual(self.files("whole"), self.files("killed"))
 
     def test_the_saved_scene_runs_again_to_the_same_result(self):
         self.run_scene("--out", "a")

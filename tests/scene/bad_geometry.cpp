@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(walls) {
        "s.toml:1:1: walls[0].shape is missing: must be a table, such as { kind = \"circle\", "
        "radius = 1.0 }"},
       {"[[walls]]\nrole = 'inner'\nshape = { kind = 'circle', radius = 1 }\n",
-       "s.toml:1:1: walls[0].n_nodes is missing: must be an even integer >= 8"},
+       "s.toml:1:1: walls[0].n_nodes is missing: must be an even integer >= 8 or \"auto\""},
       {wall("positon = [0, 0]\n"),
        "s.toml:5:1: walls[0].positon = [0, 0]: unknown key, did you mean 'position'?"},
       {wall("position = [0, 0, 0]\n"),
@@ -82,23 +82,27 @@ BOOST_AUTO_TEST_CASE(walls) {
 
 BOOST_AUTO_TEST_CASE(bodies) {
   check({
-      {disk(""), "s.toml:1:1: bodies[0].n_nodes is missing: must be an even integer >= 8"},
+      {disk(""),
+       "s.toml:1:1: bodies[0].n_nodes is missing: must be an even integer >= 8 or \"auto\""},
       {disk("n_nodes = 31\n"),
-       "s.toml:3:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try 32)"},
+       "s.toml:3:11: bodies[0].n_nodes = 31: must be an even integer >= 8 or \"auto\" (try 32)"},
       {disk("n_nodes = 6\n"),
-       "s.toml:3:11: bodies[0].n_nodes = 6: must be an even integer >= 8 (try 8)"},
+       "s.toml:3:11: bodies[0].n_nodes = 6: must be an even integer >= 8 or \"auto\" (try 8)"},
       {disk("n_nodes = -2\n"),
-       "s.toml:3:11: bodies[0].n_nodes = -2: must be an even integer >= 8 (try 8)"},
+       "s.toml:3:11: bodies[0].n_nodes = -2: must be an even integer >= 8 or \"auto\" (try 8)"},
       {disk("n_nodes = 32.0\n"),
-       "s.toml:3:11: bodies[0].n_nodes = 32.0: must be an even integer >= 8, not a float"},
+       "s.toml:3:11: bodies[0].n_nodes = 32.0: must be an even integer >= 8 or \"auto\", not a "
+       "float"},
       {disk("n_nodes = 5000000000\n"),
-       "s.toml:3:11: bodies[0].n_nodes = 5000000000: must be an even integer >= 8, and no larger "
+       "s.toml:3:11: bodies[0].n_nodes = 5000000000: must be an even integer >= 8 or \"auto\", and "
+       "no larger "
        "than 2147483647"},
       {disk("n_nodes = 'many'\n"),
-       "s.toml:3:11: bodies[0].n_nodes = \"many\": must be an even integer >= 8, not a string"},
-      {disk("n_nodes = 'auto'\n"),
-       "s.toml:3:11: bodies[0].n_nodes = \"auto\": not available yet: must be an even integer >= "
-       "8"},
+       "s.toml:3:11: bodies[0].n_nodes = \"many\": must be an even integer >= 8 or \"auto\", not a "
+       "string"},
+      {disk("n_nodes = 'Auto'\n"),
+       "s.toml:3:11: bodies[0].n_nodes = \"Auto\": must be an even integer >= 8 or \"auto\", not a "
+       "string"},
       {disk("position = 'here'\n"),
        "s.toml:3:12: bodies[0].position = \"here\": must be two numbers [x, y], not a string"},
       {disk("orientation = inf\n"),
@@ -128,7 +132,7 @@ BOOST_AUTO_TEST_CASE(bodies) {
        "s.toml:3:1: bodies[0].mass = 1: unknown key; known here: shape, position, orientation, "
        "force, torque, held, velocity, omega, n_nodes"},
       {disk() + disk("n_nodes = 9\n"),
-       "s.toml:6:11: bodies[1].n_nodes = 9: must be an even integer >= 8 (try 10)"},
+       "s.toml:6:11: bodies[1].n_nodes = 9: must be an even integer >= 8 or \"auto\" (try 10)"},
   });
 }
 
@@ -176,7 +180,7 @@ BOOST_AUTO_TEST_CASE(fills) {
        "s.toml:9:1: fill[0].position = [0, 0]: unknown key; known here: shape, area_fraction, "
        "count, region, clearance, n_nodes"},
       {tank() + "[[fill]]\nshape = { kind = 'circle', radius = 1 }\ncount = 5\n",
-       "s.toml:5:1: fill[0].n_nodes is missing: must be an even integer >= 8"},
+       "s.toml:5:1: fill[0].n_nodes is missing: must be an even integer >= 8 or \"auto\""},
       {tank() + "[[fill]]\ncount = 5\nn_nodes = 32\n",
        "s.toml:5:1: fill[0].shape is missing: must be a table, such as { kind = \"circle\", radius "
        "= 1.0 }"},

@@ -38,9 +38,10 @@ BOOST_AUTO_TEST_CASE(scene_file) {
   const Folder folder;
   folder.write("s.toml", disk("n_nodes = 31\n"));
   BOOST_CHECK_EXCEPTION(read_scene(folder.at("s.toml")), SceneError, [&](const SceneError& error) {
-    return error.what() == folder.at("s.toml") +
-                               ":3:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try "
-                               "32)";
+    return error.what() ==
+           folder.at("s.toml") +
+               ":3:11: bodies[0].n_nodes = 31: must be an even integer >= 8 or \"auto\" (try "
+               "32)";
   });
   const Overrides overrides{"bodies.0.n_nodes=40"};
   BOOST_TEST((read_scene(folder.at("s.toml"), overrides) == parse(disk("n_nodes = 40\n"))));
@@ -164,8 +165,9 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
              "s.toml:5:9: body_lists[0].force = 1: must be two numbers [x, y], not an integer");
   BOOST_TEST(error_with_csv(list + "torque = 'x'\n", one) ==
              "s.toml:5:10: body_lists[0].torque = \"x\": must be a number, not a string");
-  BOOST_TEST(error_with_csv("[[body_lists]]\nfile = 'a.csv'\n", ellipse) ==
-             "s.toml:1:1: body_lists[0].n_nodes is missing: must be an even integer >= 8");
+  BOOST_TEST(
+      error_with_csv("[[body_lists]]\nfile = 'a.csv'\n", ellipse) ==
+      "s.toml:1:1: body_lists[0].n_nodes is missing: must be an even integer >= 8 or \"auto\"");
   BOOST_TEST(error_with_csv("[[body_lists]]\nn_nodes = 32\n", one) ==
              "s.toml:1:1: body_lists[0].file is missing: must be the name of a CSV file");
   BOOST_TEST(error_with_csv("[[body_lists]]\nfile = 'b.csv'\n", one) ==

@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(errors_name_the_setting) {
   const auto message = [](const std::string& setting) { return error_of(two_disks, {setting}); };
   BOOST_TEST(message("time.dt=-1") == "--set time.dt: time.dt = -1: must be a number > 0");
   BOOST_TEST(message("bodies.1.n_nodes=31") ==
-             "--set bodies.1.n_nodes: bodies[1].n_nodes = 31: must be an even integer >= 8 (try "
+             "--set bodies.1.n_nodes: bodies[1].n_nodes = 31: must be an even integer >= 8 or "
+             "\"auto\" (try "
              "32)");
   BOOST_TEST(message("flow={ kind='sheer' }") ==
              "--set flow: flow.kind = \"sheer\": must be one of quiescent, uniform, shear, "

@@ -52,8 +52,12 @@ Shape random_shape(Dice& dice) {
                              curve});
 }
 
+int random_nodes(Dice& dice) {
+  return dice.coin() ? automatic_nodes : 2 * dice.integer(4, 200);
+}
+
 Wall random_wall(Dice& dice, WallRole role) {
-  Wall wall{role, random_shape(dice), dice.vector(), dice.number(), 2 * dice.integer(4, 200), {}};
+  Wall wall{role, random_shape(dice), dice.vector(), dice.number(), random_nodes(dice), {}};
   const Eigen::Matrix2d gradient{{dice.number(), dice.number()}, {dice.number(), dice.number()}};
   wall.motion = dice.one_of<WallMotion>({FixedWall{}, RotatingWall{dice.number()},
                                          TranslatingWall{dice.vector()}, LinearWall{gradient}});
@@ -69,14 +73,14 @@ Body random_body(Dice& dice) {
             .position = dice.vector(),
             .orientation = dice.number(),
             .held = dice.coin(),
-            .n_nodes = 2 * dice.integer(4, 200)};
+            .n_nodes = random_nodes(dice)};
   (body.held ? body.velocity : body.force) = dice.vector();
   (body.held ? body.omega : body.torque) = dice.number();
   return body;
 }
 
 Fill random_fill(Dice& dice, bool enclosed) {
-  Fill fill{.shape = random_shape(dice), .n_nodes = 2 * dice.integer(4, 200)};
+  Fill fill{.shape = random_shape(dice), .n_nodes = random_nodes(dice)};
   if (dice.coin()) fill.area_fraction = dice.uniform(0.01, 0.99);
   if (!fill.area_fraction) fill.count = dice.integer(1, 1000);
   if (!enclosed || dice.coin()) {

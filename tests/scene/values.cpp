@@ -220,4 +220,14 @@ BOOST_AUTO_TEST_CASE(a_scene_may_be_only_walls_or_only_a_fill) {
                  .walls.empty());
 }
 
+BOOST_AUTO_TEST_CASE(automatic_nodes_are_a_word) {
+  const Scene scene = parse(
+      "[[walls]]\nrole = 'outer'\nshape = { kind = 'circle', radius = 9 }\nn_nodes = 'auto'\n" +
+      disk("n_nodes = 'auto'\n") +
+      "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\ncount = 2\nn_nodes = 'auto'\n");
+  BOOST_TEST(scene.walls.at(0).n_nodes == automatic_nodes);
+  BOOST_TEST(scene.bodies.at(0).n_nodes == automatic_nodes);
+  BOOST_TEST(scene.fills.at(0).n_nodes == automatic_nodes);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

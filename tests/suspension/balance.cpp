@@ -19,7 +19,8 @@ Scene crowd() {
 
 // About component k, from its outermost point to its nearest neighbour's.
 Enclosed around(const Solved& solved, std::size_t k) {
-  const StokesProblem problem = solved.solver.problem(solved.configuration);
+  const StokesProblem problem =
+      solved.solver.problem(solved.configuration, solved.solution.references);
   const Complex centre = solved.configuration[k].position;
   const double own = bounding_radius(problem.components[k].curve, centre);
   double nearest = std::numeric_limits<double>::infinity();

@@ -25,7 +25,7 @@ std::vector<Complex> fluid_points(const Solved& solved, double spread, double di
   std::uniform_real_distribution<double> uniform(-spread, spread);
   const auto is_free = [&](Complex point, std::size_t k) {
     const auto [position, orientation] = solved.configuration[k];
-    const CauchyCurve& curve = *solved.solver.references()[k]->cauchy;
+    const CauchyCurve& curve = *solved.solution.references[k]->cauchy;
     const Complex local = (point - position) * std::polar(1.0, -orientation);
     return curve.in_fluid(local) && (curve.curve().x.array() - local).abs().minCoeff() > distance;
   };
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
     const Solved solved(in_units(loaded_trio(53), units));
     for (std::size_t k = 0; k < 3; ++k) {
       const SmoothCurve curve =
-          smooth_curve(*solved.solver.references()[k], solved.configuration[k]);
+          smooth_curve(*solved.solution.references[k], solved.configuration[k]);
       const RigidMotion& motion = solved.motion(k);
       for (const double t : {0.1234, 1.777, 2.9, 4.4321, 5.9}) {
         const auto jet = curve.at(t);
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   for (Body& body : fine.bodies) body.n_nodes = body.n_nodes * 3 / 2 / 2 * 2;
   const Solved a(coarse), b(fine);
   for (std::size_t k = 0; k < 3; ++k) {
-    const SmoothCurve curve = smooth_curve(*a.solver.references()[k], a.configuration[k]);
+    const SmoothCurve curve = smooth_curve(*a.solution.references[k], a.configuration[k]);
     for (const double height : {1e-9, 1e-4, 1e-2, 0.03, 0.1}) {
       ComplexVector points(7);
       for (Eigen::Index i = 0; i < 7; ++i) {

@@ -69,7 +69,7 @@ struct Solved {
 
   /// S_11 + i S_12 of a component, -mu \int n eta ds.
   Complex stresslet(std::size_t component) const {
-    const StokesProblem problem = solver.problem(configuration);
+    const StokesProblem problem = solver.problem(configuration, solution.references);
     const Eigen::Index first = node_offsets(problem)[component];
     const Curve& curve = problem.components[component].curve;
     const auto density = solution.density.segment(first, curve.size());
@@ -89,7 +89,7 @@ inline Scene resolved(Scene scene) {
   set_nodes([](std::size_t) { return 128; });
   const SuspensionSolver solver(scene);
   const std::vector<int> asked = solver.recommended_nodes(solver.initial_configuration());
-  set_nodes([&](std::size_t k) { return std::max(96, asked[k] + asked[k] / 4 / 2 * 2); });
+  set_nodes([&](std::size_t k) { return std::max(96, asked[k] + asked[k] / 3 / 2 * 2); });
   return scene;
 }
 

@@ -136,13 +136,19 @@ BOOST_AUTO_TEST_CASE(opposed_forces_N3F) {
 BOOST_AUTO_TEST_CASE(equal_forces_N3G) {
   for (const Row& row : rows) {
     const RigidMotion along{row.settling_x, 0.0};
-    check(pair(row, {}, 1.0, 1.0), {{0, along, {}, {}}, {1, along, {}, {}}}, tolerance_for(row),
+    // No more is asked of the solver than is checked: it estimates rounding errors too.
+    const auto settling = [&](Complex force) {
+      Scene both = pair(row, {}, force, force);
+      both.solver.tolerance = std::max(1e-12, tolerance_for(row));
+      return both;
+    };
+    check(settling(1.0), {{0, along, {}, {}}, {1, along, {}, {}}}, tolerance_for(row),
           units_for(row));
     RigidMotion left = row.settling_y, right = row.settling_y;
     left.omega = CirclePair{1, row.gap}.turn_of_settling(1, 1);
     right.omega = -left.omega;
-    check(pair(row, {}, imaginary, imaginary), {{0, left, {}, {}}, {1, right, {}, {}}},
-          tolerance_for(row), units_for(row));
+    check(settling(imaginary), {{0, left, {}, {}}, {1, right, {}, {}}}, tolerance_for(row),
+          units_for(row));
   }
 }
 
