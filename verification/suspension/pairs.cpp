@@ -1,0 +1,131 @@
+// Two unit circles with automatic nodes, down to small gaps: closed forms, and the law of
+// lubrication.
+#include <cmath>
+
+#include "experiments.hpp"
+#include "scenes.hpp"
+#include "support/closed_forms.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+// How the circles are moved along their line of centres.
+struct Drive {
+  BackgroundFlow flow;
+  double force = 0.0;  // on the right one, opposite on the left one
+
+  double exact(double gap) const {
+    const CirclePair circles{1.0, gap};
+    return force == 0.0 ? circles.speed_in_extension(1.0) : circles.speed_of_pull(force, 1.0);
+  }
+
+  Scene scene(double gap) const {
+    Scene pair;
+    pair.flow = flow;
+    for (const double side : {-1.0, 1.0}) {
+      pair.bodies.push_back({.shape = Circle{1.0}, .position = side * (1.0 + 0.5 * gap)});
+      pair.bodies.back().force = side * force;
+    }
+    return pair;
+  }
+};
+
+const Drive extension{ExtensionalFlow{1.0}}, pull{QuiescentFlow{}, 1.0};
+
+// Speed of the right circle, solved to a part of itself; nodes as given or automatic.
+double speed(const Drive& drive, double gap, double relative_error, int n_nodes) {
+  Scene scene = drive.scene(gap);
+  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
+  // A tenth of the speed's own size, in units of the data's largest velocity, which is about 2 in
+  // extension and 1 / 4 under forces.
+  scene.solver.tolerance =
+      std::min(0.1, relative_error * drive.exact(gap) / (drive.force == 0.0 ? 2.0 : 0.25));
+  const SuspensionSolver solver(scene);
+  const Configuration start = solver.initial_configuration();
+  if (n_nodes == stokesbook::automatic_nodes) {
+    return solver.solve(start).motions[1].velocity.real();
+  }
+  return solved_at(solver, resolutions_of(solver.references()), 1e-14)
+      .completion.motions[1]
+      .velocity.real();
+}
+
+Measure relative_errors(const Drive& drive, int n_nodes) {
+  return [=](Size) {
+    std::vector<Measurement> points;
+    for (const double gap : {1e-2, 2e-2, 5e-2, 1e-1}) {
+      const double exact = drive.exact(gap);
+      points.push_back(
+          {.x = gap, .error = std::abs(speed(drive, gap, 1e-8, n_nodes) / exact - 1.0)});
+    }
+    return points;
+  };
+}
+
+Measure speeds(const Drive& drive, int n_nodes) {
+  return [=](Size size) {
+    std::vector<double> gaps{1e-3, 3e-3, 1e-2, 1e-1};
+    if (size == Size::full) gaps.insert(gaps.begin(), {1e-4, 3e-4});
+    std::vector<Measurement> points;
+    for (const double gap : gaps) {
+      points.push_back({.x = gap, .error = speed(drive, gap, 1e-3, n_nodes)});
+    }
+    return points;
+  };
+}
+
+Line closed_form(const std::string& key, const std::string& id, const std::string& label,
+                 const Drive& drive) {
+  return {.key = key,
+          .label = label,
+          .measure = relative_errors(drive, stokesbook::automatic_nodes),
+          .claim = Claim{.id = id,
+                         .statement = "With automatic nodes the pair's speed is right to 1e-8 of "
+                                      "itself, however small it is.",
+                         .law = Identity{1e-8},
+                         .window = {},
+                         .reason = "the tolerance asked for is 1e-8 of the closed form",
+                         .api = {"stokesbook::SuspensionSolver"}},
+          .control = Control{"48 nodes a circle", relative_errors(drive, 48)}};
+}
+
+Line law(const std::string& key, const std::string& id, const std::string& label,
+         const Drive& drive) {
+  return {.key = key,
+          .label = label,
+          .measure = speeds(drive, stokesbook::automatic_nodes),
+          .claim = Claim{.id = id,
+                         .statement = "The pair's speed falls like the gap to the power 3/2.",
+                         .law = Algebraic{-1.5, 0.03},
+                         .window = {.from = 0.0, .to = 0.02, .floor = 0.0},
+                         .reason = "lubrication between circles; the closed forms' next term is of "
+                                   "relative size g",
+                         .api = {"stokesbook::SuspensionSolver"}},
+          .control = Control{"32 nodes a circle", speeds(drive, 32)}};
+}
+
+}  // namespace
+
+Experiment pair_speeds() {
+  return {.key = "pairs",
+          .title = "Two circles, against closed forms",
+          .x = "gap g",
+          .error = "relative error of the speed along the line of centres",
+          .lines = {closed_form("extension", "12_4", "in extension", extension),
+                    closed_form("pull", "12_5", "pulled apart", pull)}};
+}
+
+Experiment lubrication() {
+  return {.key = "lubrication",
+          .title = "The law of lubrication",
+          .x = "gap g",
+          .error = "speed along the line of centres",
+          .lines = {law("extension", "12_6", "in extension", extension),
+                    law("pull", "12_7", "pulled apart", pull)}};
+}
+
+}  // namespace stokesbook::verification::suspension

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <random>
+
+#include "suspension/error_estimate.hpp"
+#include "suspension/node_choice.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook::verification::suspension {
+
+/// A number between two bounds, the same on every machine.
+double uniform(std::mt19937_64& random, double low, double high);
+
+/// Two to five circles, ellipses up to 6:1 and stars at gaps from 1e-3 to 1, in shear or extension
+/// or in a container; free, loaded or held. Asks for solutions as good as rounding allows, with 16
+/// nodes a component.
+Scene random_scene(std::mt19937_64& random);
+
+/// A solution of a scene's start at given nodes.
+struct Solved {
+  DiscreteProblem discrete;
+  GmresResult gmres;
+  ComplexVector density;
+  Completion completion;
+  double scale;  ///< largest velocity in the data
+};
+
+/// Solves the start at given nodes, whatever its error.
+Solved solved_at(const SuspensionSolver& solver, const Resolutions& resolutions,
+                 double gmres_tolerance);
+
+/// Gives components so many times their nodes.
+Resolutions times(double factor, Resolutions resolutions);
+
+/// Error of a solution, relative to its scale, against one at other nodes.
+double error(const Solved& solved, const Completion& reference);
+
+}  // namespace stokesbook::verification::suspension
