@@ -92,22 +92,23 @@ class MapFromCluster {
     return density;
   }
 
-  // Solves for tau, by Newton's method in v, tau = width sinh v, between bounds: in v the map is
-  // nearly linear about the cluster.
+  // Solves for tau = width sinh v, by Newton's method in v: there the map is nearly linear about
+  // the cluster. Where steps leave the bounds or do not shrink, they halve what is between these.
   double inverse(double value) const {
     const double width = grading_.clusters[origin_].width;
     double high = std::asinh(period / width), low = -high;
     double v = std::clamp(value / grading_.strength, low, high);
-    for (int iteration = 0; iteration < 200; ++iteration) {
+    double step = high - low;
+    // What is left after a step is about its square.
+    while (std::abs(step) > 1e-9) {
       const double tau = width * std::sinh(v);
       const double excess = (*this)(tau)-value;
       (excess > 0.0 ? high : low) = v;
-      double next = v - excess / (density(tau).value * width * std::cosh(v));
-      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-      const double step = std::abs(next - v);
-      v = next;
-      // What is left after a step is its square.
-      if (step < 1e-9) break;
+      const double newton = -excess / (density(tau).value * width * std::cosh(v));
+      const bool good =
+          v + newton >= low && v + newton <= high && 2.0 * std::abs(newton) < std::abs(step);
+      step = good ? newton : 0.5 * (low + high) - v;
+      v += step;
     }
     return width * std::sinh(v);
   }
