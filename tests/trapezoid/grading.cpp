@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_cluster_at_zero_keeps_the_digits_of_small_parameters) {
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) {
-  // Central differences of order 2 over nodes that a multiple of N / 2 steps makes: N and 2 N.
+  // Central differences of order 2.
   for (const Grading& grading : gradings) {
     const Index n = 20000;
     const std::vector<GradedParameter> nodes = graded_parameters(grading, n);

@@ -28,6 +28,9 @@ study::Experiment gaps();
 study::Experiment streams();
 study::Experiment pair_units();
 study::Experiment forms_at_work();
+study::Experiment graded_pairs();
+study::Experiment graded_tolerances();
+study::Experiment lubrication();
 /// @}
 
 /// Points from a to b, equidistant in their logarithm.

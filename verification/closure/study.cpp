@@ -12,7 +12,8 @@ study::Study closure_study() {
           .experiments = {loaded_ellipses(), sheared_ellipses(), closure_values(), symmetry(),
                           spectrum(), condition_and_size(), condition_and_nodes(),
                           condition_and_viscosity(), degenerate_scale(), near_degenerate_scale(),
-                          units(), gaps(), streams(), pair_units(), forms_at_work()}};
+                          units(), gaps(), streams(), pair_units(), forms_at_work(), graded_pairs(),
+                          graded_tolerances(), lubrication()}};
 }
 
 }  // namespace stokesbook
