@@ -1,11 +1,11 @@
 // Two circles that nearly touch: nodes that crowd at the gap, and the double layer between the
 // circles by the Cauchy scheme, so that the density alone is left to be resolved.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
+#include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 #include "near_singular/cauchy.hpp"
 #include "support/closed_forms.hpp"
@@ -21,23 +21,11 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// The double layer of a curve at targets, by the Cauchy scheme, as a matrix for interleaved
-/// densities.
-MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets) {
-  const Index n = curve.size();
-  MatrixXcd units = MatrixXcd::Zero(n, 2 * n);
-  for (Index j = 0; j < n; ++j) units.row(j).segment(2 * j, 2) << 1.0, imaginary;
-  const CauchyCurve cauchy(curve);
-  const CauchyData data = cauchy.data(units);
-  MatrixXd block(2 * targets.size(), 2 * n);
-  for (Index i = 0; i < targets.size(); ++i) {
-    for (Index column = 0; column < 2 * n; ++column) {
-      const Complex velocity = cauchy.velocity(data, column, targets[i]);
-      block.col(column).segment(2 * i, 2) << velocity.real(), velocity.imag();
-    }
-  }
-  return block;
-}
+/// From where coordinates are counted in the double layer of one circle on the other.
+enum class Origin {
+  centre,  ///< of the circle, as for a body with many neighbours
+  gap      ///< the circle's point at the gap: differences of near coordinates keep their digits
+};
 
 /// How one of two circles moves along their line of centres, away from the other.
 struct Speeds {
@@ -74,17 +62,70 @@ struct NearlyTouching {
   }
 };
 
-Speeds computed(const NearlyTouching& circles, double nodes, const Grading& grading) {
-  StokesProblem pair = circles.problem(count(nodes), grading);
-  const auto form = ClosureForm::scaled_bordered;
-  DenseSystem system = assemble(pair, form);
-  const Index n = 2 * count(nodes);
-  const auto &one = pair.components[0].curve, &other = pair.components[1].curve;
-  system.matrix.block(0, n, n, n) = cauchy_block(other, one.x);
-  system.matrix.block(n, 0, n, n) = cauchy_block(one, other.x);
+/// The double layer of a curve at targets, by the Cauchy scheme, as a matrix for interleaved
+/// densities; curve and targets in a frame that is turned against densities and velocities.
+MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex turn) {
+  const Index n = curve.size();
+  MatrixXcd units = MatrixXcd::Zero(n, 2 * n);
+  for (Index j = 0; j < n; ++j) units.row(j).segment(2 * j, 2) << 1.0, imaginary;
+  const CauchyCurve cauchy(curve);
+  const CauchyData data = cauchy.data(units / turn);
+  MatrixXd block(2 * targets.size(), 2 * n);
+  for (Index i = 0; i < targets.size(); ++i) {
+    for (Index column = 0; column < 2 * n; ++column) {
+      const Complex velocity = turn * cauchy.velocity(data, column, targets[i]);
+      block.col(column).segment(2 * i, 2) << velocity.real(), velocity.imag();
+    }
+  }
+  return block;
+}
+
+/// Of either circle on the other: half a turn exchanges them.
+///
+/// In a frame turned at random: one with the gap on an axis would flatter, as coordinates along the
+/// curve keep all their digits there.
+MatrixXd block_between(const NearlyTouching& circles, Index n, const Grading& grading,
+                       Origin origin) {
+  constexpr double turn = 0.7;
+  Curve circle = sample(Circle{1.0}, n, Side::fluid_outside, grading);
+  double distance = 2.0 + circles.gap;
+  if (origin == Origin::gap) {
+    // e^{it} - 1
+    const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
+    for (Index j = 0; j < n; ++j) {
+      const double half = 0.5 * nodes[static_cast<std::size_t>(j)].t;
+      circle.x[j] = 2.0 * imaginary * std::sin(half) * std::polar(1.0, half);
+    }
+    distance = circles.gap;
+  }
+  const ComplexVector other = std::polar(1.0, turn) * (distance - circle.x.array()).matrix();
+  return cauchy_block(place(circle, 0.0, turn), other, circles.along / std::polar(1.0, turn));
+}
+
+/// (-1/2 + D)(I - P) - P
+MatrixXd reduced_matrix(const NearlyTouching& circles, const StokesProblem& pair,
+                        const Grading& grading, Origin origin) {
+  const Index nodes = pair.components[0].curve.size(), n = 2 * nodes;
+  MatrixXd layer = -0.5 * MatrixXd::Identity(2 * n, 2 * n);
+  const MatrixXd between = block_between(circles, nodes, grading, origin);
+  for (const Index k : {0, 1}) {
+    layer.block(k * n, k * n, n, n) +=
+        double_layer_matrix(pair.components[static_cast<std::size_t>(k)].curve);
+    layer.block(k * n, (1 - k) * n, n, n) = between;
+  }
+  const MatrixXd projection = projection_matrix(pair);
+  return layer - layer * projection - projection;
+}
+
+Speeds computed(const NearlyTouching& circles, double nodes, const Grading& grading,
+                Origin origin = Origin::centre) {
+  const StokesProblem pair = circles.problem(count(nodes), grading);
+  const MatrixXd matrix = reduced_matrix(circles, pair, grading, origin);
   const auto speed = [&](const StokesProblem& problem) {
-    const Eigen::VectorXd density = solve(system.matrix, assemble(problem, form).rhs);
-    return dot(complete_dense(problem, form, density).motions[0].velocity, circles.along);
+    const Closure closure(problem);
+    const ComplexVector rhs = closure.right_hand_side();
+    const Eigen::VectorXd density = solve(matrix, interleaved(rhs));
+    return dot(closure.complete(deinterleaved(density)).motions[0].velocity, circles.along);
   };
   StokesProblem in_extension = pair, pulled = pair;
   in_extension.background = circles.along * circles.along * all_nodes(pair).conjugate();
@@ -93,16 +134,16 @@ Speeds computed(const NearlyTouching& circles, double nodes, const Grading& grad
   return {speed(in_extension), speed(pulled)};
 }
 
-/// The larger of the speeds' errors, each over its exact speed.
-double relative_error(const NearlyTouching& circles, double nodes, const Grading& grading) {
-  const Speeds exact = circles.exact(), got = computed(circles, nodes, grading);
+/// The larger of two errors, of the speeds over exact ones.
+double relative_error(const NearlyTouching& circles, const Speeds& got) {
+  const Speeds exact = circles.exact();
   return std::max(std::abs(got.in_extension / exact.in_extension - 1.0),
                   std::abs(got.of_pull / exact.of_pull - 1.0));
 }
 
-/// The larger of the speeds' errors, over the scales of all velocities.
-double scaled_error(const NearlyTouching& circles, double nodes, const Grading& grading) {
-  const Speeds exact = circles.exact(), got = computed(circles, nodes, grading);
+/// The larger of two errors, of the speeds over the scales of all velocities.
+double scaled_error(const NearlyTouching& circles, const Speeds& got) {
+  const Speeds exact = circles.exact();
   return std::max(std::abs(got.in_extension - exact.in_extension),
                   std::abs(got.of_pull - exact.of_pull));
 }
@@ -118,7 +159,8 @@ Line convergence(const std::string& key, const std::string& label, double gap, b
   const NearlyTouching circles{gap};
   const Grading grading = graded ? circles.grading() : Grading{};
   return {.key = key, .label = label, .measure = at(nodes, [=](double n) {
-                                        return relative_error(circles, n, grading);
+                                        return relative_error(circles,
+                                                              computed(circles, n, grading));
                                       })};
 }
 
@@ -128,7 +170,8 @@ Line tolerance_line(const std::string& key, const std::string& id, double gap,
   const double depth = circles.depth(), rate = circles.rate();
   const auto error = [=](const Grading& grading) {
     return [=](double tolerance) {
-      return scaled_error(circles, nodes_for(tolerance, depth, rate), grading);
+      const double nodes = nodes_for(tolerance, depth, rate);
+      return scaled_error(circles, computed(circles, nodes, grading));
     };
   };
   const std::vector<double> tolerances = log_points(1e-12, 1e-4, 9);
@@ -145,10 +188,9 @@ Line tolerance_line(const std::string& key, const std::string& id, double gap,
           .control = Control{"as many equidistant nodes", at(tolerances, error({}))}};
 }
 
-constexpr double enough_nodes = 96.0;
+using Number = std::function<double(const NearlyTouching&, const Grading&)>;
 
-Measure over_gaps(const std::function<double(const NearlyTouching&, const Grading&)>& number,
-                  bool graded) {
+Measure over_gaps(const Number& number, bool graded = true) {
   return at(log_points(1e-8, 1e-2, 13), [=](double gap) {
     const NearlyTouching circles{gap};
     return number(circles, graded ? circles.grading() : Grading{});
@@ -156,11 +198,25 @@ Measure over_gaps(const std::function<double(const NearlyTouching&, const Gradin
 }
 
 double speed_of_pull(const NearlyTouching& circles, const Grading& grading) {
-  return computed(circles, enough_nodes, grading).of_pull;
+  return computed(circles, 96.0, grading).of_pull;
 }
 
-double error_at_enough_nodes(const NearlyTouching& circles, const Grading& grading) {
-  return relative_error(circles, enough_nodes, grading);
+/// The geometric mean of some, as rounding errors vary.
+Number rounding_error(Origin origin) {
+  return [origin](const NearlyTouching& circles, const Grading& grading) {
+    const std::vector<double> counts = node_counts(72, 92, 6);
+    double logarithms = 0.0;
+    for (const double nodes : counts) {
+      const Speeds got = computed(circles, nodes, grading, origin);
+      logarithms += std::log(relative_error(circles, got));
+    }
+    return std::exp(logarithms / static_cast<double>(counts.size()));
+  };
+}
+
+double condition(const NearlyTouching& circles, const Grading& grading) {
+  const StokesProblem pair = circles.problem(64, grading);
+  return mean_square_condition(reduced_matrix(circles, pair, grading, Origin::centre), pair);
 }
 
 }  // namespace
@@ -190,34 +246,73 @@ Experiment graded_tolerances() {
 }
 
 Experiment lubrication() {
+  return {.key = "lubrication",
+          .title = "Two circles pulled apart, over six decades of their gap",
+          .x = "gap over radius g",
+          .error = "speed over force / (4 pi mu)",
+          .lines = {
+              {.key = "speed",
+               .label = "96 crowding nodes",
+               .measure = over_gaps(speed_of_pull),
+               .claim = Claim{.id = "03_41",
+                              .statement = "Circles pulled apart move at speeds that fall as "
+                                           "the power 3/2 of their gap.",
+                              .law = Algebraic{-1.5, 0.01},
+                              .reason = "a - tanh(2 a) / 2 = (4 / 3) a^3 with a^2 = g: "
+                                        "lubrication",
+                              .api = {"stokesbook::sample", "stokesbook::Grading"}},
+               .control = Control{"as many equidistant nodes", over_gaps(speed_of_pull, false)}}}};
+}
+
+Experiment nearly_touching_condition() {
   return {
-      .key = "lubrication",
-      .title = "Two circles of 96 crowding nodes over six decades of their gap",
+      .key = "touching_condition",
+      .title = "Condition of two circles that nearly touch",
       .x = "gap over radius g",
-      .error = "speed of the pull, and relative error of the speeds",
-      .lines = {{.key = "speed",
-                 .label = "speed over force / (4 pi mu)",
-                 .measure = over_gaps(speed_of_pull, true),
-                 .claim = Claim{.id = "03_41",
-                                .statement = "Circles pulled apart move at speeds that fall as "
-                                             "the power 3/2 of their gap.",
-                                .law = Algebraic{-1.5, 0.01},
-                                .reason = "a - tanh(2 a) / 2 = (4 / 3) a^3 with a^2 = g: "
-                                          "lubrication",
-                                .api = {"stokesbook::sample", "stokesbook::Grading"}},
-                 .control = Control{"as many equidistant nodes", over_gaps(speed_of_pull, false)}},
-                {.key = "error",
-                 .label = "relative error",
-                 .measure = over_gaps(error_at_enough_nodes, true),
+      .error = "condition number between mean squares",
+      .lines = {{.key = "graded",
+                 .label = "64 crowding nodes",
+                 .measure = over_gaps(condition),
                  .claim = Claim{.id = "03_42",
-                                .statement = "What is left is rounding, which grows as the "
-                                             "inverse square of the gap.",
-                                .law = Algebraic{2.0, 0.3},
-                                .reason = "the condition number grows as g^(-1/2), the speed "
-                                          "falls as g^(3/2)",
-                                .api = {"stokesbook::Grading"}},
-                 .control = Control{"as many equidistant nodes",
-                                    over_gaps(error_at_enough_nodes, false)}}}};
+                                .statement = "The condition number of two circles grows as the "
+                                             "power -3/2 of their gap.",
+                                .law = Algebraic{1.5, 0.05},
+                                .reason = "its least singular value is the mobility of a pull",
+                                .api = {"stokesbook::Closure"}},
+                 .control = Control{"as many equidistant nodes", over_gaps(condition, false)}}}};
+}
+
+Experiment nearly_touching_rounding() {
+  const Measure from_centre = over_gaps(rounding_error(Origin::centre)),
+                from_gap = over_gaps(rounding_error(Origin::gap));
+  const Window narrow{.to = 1.1e-4};
+  return {.key = "touching_rounding",
+          .title = "What rounding leaves of the speeds of two circles that nearly touch",
+          .x = "gap over radius g",
+          .error = "relative error of the speeds, geometric mean over 72 to 92 nodes",
+          .lines = {{.key = "centre",
+                     .label = "coordinates from the centre",
+                     .measure = from_centre,
+                     .claim = Claim{.id = "03_43",
+                                    .statement = "With nodes enough, what is left is rounding: it "
+                                                 "grows as the inverse square of a narrow gap.",
+                                    .law = Algebraic{2.0, 0.25},
+                                    .window = narrow,
+                                    .reason = "the condition number's g^(-3/2) times rounding of "
+                                              "coordinates over the distance g^(1/2) of the nodes",
+                                    .api = {"stokesbook::CauchyCurve"}},
+                     .control = Control{"coordinates from the gap", from_gap}},
+                    {.key = "gap",
+                     .label = "coordinates from the gap",
+                     .measure = from_gap,
+                     .claim = Claim{.id = "03_44",
+                                    .statement = "Coordinates counted from the gap leave the "
+                                                 "condition number alone.",
+                                    .law = Algebraic{1.5, 0.25},
+                                    .window = narrow,
+                                    .reason = "differences of near coordinates keep their digits",
+                                    .api = {"stokesbook::CauchyCurve"}},
+                     .control = Control{"coordinates from the centre", from_centre}}}};
 }
 
 }  // namespace stokesbook::verification::closure
