@@ -49,7 +49,8 @@ struct GradedParameter {
 /// @return          t(s_j) at \f$ s_j = 2\pi j/n \f$; t(0) = 0
 /// @throws std::invalid_argument when a width or the strength is not positive, or a number is not
 ///                  finite
-/// @par Accuracy    rounding; near a cluster t - t_c errs by rounding of its width, not of t_c
+/// @par Accuracy    rounding; near a cluster t - t_c errs by rounding of its width, not of t_c:
+/// @ref claim_01_17
 /// @par Cost        about six evaluations of m a node, each an elliptic integral a cluster
 std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::Index n);
 
@@ -79,7 +80,7 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& gradi
 /// @param  depth      d, radians, > 0
 /// @return            rate, radians; d itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Accuracy      1e-14 relative
+/// @par Accuracy      1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
 double graded_depth(const Grading& grading, double parameter, double depth);
 
 /// @}
