@@ -167,8 +167,8 @@ double scaled_error(const NearlyTouching& circles, double nodes, const Grading& 
 
 /// Even number of nodes that meets a tolerance, at an error of 10^5 e^{-rate N}.
 ///
-/// The factor bounds what was measured at the gaps 1e-2, 1e-4 and 1e-6: 5 to 6e4, as reflections
-/// pile up in more than poles. It is held to account at other gaps.
+/// The factor is no theory: it bounds what was measured at the gaps 1e-2, 1e-4 and 1e-6, 5 to 6e4.
+/// It is held to account at other gaps.
 double nodes_for(double tolerance, double rate) {
   return 2.0 * std::ceil(0.5 * std::log(1e5 / tolerance) / rate);
 }
@@ -305,9 +305,9 @@ Experiment nearly_touching_condition() {
 Experiment nearly_touching_rounding() {
   const Number from_gap = rounding_error(Origin::gap);
   return {.key = "touching_rounding",
-          .title = "What rounding leaves of the speeds of two circles that nearly touch",
+          .title = "What rounding leaves of the speeds of two circles with 72 to 92 nodes",
           .x = "gap over radius g",
-          .error = "relative error of the speeds, geometric mean over 72 to 92 nodes",
+          .error = "relative error of the speeds, geometric mean",
           .lines = {{.key = "gap",
                      .label = "coordinates from the gap",
                      .measure = over_gaps(from_gap),
