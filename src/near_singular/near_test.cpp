@@ -1,18 +1,22 @@
 #include "near_singular/near_test.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace stokesbook {
 
-Complex preimage(const Curve& curve, Eigen::Index node, Complex target) {
+using Eigen::Index;
+
+Complex preimage(const Curve& curve, Index node, Complex target) {
   const Complex d = target - curve.x[node];
   const Complex slope = curve.dx[node];
   return 2.0 * d / (slope * (1.0 + std::sqrt(1.0 + 2.0 * curve.ddx[node] * d / (slope * slope))));
 }
 
-Eigen::Index nearest_node(const Curve& curve, Complex target) {
-  Eigen::Index nearest = 0;
+Index nearest_node(const Curve& curve, Complex target) {
+  Index nearest = 0;
   (curve.x.array() - target).abs2().minCoeff(&nearest);
   return nearest;
 }
@@ -22,14 +26,25 @@ double near_cut(double tolerance) {
 }
 
 bool is_near(const Curve& curve, Complex target, double tolerance) {
-  const Complex s = preimage(curve, nearest_node(curve, target), target);
-  return static_cast<double>(curve.size()) * std::abs(s.imag()) < near_cut(tolerance);
+  Complex sum{};
+  for (Index j = 0; j < curve.size(); j += 2) {
+    sum += curve.dx[j] / (curve.x[j] - target);
+  }
+  const Complex value = 2.0 * sum / (imaginary * static_cast<double>(curve.size()));
+  // 1 inside the curve and 0 outside; where the rule errs so much that this is in doubt, either
+  // error is at least 1/2. On a node it is no number.
+  const double error = std::min(std::abs(value), std::abs(value - 1.0));
+  return !(error < std::exp(-0.5 * near_cut(tolerance)));
 }
 
 double near_reach(const Curve& curve, double tolerance) {
   const double s =
       std::hypot(near_cut(tolerance), std::numbers::pi) / static_cast<double>(curve.size());
-  return (s * curve.dx.cwiseAbs() + 0.5 * s * s * curve.ddx.cwiseAbs()).maxCoeff();
+  const Eigen::ArrayXd speed = curve.dx.cwiseAbs();
+  // The least positive number stands for none, which the quotient would not bear.
+  const Eigen::ArrayXd growth =
+      (curve.ddx.cwiseAbs().array() / speed).max(std::numeric_limits<double>::min());
+  return (speed * (s * growth).expm1() / growth).maxCoeff();
 }
 
 }  // namespace stokesbook

@@ -38,6 +38,9 @@ double near_cut(double tolerance);
 /// Decides before any density is known whether the trapezoid rule of a curve is too coarse at a
 /// target.
 ///
+/// The rule with every second node errs by \f$ 1/|e^{-iNs/2} - 1| \f$ for the Cauchy integral of 1,
+/// whose value is known: the square of that error is \f$ e^{-N|\mathrm{Im}\,s|} \f$, for curves and
+/// gradings whose preimages no local expansion finds.
 /// @param  curve      N nodes
 /// @param  target     point of the fluid, length
 /// @param  tolerance  relative to the density, > 0
@@ -46,9 +49,11 @@ double near_cut(double tolerance);
 bool is_near(const Curve& curve, Complex target, double tolerance);
 
 /// Returns a distance from the curve beyond which no target is near:
-/// \f$ \max(|x'||s| + \frac12|x''||s|^2) \f$ with \f$ N\,\mathrm{Im}\,s = cut \f$ and
-/// \f$ N|\mathrm{Re}\,s| \le \pi \f$, as the node is the nearest.
+/// \f$ \max\frac{|x'|}{\gamma}(e^{\gamma|s|} - 1),\ \gamma = |x''/x'| \f$, with
+/// \f$ N\,\mathrm{Im}\,s = cut \f$ and \f$ N|\mathrm{Re}\,s| \le \pi \f$, as the node is the
+/// nearest.
 ///
+/// The continuation grows like that on circles, and along graded nodes about a cluster.
 /// @param  curve      N nodes
 /// @param  tolerance  as of is_near()
 /// @return            distance, length

@@ -1,10 +1,10 @@
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "trapezoid/curve.hpp"
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/parametrisation.hpp"
 
 namespace stokesbook {
 
@@ -12,77 +12,22 @@ using Eigen::Index;
 
 namespace {
 
-struct Jet {
-  Complex x, dx, ddx;
-};
-
-// The curve r(t) e^{it} from the radius and its derivatives.
-Jet polar_curve(double t, double r, double dr, double ddr) {
-  const Complex direction = std::polar(1.0, t);
-  return {r * direction, (dr + imaginary * r) * direction,
-          (ddr - r + 2.0 * imaginary * dr) * direction};
-}
-
-Jet point(const Circle& circle, double t) {
-  return polar_curve(t, circle.radius, 0.0, 0.0);
-}
-
-Jet point(const Ellipse& ellipse, double t) {
-  const Complex x{ellipse.a * std::cos(t), ellipse.b * std::sin(t)};
-  return {x, {-ellipse.a * std::sin(t), ellipse.b * std::cos(t)}, -x};
-}
-
-Jet point(const Star& star, double t) {
-  const double k = star.arms;
-  const double wave = star.radius * star.amplitude;
-  return polar_curve(t, star.radius + wave * std::cos(k * t), -wave * k * std::sin(k * t),
-                     -wave * k * k * std::cos(k * t));
-}
-
-// x = rho(t) (a cos t, b sin t) with rho = g^{-1/p}, g = cos^p t + sin^p t.
-Jet point(const Superellipse& shape, double t) {
-  const int p = shape.power;
-  const double c = std::cos(t), s = std::sin(t);
-  const double cp = std::pow(c, p - 2), sp = std::pow(s, p - 2);
-  const double g = cp * c * c + sp * s * s;
-  const double dg = p * s * c * (sp - cp);
-  const double ddg = p * ((p - 1) * (sp * c * c + cp * s * s) - g);
-  const double rho = std::pow(g, -1.0 / p);
-  const double log_slope = -dg / (p * g);
-  const double drho = rho * log_slope;
-  const double ddrho = rho * (log_slope * log_slope - (ddg * g - dg * dg) / (p * g * g));
-  const Jet unit = polar_curve(t, rho, drho, ddrho);
-  const auto scale = [&](Complex z) { return Complex{shape.a * z.real(), shape.b * z.imag()}; };
-  return {scale(unit.x), scale(unit.dx), scale(unit.ddx)};
-}
-
-template <class AnalyticShape>
-Curve sample_curve(const AnalyticShape& shape, Index n, Side side) {
+Curve sample_curve(const Shape& shape, Index n, Side side) {
+  const Parametrisation point = parametrisation(shape);
   Curve curve{ComplexVector(n), ComplexVector(n), ComplexVector(n), side};
   for (Index j = 0; j < n; ++j) {
-    const Jet jet =
-        point(shape, 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
-    curve.x[j] = jet.x;
-    curve.dx[j] = jet.dx;
-    curve.ddx[j] = jet.ddx;
+    const auto [x, dx, ddx] =
+        point(2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+    curve.x[j] = x;
+    curve.dx[j] = dx;
+    curve.ddx[j] = ddx;
   }
   return curve;
 }
 
-double shoelace_area(const ComplexVector& polygon) {
-  double twice_area = cross(polygon[polygon.size() - 1], polygon[0]);
-  for (Index j = 1; j < polygon.size(); ++j) {
-    twice_area += cross(polygon[j - 1], polygon[j]);
-  }
-  return 0.5 * twice_area;
-}
-
+// By fast transforms.
 Curve sample_curve(const NodalCurve& shape, Index n, Side side) {
-  ComplexVector points = shape.points;
-  if (shoelace_area(points) < 0.0) {
-    points.reverseInPlace();
-  }
-  const ComplexVector x = resample(points, n);
+  const ComplexVector x = resample(counter_clockwise(shape), n);
   const ComplexVector dx = differentiate(x);
   return {x, dx, differentiate(dx), side};
 }

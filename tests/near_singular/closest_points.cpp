@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "near_singular/placed.hpp"
+#include "trapezoid/grading.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -154,5 +155,26 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_of_both_and_a_change_of_unit) {
   BOOST_TEST(reference > 0.05);
   for (double scale : {1e-3, 1.0, 1e3}) {
     BOOST_TEST(std::abs(gap(scale, {3.0, -4.0}, 2.0) - reference) < 1e-14);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(graded_circles_have_their_gap_to_rounding) {
+  // Nodes that crowd at the gap, at a place near it, and on the far side.
+  for (double gap : {1e-1, 1e-4, 1e-8}) {
+    const double width = std::sqrt(gap);
+    for (double place : {0.0, 0.4 * width, 2.0}) {
+      const auto circle = [&](Complex position, double orientation) {
+        const Curve reference = sample(Circle{1.0}, 96, Side::fluid_outside, {{{place, width}}});
+        return SmoothCurve{stokesbook::place(reference, position, orientation),
+                           std::make_shared<TrigonometricPolynomial>(reference.x), position,
+                           orientation};
+      };
+      const Complex along = std::polar(1.0, 0.35);
+      const SmoothCurve a = circle(0.0, 0.35);
+      const SmoothCurve b = circle((2.0 + gap) * along, 0.35 + std::numbers::pi);
+      const ClosestPoints closest = closest_points(a, b);
+      BOOST_TEST(std::abs(closest.gap - gap) < 5e-15);
+      check_consistency(a, b, closest);
+    }
   }
 }

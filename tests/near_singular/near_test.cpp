@@ -10,9 +10,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/stresslet_sum.hpp"
+#include "near_singular/cauchy.hpp"
 #include "support/dirichlet.hpp"
 #include "support/exact_flows.hpp"
 #include "support/vectors.hpp"
+#include "trapezoid/grading.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -34,11 +36,11 @@ const std::vector<Case> cases = {
     {Ellipse{1.5, 0.3}, Side::fluid_outside, 400}, {Star{1.0, 0.2, 5}, Side::fluid_outside, 400},
     {Circle{1.0}, Side::fluid_inside, 96},         {Star{1.0, 0.2, 5}, Side::fluid_inside, 400}};
 
-// Targets in the fluid at up to seven node spacings from random points of the curve.
+// Targets in the fluid at up to eight node spacings from random points of the curve.
 ComplexVector random_targets(const Case& c, Index count) {
   std::mt19937 generator(2);
   std::uniform_int_distribution<Index> anywhere(0, 9999);
-  std::uniform_real_distribution<double> spacings(0.0, 7.0);
+  std::uniform_real_distribution<double> spacings(0.0, 8.0);
   const Curve points = sample(c.shape, 10000, c.side);
   const ComplexVector normal = normals(points);
   const double step = 2.0 * std::numbers::pi / static_cast<double>(c.n);
@@ -147,4 +149,41 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_circle_is_tight) {
   const double reach = near_reach(circle, 1e-6);
   BOOST_TEST(is_near(circle, 2.0 + 0.95 * reach, 1e-6));
   BOOST_TEST(!is_near(circle, 2.0 + reach, 1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(graded_nodes_that_are_far_are_accurate_too) {
+  // Distances from the curve on all scales down to the cluster's width, where the map from
+  // parameters to nodes is anything but linear.
+  const double width = 1e-3, parameter = 0.3;
+  const Grading grading{{{parameter, width}}};
+  for (Side side : {Side::fluid_outside, Side::fluid_inside}) {
+    const Curve curve = sample(Circle{1.0}, 128, side, grading);
+    const CauchyCurve cauchy(curve);
+    ComplexVector density = curve.x;
+    const Complex centre = std::polar(1.0, parameter);
+    for (Index j = 0; j < curve.size(); ++j) {
+      density[j] = Complex{1.0, 0.5} / (1.0 + std::norm((curve.x[j] - centre) / (3.0 * width)));
+    }
+    const CauchyData data = cauchy.data(density);
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (double tolerance : {1e-6, 1e-10}) {
+      int far = 0, near = 0;
+      for (int i = 0; i < 4000; ++i) {
+        const double t = parameter + std::pow(10.0, 3.0 * uniform(generator) - 2.5);
+        const double distance = std::pow(10.0, 3.0 * uniform(generator) - 3.1);
+        const Complex target = std::polar(1.0 - curve.sign() * distance, t);
+        if (is_near(curve, target, tolerance)) {
+          ++near;
+          continue;
+        }
+        ++far;
+        const ComplexVector plain =
+            cauchy.trapezoid_velocity(density, ComplexVector::Constant(1, target));
+        BOOST_TEST(std::abs(plain[0] - cauchy.velocity(data, 0, target)) < tolerance);
+      }
+      BOOST_TEST(far > 100);
+      BOOST_TEST(near > 100);
+    }
+  }
 }

@@ -28,6 +28,11 @@ study::Experiment gaps();
 study::Experiment streams();
 study::Experiment pair_units();
 study::Experiment forms_at_work();
+study::Experiment graded_pairs();
+study::Experiment graded_tolerances();
+study::Experiment lubrication();
+study::Experiment nearly_touching_condition();
+study::Experiment nearly_touching_rounding();
 /// @}
 
 /// Points from a to b, equidistant in their logarithm.
@@ -64,12 +69,13 @@ inline Eigen::Index count(double x) {
   return static_cast<Eigen::Index>(x);
 }
 
-/// P as a matrix on the nodes of one free body, from the border of its scaled system: minus the
-/// columns of U and a omega, times the rows of their means. For a centre that is the centroid.
-inline Eigen::MatrixXd projection_matrix(const StokesProblem& body) {
-  const Eigen::MatrixXd system = assemble(body, ClosureForm::scaled_bordered).matrix;
-  const Eigen::Index n = system.rows() - 3;
-  return -system.topRightCorner(n, 3) * system.bottomLeftCorner(3, n);
+/// P as a matrix on the nodes of free bodies, from the border of their scaled system: minus the
+/// columns of U and a omega, times the rows of their means. For centres that are centroids.
+inline Eigen::MatrixXd projection_matrix(const StokesProblem& bodies) {
+  const Eigen::MatrixXd system = assemble(bodies, ClosureForm::scaled_bordered).matrix;
+  const Eigen::Index border = 3 * static_cast<Eigen::Index>(bodies.components.size());
+  const Eigen::Index n = system.rows() - border;
+  return -system.topRightCorner(n, border) * system.bottomLeftCorner(border, n);
 }
 
 /// The fluid's undisturbed velocity in the shear flow (rate y, 0).

@@ -15,6 +15,8 @@ study::Experiment pole_rates();
 study::Experiment interpolation_rates();
 study::Experiment perimeters();
 study::Experiment ellipse_spectrum();
+study::Experiment graded_poles();
+study::Experiment graded_counts();
 study::Experiment rules();
 /// @}
 

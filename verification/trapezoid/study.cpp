@@ -6,11 +6,12 @@ namespace stokesbook {
 
 study::Study trapezoid_study() {
   using namespace verification::trapezoid;
-  return {.number = "01",
-          .name = "trapezoid",
-          .title = "The trapezoid rule on closed curves",
-          .experiments = {published_table(), smoothness(), pole_rates(), interpolation_rates(),
-                          perimeters(), ellipse_spectrum(), rules()}};
+  return {
+      .number = "01",
+      .name = "trapezoid",
+      .title = "The trapezoid rule on closed curves",
+      .experiments = {published_table(), smoothness(), pole_rates(), interpolation_rates(),
+                      perimeters(), ellipse_spectrum(), graded_poles(), graded_counts(), rules()}};
 }
 
 }  // namespace stokesbook

@@ -1,0 +1,208 @@
+#include "trapezoid/grading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "trapezoid/parametrisation.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double period = 2.0 * std::numbers::pi;
+
+// Carlson's R_F, by duplication: its principal branch, for real and complex arguments.
+template <class Number>
+Number carlson_rf(Number x, Number y, Number z) {
+  for (;;) {
+    const Number mean = (x + y + z) / 3.0;
+    const Number dx = 1.0 - x / mean, dy = 1.0 - y / mean, dz = -dx - dy;
+    // The series errs by the sixth power of the differences.
+    if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) < 2e-3) {
+      const Number e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
+      return (1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0) /
+             std::sqrt(mean);
+    }
+    const Number root_x = std::sqrt(x), root_y = std::sqrt(y), root_z = std::sqrt(z);
+    const Number lambda = root_x * root_y + root_y * root_z + root_z * root_x;
+    x = 0.25 * (x + lambda);
+    y = 0.25 * (y + lambda);
+    z = 0.25 * (z + lambda);
+  }
+}
+
+// The integral of 1 / sqrt(4 sin^2(t/2) + width^2) from 0 to t, |Re t| <= pi: (2 / width) F(t/2 |
+// -4 / width^2). All terms are positive for real t, so that nothing cancels at any width.
+template <class Number>
+Number integral_in_period(Number t, double width) {
+  const Number sine = std::sin(0.5 * t), cosine = std::cos(0.5 * t), ratio = 2.0 * sine / width;
+  return ratio * carlson_rf<Number>(cosine * cosine, 1.0 + ratio * ratio, 1.0);
+}
+
+double turns(double t) {
+  return std::round(t / period);
+}
+
+double integral(double t, double width) {
+  const double k = turns(t);
+  return integral_in_period(t - period * k, width) +
+         (k == 0.0 ? 0.0 : 2.0 * k * integral_in_period(std::numbers::pi, width));
+}
+
+// Density of nodes m and its derivative.
+struct Density {
+  double value, slope;
+};
+
+// The map between t and C s, from where one of the clusters is: offsets tau = t - t_c keep their
+// digits there.
+class MapFromCluster {
+ public:
+  MapFromCluster(const Grading& grading, std::size_t c) : grading_(grading), origin_(c) {
+    for (const Cluster& cluster : grading.clusters) {
+      shifts_.push_back(parameter() - cluster.parameter);
+      constants_.push_back(integral(shifts_.back(), cluster.width));
+    }
+  }
+
+  double parameter() const { return grading_.clusters[origin_].parameter; }
+
+  // C s(t_c + tau) - C s(t_c).
+  double operator()(double tau) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < shifts_.size(); ++k) {
+      sum += integral(shifts_[k] + tau, grading_.clusters[k].width) - constants_[k];
+    }
+    return tau + grading_.strength * sum;
+  }
+
+  Density density(double tau) const {
+    Density density{1.0, 0.0};
+    for (std::size_t k = 0; k < shifts_.size(); ++k) {
+      const double t = shifts_[k] + tau;
+      const double root = std::hypot(2.0 * std::sin(0.5 * t), grading_.clusters[k].width);
+      density.value += grading_.strength / root;
+      density.slope -= grading_.strength * std::sin(t) / (root * root * root);
+    }
+    return density;
+  }
+
+  // Solves for tau = width sinh v, by Newton's method in v: there the map is nearly linear about
+  // the cluster. Where steps leave the bounds or do not shrink, they halve what is between these.
+  double inverse(double value) const {
+    const double width = grading_.clusters[origin_].width;
+    double high = std::asinh(period / width), low = -high;
+    double v = std::clamp(value / grading_.strength, low, high);
+    double step = high - low;
+    // What is left after a step is about its square.
+    while (std::abs(step) > 1e-9) {
+      const double tau = width * std::sinh(v);
+      const double excess = (*this)(tau)-value;
+      (excess > 0.0 ? high : low) = v;
+      const double newton = -excess / (density(tau).value * width * std::cosh(v));
+      const bool good =
+          v + newton >= low && v + newton <= high && 2.0 * std::abs(newton) < std::abs(step);
+      step = good ? newton : 0.5 * (low + high) - v;
+      v += step;
+    }
+    return width * std::sinh(v);
+  }
+
+ private:
+  const Grading& grading_;
+  std::size_t origin_;
+  std::vector<double> shifts_,  // t_c less the other clusters' parameters
+      constants_;               // their integrals at t_c
+};
+
+void require_valid(const Grading& grading) {
+  const auto require = [](bool valid, const std::string& what, double value) {
+    if (!valid)
+      throw std::invalid_argument("a grading's " + what + ", got " + std::to_string(value));
+  };
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  require(positive(grading.strength), "strength must be positive", grading.strength);
+  for (const Cluster& cluster : grading.clusters) {
+    require(positive(cluster.width), "widths must be positive", cluster.width);
+    require(std::isfinite(cluster.parameter), "parameters must be finite", cluster.parameter);
+  }
+}
+
+// C, the mean of m.
+double mean_density(const Grading& grading) {
+  double sum = 0.0;
+  for (const Cluster& cluster : grading.clusters) {
+    sum += integral_in_period(std::numbers::pi, cluster.width);
+  }
+  return 1.0 + grading.strength * sum / std::numbers::pi;
+}
+
+}  // namespace
+
+std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) {
+  require_valid(grading);
+  std::vector<GradedParameter> parameters;
+  if (grading.clusters.empty()) {
+    for (Index j = 0; j < n; ++j) {
+      parameters.push_back({period * static_cast<double>(j) / static_cast<double>(n), 1.0, 0.0});
+    }
+    return parameters;
+  }
+  const double mean = mean_density(grading);
+  std::vector<MapFromCluster> maps;
+  for (std::size_t c = 0; c < grading.clusters.size(); ++c) maps.emplace_back(grading, c);
+  std::vector<double> clusters_s;
+  for (const MapFromCluster& map : maps) clusters_s.push_back(-map(-map.parameter()) / mean);
+  for (Index j = 0; j < n; ++j) {
+    const double s = period * static_cast<double>(j) / static_cast<double>(n);
+    std::size_t nearest = 0;
+    double offset = period;
+    for (std::size_t c = 0; c < maps.size(); ++c) {
+      const double distance = std::remainder(s - clusters_s[c], period);
+      if (std::abs(distance) < std::abs(offset)) {
+        nearest = c;
+        offset = distance;
+      }
+    }
+    const MapFromCluster& map = maps[nearest];
+    const double tau = map.inverse(mean * offset);
+    const auto [m, slope] = map.density(tau);
+    const double dt = mean / m;
+    parameters.push_back({map.parameter() + tau, dt, -dt * dt * slope / m});
+  }
+  return parameters;
+}
+
+Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
+  require_valid(grading);
+  Curve curve = sample(shape, n, side);
+  if (grading.clusters.empty()) return curve;
+  const Parametrisation point = parametrisation(shape);
+  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
+  for (Index j = 0; j < n; ++j) {
+    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
+    const auto [x, first, second] = point(t);
+    curve.x[j] = x;
+    curve.dx[j] = first * dt;
+    curve.ddx[j] = second * (dt * dt) + first * ddt;
+  }
+  return curve;
+}
+
+double graded_depth(const Grading& grading, double parameter, double depth) {
+  require_valid(grading);
+  double sum = 0.0;
+  for (const Cluster& cluster : grading.clusters) {
+    const Complex t{std::remainder(parameter - cluster.parameter, period), depth};
+    // Right on a cut of the branch, over a cluster or opposite to it, the sign is that of a zero.
+    sum += std::abs(integral_in_period(t, cluster.width).imag());
+  }
+  return (depth + grading.strength * sum) / mean_density(grading);
+}
+
+}  // namespace stokesbook

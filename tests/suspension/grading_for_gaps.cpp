@@ -1,0 +1,202 @@
+// Nodes chosen for gaps: equidistant where that serves, few where it does not, and enough: motions
+// of bodies that nearly touch have the digits asked for.
+#include "suspension/grading_for_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+#include "double_layer/double_layer.hpp"
+#include "support/dense.hpp"
+#include "suspension/operator.hpp"
+#include "suspension/resolution.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+
+namespace {
+
+// An ellipse between two circles, which it nearly touches, in a linear flow.
+class NearlyTouching {
+ public:
+  NearlyTouching() {
+    const Curve ellipse = sample(shapes_[0], 400, Side::fluid_outside);
+    const ComplexVector normal = -normals(ellipse);
+    const auto beside = [&](Index node, double radius, double gap) {
+      return ellipse.x[node] + (radius + gap) * normal[node];
+    };
+    positions_ = {0.0, beside(37, 1.0, 1e-5), beside(170, 0.7, 1e-3)};
+  }
+
+  std::vector<GradedNodes> chosen(double tolerance) const {
+    std::vector<SmoothCurve> curves;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Curve even = sample(shapes_[k], 128, Side::fluid_outside);
+      curves.push_back({place(even, positions_[k], turns_[k]),
+                        std::make_shared<TrigonometricPolynomial>(even.x), positions_[k],
+                        turns_[k]});
+    }
+    std::vector<std::vector<GapDemand>> demands(3);
+    for (std::size_t k : {1u, 2u}) {
+      const ClosestPoints closest = closest_points(curves[0], curves[k]);
+      const DensityDecay decay = density_decay(curves[0], curves[k], closest);
+      demands[0].push_back({closest.parameter_a, decay.a});
+      demands[k].push_back({closest.parameter_b, decay.b});
+    }
+    return {nodes_for_gaps(demands[0], 96, tolerance), nodes_for_gaps(demands[1], 32, tolerance),
+            nodes_for_gaps(demands[2], 32, tolerance)};
+  }
+
+  std::vector<RigidMotion> motions(const std::vector<GradedNodes>& nodes) const {
+    StokesProblem problem;
+    std::vector<PlacedCauchyCurve> placed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Curve own = sample(shapes_[k], nodes[k].n_nodes, Side::fluid_outside, nodes[k].grading);
+      placed.push_back({std::make_shared<CauchyCurve>(own), positions_[k], turns_[k]});
+      Component body;
+      body.curve = place(own, positions_[k], turns_[k]);
+      body.centre = positions_[k];
+      problem.components.push_back(body);
+    }
+    problem.background.resize(node_offsets(problem).back());
+    Index i = 0;
+    for (const Component& body : problem.components) {
+      for (const Complex& x : body.curve.x) {
+        problem.background[i++] = x.imag() + Complex{0.3, -0.4} * std::conj(x);
+      }
+    }
+    Plan plan;
+    plan.near_tolerance = 1e-13;
+    const SuspensionOperator system(problem, placed, plan);
+    const ComplexVector rhs = system.closure().right_hand_side();
+    // GMRES would need as many iterations as these gaps have scales: hundreds.
+    Eigen::MatrixXd matrix(2 * rhs.size(), 2 * rhs.size());
+    for (Index column = 0; column < matrix.cols(); ++column) {
+      ComplexVector unit = ComplexVector::Zero(rhs.size());
+      unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
+      const ComplexVector velocity = system(unit);
+      matrix.col(column) = interleaved(velocity);
+    }
+    const Eigen::VectorXd density = test::solve(matrix, interleaved(rhs));
+    return system.closure().complete(deinterleaved(density)).motions;
+  }
+
+ private:
+  std::vector<Shape> shapes_{Ellipse{2.0, 1.0}, Circle{1.0}, Circle{0.7}};
+  std::vector<Complex> positions_;
+  std::vector<double> turns_{0.0, 1.1, -2.0};
+};
+
+double difference(const std::vector<RigidMotion>& a, const std::vector<RigidMotion>& b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max(
+        {largest, std::abs(a[k].velocity - b[k].velocity), std::abs(a[k].omega - b[k].omega)});
+  }
+  return largest;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
+  for (double tolerance : {1e-4, 1e-10}) {
+    for (const std::vector<GapDemand>& gaps :
+         {std::vector<GapDemand>{}, {{0.3, 2.0}}, {{0.3, infinite}, {1.0, 1.5}}}) {
+      const GradedNodes nodes = nodes_for_gaps(gaps, 64, tolerance);
+      BOOST_TEST(nodes.n_nodes == 64);
+      BOOST_TEST(nodes.grading.clusters.empty());
+    }
+    // What does not pay is answered by more equidistant nodes.
+    const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
+    const GradedNodes more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
+    BOOST_TEST(more.grading.clusters.empty());
+    BOOST_TEST(more.n_nodes == std::max(64, recommended_nodes(depth, tolerance)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(counts_grow_as_the_logarithm_of_the_depth) {
+  int last = 0;
+  for (double depth : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    const GradedNodes nodes = nodes_for_gaps({{0.3, depth}}, 32, 1e-8);
+    BOOST_TEST(nodes.grading.clusters.size() == 1u);
+    BOOST_TEST(nodes.n_nodes % 16 == 0);
+    BOOST_TEST(nodes.n_nodes >= last);
+    BOOST_TEST(nodes.n_nodes <= (last == 0 ? 128 : last + 32));
+    last = nodes.n_nodes;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
+  const std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {4.0, 0.2}, {5.0, infinite}};
+  const double tolerance = 1e-9;
+  const GradedNodes nodes = nodes_for_gaps(gaps, 96, tolerance);
+  const double needed = std::log(1e5 / tolerance);
+  BOOST_REQUIRE(!nodes.grading.clusters.empty());
+  for (const auto& [parameter, depth] : gaps) {
+    if (std::isinf(depth)) continue;
+    BOOST_TEST(nodes.n_nodes * graded_depth(nodes.grading, parameter, depth) >= needed);
+  }
+  for (int k = 0; k < 16; ++k) {
+    const double everywhere = graded_depth(nodes.grading, 0.4 * k, needed / 96.0);
+    BOOST_TEST(nodes.n_nodes * everywhere > 0.999 * needed);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
+  const GapDemand narrow{1.0, 1e-4}, beside{1.05, 0.1}, apart{1.2, 0.1}, far{4.0, 1e-3};
+  const auto places = [](const std::vector<GapDemand>& gaps) {
+    std::vector<double> parameters;
+    for (const Cluster& cluster : nodes_for_gaps(gaps, 32, 1e-8).grading.clusters) {
+      parameters.push_back(cluster.parameter);
+    }
+    return parameters;
+  };
+  BOOST_TEST(places({beside, narrow}) == std::vector<double>{1.0});
+  BOOST_TEST((places({apart, narrow}) == std::vector<double>{1.0, 1.2}));
+  BOOST_TEST((places({far, beside, narrow}) == std::vector<double>{1.0, 4.0}));
+  // The other way round the narrow gap needs its own.
+  BOOST_TEST(places({{1.0, 1e-2}, {1.0 + 5e-3, 1e-5}}) == std::vector<double>{1.0 + 5e-3});
+  // A turn more is the same place.
+  BOOST_TEST(places({narrow, {1.0 + 2.0 * std::numbers::pi, 0.1}}) == std::vector<double>{1.0});
+}
+
+BOOST_AUTO_TEST_CASE(the_order_of_gaps_does_not_matter) {
+  std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {2.005, 1e-2}, {4.0, 0.2}};
+  const GradedNodes nodes = nodes_for_gaps(gaps, 48, 1e-8);
+  std::reverse(gaps.begin(), gaps.end());
+  const GradedNodes again = nodes_for_gaps(gaps, 48, 1e-8);
+  BOOST_TEST(nodes.n_nodes == again.n_nodes);
+  BOOST_TEST((nodes.grading == again.grading));
+}
+
+BOOST_AUTO_TEST_CASE(demands_that_make_no_sense_are_refused) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double bad : {0.0, -1.0, nan}) {
+    BOOST_CHECK_THROW(nodes_for_gaps({{0.0, bad}}, 32, 1e-6), std::invalid_argument);
+    BOOST_CHECK_THROW(nodes_for_gaps({{0.0, 0.1}}, 32, bad), std::invalid_argument);
+  }
+  BOOST_CHECK_THROW(nodes_for_gaps({}, 0, 1e-6), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(motions_of_bodies_that_nearly_touch_have_the_digits_asked_for) {
+  const NearlyTouching bodies;
+  std::vector<GradedNodes> reference = bodies.chosen(1e-9);
+  for (GradedNodes& nodes : reference) nodes.n_nodes += nodes.n_nodes / 2;
+  const std::vector<RigidMotion> exact = bodies.motions(reference);
+  for (double tolerance : {1e-3, 1e-5, 1e-7}) {
+    std::vector<GradedNodes> nodes = bodies.chosen(tolerance);
+    for (const GradedNodes& chosen : nodes) {
+      BOOST_TEST(!chosen.grading.clusters.empty());
+    }
+    BOOST_TEST(difference(bodies.motions(nodes), exact) < tolerance);
+    for (GradedNodes& chosen : nodes) chosen.grading = {};
+    BOOST_TEST(difference(bodies.motions(nodes), exact) > tolerance);
+  }
+}
