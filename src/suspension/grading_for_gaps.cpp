@@ -61,7 +61,7 @@ double least_rate(const Grading& grading, const std::vector<GapDemand>& gaps, do
 
 }  // namespace
 
-GradedNodes nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance) {
+Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance) {
   require_positive(shape_nodes, "the nodes of a shape");
   require_positive(tolerance, "a tolerance");
   int even = multiple_of_16(shape_nodes);
@@ -69,7 +69,7 @@ GradedNodes nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, 
     require_positive(gap.depth, "the depth of a gap");
     even = std::max(even, recommended_nodes(gap.depth, tolerance));
   }
-  GradedNodes best{even, {}};
+  Resolution best{even, {}};
   if (even <= worthwhile * shape_nodes) return best;
   const double digits = std::log(error_factor / tolerance);
   const double shape_depth = digits / shape_nodes;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "trapezoid/grading.hpp"
+#include "suspension/reference.hpp"
 
 namespace stokesbook {
 
@@ -13,12 +13,6 @@ namespace stokesbook {
 struct GapDemand {
   double parameter;  ///< of the closest point, radians
   double depth;      ///< the density's rate of decay there, from density_decay(); may be infinite
-};
-
-/// Nodes of a component, and where they crowd.
-struct GradedNodes {
-  int n_nodes = 0;  ///< multiple of 16
-  Grading grading;  ///< without clusters: equidistant
 };
 
 /// Chooses a component's nodes for its shape and its gaps.
@@ -37,7 +31,7 @@ struct GradedNodes {
 /// @ref claim_03_39, @ref claim_03_40
 /// @par Cost            256 evaluations of graded_depth() a cluster and gap
 /// @par Not for         tolerances below what rounding leaves, about 1e-16 gap^(-3/2)
-GradedNodes nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance);
+Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance);
 
 /// @}
 

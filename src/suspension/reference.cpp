@@ -12,9 +12,18 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
                 const ReferenceNeeds& needs) {
   const Side side =
       kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-  Reference reference{shape, resolution, kind, sample(shape, resolution.n_nodes, side), {}, 0.0,
-                      {},    {},         {}};
-  reference.interpolant = std::make_shared<TrigonometricPolynomial>(reference.curve.x);
+  const Curve equidistant = sample(shape, resolution.n_nodes, side);
+  const bool graded = !resolution.grading.clusters.empty();
+  Reference reference{
+      shape,
+      resolution,
+      kind,
+      graded ? sample(shape, resolution.n_nodes, side, resolution.grading) : equidistant,
+      std::make_shared<TrigonometricPolynomial>(equidistant.x),
+      0.0,
+      {},
+      {},
+      {}};
   reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
   if (needs.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
   if (needs.interpolation_tolerance) {
@@ -40,6 +49,9 @@ Resolutions resolutions_of(const References& references) {
 std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape,
                                                      const Resolution& resolution,
                                                      ComponentKind kind) {
+  if (!resolution.grading.clusters.empty()) {
+    return std::make_shared<Reference>(build(shape, resolution, kind, needs_));
+  }
   const std::lock_guard lock(mutex_);
   ++calls_;
   std::erase_if(kept_, [&](const Kept& kept) { return kept.last_call + patience_ < calls_; });

@@ -10,6 +10,7 @@
 #include "krylov/block_diagonal.hpp"
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_targets.hpp"
+#include "trapezoid/grading.hpp"
 #include "trapezoid/shape.hpp"
 
 namespace stokesbook {
@@ -19,7 +20,8 @@ namespace stokesbook {
 
 /// How finely a component is discretised.
 struct Resolution {
-  int n_nodes = 0;  ///< collocation nodes, even
+  int n_nodes = 0;    ///< collocation nodes, even
+  Grading grading{};  ///< where they crowd; without clusters: equidistant
 
   /// @return true when all members are equal
   bool operator==(const Resolution&) const = default;
@@ -30,11 +32,12 @@ using Resolutions = std::vector<Resolution>;
 
 /// What all components of one shape, resolution and kind share, in the shape's own frame.
 struct Reference {
-  Shape shape;                                                 ///< what was sampled
-  Resolution resolution;                                       ///< how finely
-  ComponentKind kind;                                          ///< sets the side of the curve
-  Curve curve;                                                 ///< nodes
-  std::shared_ptr<const TrigonometricPolynomial> interpolant;  ///< of the nodes
+  Shape shape;            ///< what was sampled
+  Resolution resolution;  ///< how finely
+  ComponentKind kind;     ///< sets the side of the curve
+  Curve curve;            ///< nodes
+  std::shared_ptr<const TrigonometricPolynomial>
+      interpolant;  ///< of the shape over its own parameter, however the nodes are graded
   double rigid_motion_residual;               ///< of the curve, by the function of this name
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
@@ -63,8 +66,8 @@ Resolutions resolutions_of(const References& references);
 /// Keeps the references that are in use, each built once.
 ///
 /// Resolutions may change from solve to solve: what has not been asked for lately is dropped, and
-/// built anew, equal to the last bit, should it be asked for again. Safe to use from several threads
-/// at once.
+/// built anew, equal to the last bit, should it be asked for again. Graded nodes belong to one
+/// configuration and are not kept. Safe to use from several threads at once.
 class ReferenceShelf {
  public:
   /// Starts with an empty shelf.

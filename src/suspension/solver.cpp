@@ -8,6 +8,7 @@
 #include "suspension/background_flow.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/error_estimate.hpp"
+#include "suspension/grading_for_gaps.hpp"
 #include "suspension/node_choice.hpp"
 #include "suspension/refusal.hpp"
 
@@ -294,17 +295,17 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
                                                 const std::vector<Gap>& gaps) const {
   Resolutions resolutions = resolutions_of(references_);
-  const auto raise = [&](std::size_t component, double decay) {
-    if (given_nodes(scene_, component) != automatic_nodes) return;
-    int& nodes = resolutions[component].n_nodes;
-    const int asked = stokesbook::recommended_nodes(decay, scene_.solver.tolerance);
-    nodes = std::max(nodes, rounded_nodes(asked));
-  };
+  std::vector<std::vector<GapDemand>> demands(resolutions.size());
   for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
     const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
-    raise(gap.a, decay.a);
-    raise(gap.b, decay.b);
+    demands[gap.a].push_back({gap.points.parameter_a, decay.a});
+    demands[gap.b].push_back({gap.points.parameter_b, decay.b});
+  }
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    if (given_nodes(scene_, k) != automatic_nodes || demands[k].empty()) continue;
+    resolutions[k] = nodes_for_gaps(demands[k], resolutions[k].n_nodes, scene_.solver.tolerance);
+    resolutions[k].n_nodes = rounded_nodes(resolutions[k].n_nodes);
   }
   return resolutions;
 }
