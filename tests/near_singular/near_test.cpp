@@ -178,9 +178,9 @@ BOOST_AUTO_TEST_CASE(graded_nodes_that_are_far_are_accurate_too) {
           continue;
         }
         ++far;
-        const ComplexVector plain =
-            cauchy.trapezoid_velocity(density, ComplexVector::Constant(1, target));
-        BOOST_TEST(std::abs(plain[0] - cauchy.velocity(data, 0, target)) < tolerance);
+        const ComplexVector at = ComplexVector::Constant(1, target);
+        const ComplexVector plain = StressletSum({curve})(at, density);
+        BOOST_TEST(largest(plain - cauchy.velocity(data, 0, at)) < tolerance);
       }
       BOOST_TEST(far > 100);
       BOOST_TEST(near > 100);

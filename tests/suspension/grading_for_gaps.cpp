@@ -33,7 +33,7 @@ class NearlyTouching {
     positions_ = {0.0, beside(37, 1.0, 1e-5), beside(170, 0.7, 1e-3)};
   }
 
-  std::vector<GradedNodes> chosen(double tolerance) const {
+  std::vector<Resolution> chosen(double tolerance) const {
     std::vector<SmoothCurve> curves;
     for (std::size_t k = 0; k < 3; ++k) {
       const Curve even = sample(shapes_[k], 128, Side::fluid_outside);
@@ -52,9 +52,9 @@ class NearlyTouching {
             nodes_for_gaps(demands[2], 32, tolerance)};
   }
 
-  std::vector<RigidMotion> motions(const std::vector<GradedNodes>& nodes) const {
+  std::vector<RigidMotion> motions(const std::vector<Resolution>& nodes) const {
     StokesProblem problem;
-    std::vector<PlacedCauchyCurve> placed;
+    std::vector<PlacedCurve> placed;
     for (std::size_t k = 0; k < 3; ++k) {
       const Curve own = sample(shapes_[k], nodes[k].n_nodes, Side::fluid_outside, nodes[k].grading);
       placed.push_back({std::make_shared<CauchyCurve>(own), positions_[k], turns_[k]});
@@ -109,13 +109,13 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
   for (double tolerance : {1e-4, 1e-10}) {
     for (const std::vector<GapDemand>& gaps :
          {std::vector<GapDemand>{}, {{0.3, 2.0}}, {{0.3, infinite}, {1.0, 1.5}}}) {
-      const GradedNodes nodes = nodes_for_gaps(gaps, 64, tolerance);
+      const Resolution nodes = nodes_for_gaps(gaps, 64, tolerance);
       BOOST_TEST(nodes.n_nodes == 64);
       BOOST_TEST(nodes.grading.clusters.empty());
     }
     // What does not pay is answered by more equidistant nodes.
     const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
-    const GradedNodes more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
+    const Resolution more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
     BOOST_TEST(more.grading.clusters.empty());
     BOOST_TEST(more.n_nodes == std::max(64, recommended_nodes(depth, tolerance)));
   }
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
 BOOST_AUTO_TEST_CASE(counts_grow_as_the_logarithm_of_the_depth) {
   int last = 0;
   for (double depth : {1e-2, 1e-3, 1e-4, 1e-5}) {
-    const GradedNodes nodes = nodes_for_gaps({{0.3, depth}}, 32, 1e-8);
+    const Resolution nodes = nodes_for_gaps({{0.3, depth}}, 32, 1e-8);
     BOOST_TEST(nodes.grading.clusters.size() == 1u);
     BOOST_TEST(nodes.n_nodes % 16 == 0);
     BOOST_TEST(nodes.n_nodes >= last);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(counts_grow_as_the_logarithm_of_the_depth) {
 BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
   const std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {4.0, 0.2}, {5.0, infinite}};
   const double tolerance = 1e-9;
-  const GradedNodes nodes = nodes_for_gaps(gaps, 96, tolerance);
+  const Resolution nodes = nodes_for_gaps(gaps, 96, tolerance);
   const double needed = std::log(1e5 / tolerance);
   BOOST_REQUIRE(!nodes.grading.clusters.empty());
   for (const auto& [parameter, depth] : gaps) {
@@ -169,9 +169,9 @@ BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
 
 BOOST_AUTO_TEST_CASE(the_order_of_gaps_does_not_matter) {
   std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {2.005, 1e-2}, {4.0, 0.2}};
-  const GradedNodes nodes = nodes_for_gaps(gaps, 48, 1e-8);
+  const Resolution nodes = nodes_for_gaps(gaps, 48, 1e-8);
   std::reverse(gaps.begin(), gaps.end());
-  const GradedNodes again = nodes_for_gaps(gaps, 48, 1e-8);
+  const Resolution again = nodes_for_gaps(gaps, 48, 1e-8);
   BOOST_TEST(nodes.n_nodes == again.n_nodes);
   BOOST_TEST((nodes.grading == again.grading));
 }
@@ -187,16 +187,16 @@ BOOST_AUTO_TEST_CASE(demands_that_make_no_sense_are_refused) {
 
 BOOST_AUTO_TEST_CASE(motions_of_bodies_that_nearly_touch_have_the_digits_asked_for) {
   const NearlyTouching bodies;
-  std::vector<GradedNodes> reference = bodies.chosen(1e-9);
-  for (GradedNodes& nodes : reference) nodes.n_nodes += nodes.n_nodes / 2;
+  std::vector<Resolution> reference = bodies.chosen(1e-9);
+  for (Resolution& nodes : reference) nodes.n_nodes += nodes.n_nodes / 2;
   const std::vector<RigidMotion> exact = bodies.motions(reference);
   for (double tolerance : {1e-3, 1e-5, 1e-7}) {
-    std::vector<GradedNodes> nodes = bodies.chosen(tolerance);
-    for (const GradedNodes& chosen : nodes) {
+    std::vector<Resolution> nodes = bodies.chosen(tolerance);
+    for (const Resolution& chosen : nodes) {
       BOOST_TEST(!chosen.grading.clusters.empty());
     }
     BOOST_TEST(difference(bodies.motions(nodes), exact) < tolerance);
-    for (GradedNodes& chosen : nodes) chosen.grading = {};
+    for (Resolution& chosen : nodes) chosen.grading = {};
     BOOST_TEST(difference(bodies.motions(nodes), exact) > tolerance);
   }
 }

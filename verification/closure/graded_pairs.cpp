@@ -76,11 +76,9 @@ MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex 
   const CauchyCurve cauchy(curve);
   const CauchyData data = cauchy.data(units / turn);
   MatrixXd block(2 * targets.size(), 2 * n);
-  for (Index i = 0; i < targets.size(); ++i) {
-    for (Index column = 0; column < 2 * n; ++column) {
-      const Complex velocity = turn * cauchy.velocity(data, column, targets[i]);
-      block.col(column).segment(2 * i, 2) << velocity.real(), velocity.imag();
-    }
+  for (Index column = 0; column < 2 * n; ++column) {
+    const ComplexVector velocity = turn * cauchy.velocity(data, column, targets);
+    block.col(column) = interleaved(velocity);
   }
   return block;
 }
