@@ -45,8 +45,8 @@ struct Field {
 
 /// A scalar of a field with its name in files.
 struct FieldScalar {
-  std::string_view name;            ///< one word
-  Eigen::VectorXd Field::* values;  ///< which member
+  std::string_view name;           ///< one word
+  Eigen::VectorXd Field::*values;  ///< which member
 };
 
 /// All scalars that a field may hold.

@@ -6,6 +6,7 @@
 #include "record/checkpoint.hpp"
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
+#include "suspension/rheology.hpp"
 #include "suspension/solver.hpp"
 #include "time_stepping/steps.hpp"
 
@@ -27,7 +28,8 @@ struct Observer {
 /// hit exactly. Where there is no earlier rate, at the start and after a reversal,
 /// Adams-Bashforth 2 takes a step by Runge-Kutta 4.
 /// @par Accuracy  order 1, 2 or 4 in time.dt, as time.method says
-/// @par Cost      one solve a step, four by Runge-Kutta 4, and one at the end
+/// @par Cost      one solve a step, four by Runge-Kutta 4, and one at the end; evaluate_field() and
+/// Rheometer a written time
 class Simulation {
  public:
   /// Takes the scene's initial configuration.
@@ -76,7 +78,8 @@ class Simulation {
   double drive_ = 1.0;
   Eigen::VectorXd state_;
   std::optional<PreviousStep> previous_;
-  StepInfo step_;  // of the step under way
+  std::optional<Rheometer> rheometer_;  // made for the first frame
+  StepInfo step_;                       // of the step under way
   RunTotals totals_;
   bool written_ = false;  // the frame of t_ is on record
 };
