@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "record/checkpoint.hpp"
 #include "record/colour_map.hpp"
 #include "record/picture_parts.hpp"
 #include "record/streamlines.hpp"
@@ -51,6 +52,29 @@ ValueRange shown_range(const Eigen::VectorXd& values) {
   std::ranges::sort(sorted);
   const std::size_t hundredth = sorted.size() / 100;
   return {sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
+}
+
+/// Gives points beside the fluid the mean of their neighbours in it, so that colours reach the curves
+/// which are drawn over them.
+Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
+  Eigen::VectorXd result = values;
+  for (Index row = 0; row < grid.rows; ++row) {
+    for (Index column = 0; column < grid.columns; ++column) {
+      if (!std::isnan(values[grid.index(column, row)])) continue;
+      double sum = 0.0, count = 0.0;
+      for (Index j = std::max<Index>(row - 1, 0); j <= std::min(row + 1, grid.rows - 1); ++j) {
+        for (Index i = std::max<Index>(column - 1, 0); i <= std::min(column + 1, grid.columns - 1);
+             ++i) {
+          const double value = values[grid.index(i, j)];
+          if (std::isnan(value)) continue;
+          sum += value;
+          count += 1.0;
+        }
+      }
+      if (count > 0.0) result[grid.index(column, row)] = sum / count;
+    }
+  }
+  return result;
 }
 
 /// Colours as lines one unit thick: a dash for all neighbours in a row that share a colour.
@@ -108,19 +132,39 @@ std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>
          svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
 }
 
+/// A curve in its place, as path data.
+std::string path_data(const Layout& layout, const Outline& outline, const auto& state) {
+  const ComplexVector points = placed(outline, state.position, state.orientation);
+  return svg::polygon(points.unaryExpr([&](Complex point) { return layout.unit(point); }));
+}
+
+/// Draws enclosing walls as lines, and all else opaque: colours reach under it.
 std::string draw_curves(const Layout& layout, const Frame& frame,
                         const std::vector<Outline>& bodies, const std::vector<Outline>& walls) {
   const auto draw = [&](const Outline& outline, const auto& state) {
-    const ComplexVector points = placed(outline, state.position, state.orientation);
-    return svg::path(
-        svg::polygon(points.unaryExpr([&](Complex point) { return layout.unit(point); })),
-        outline.encloses ? "fill=\"none\"" : "fill-opacity=\"0.25\"");
+    return svg::path(path_data(layout, outline, state),
+                     outline.encloses ? "fill=\"none\"" : "fill=\"#aab0b6\"");
   };
-  std::string text = "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"" +
-                     svg::number(1.2 / layout.scale) + "\">\n";
+  std::string text =
+      "<g stroke=\"currentColor\" stroke-width=\"" + svg::number(1.2 / layout.scale) + "\">\n";
   for (std::size_t k = 0; k < walls.size(); ++k) text += draw(walls[k], frame.walls[k]);
   for (std::size_t k = 0; k < bodies.size(); ++k) text += draw(bodies[k], frame.bodies[k]);
   return text + "</g>\n";
+}
+
+/// Cuts what is drawn off at the enclosing walls.
+std::string clipped(const Layout& layout, const Frame& frame, const std::vector<Outline>& walls,
+                    const std::string& drawing) {
+  std::string text = drawing;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!walls[k].encloses) continue;
+    const std::string data = path_data(layout, walls[k], frame.walls[k]);
+    // Pictures on one page share names, so the same name must mean the same curve.
+    const std::string name = "stokesbook-" + fingerprint(data);
+    text = "<clipPath id=\"" + name + "\"><path d=\"" + data +
+           "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + text + "</g>\n";
+  }
+  return text;
 }
 
 /// Opens a window through which squares are seen, and nothing beyond them.
@@ -160,9 +204,10 @@ std::map<std::string, std::string> draw_fields(const Frame& frame,
   const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values) {
     if (values.size() == 0) return;
     const ValueRange range = shown_range(values);
+    const std::string map = draw_map(field.grid, with_seam(field.grid, values), range);
     pictures[file_name(quantity)] =
         open_picture(drawn, frame.t, options) + open_window(layout) +
-        draw_map(field.grid, values, range) + lines + curves + "</svg>\n" +
+        clipped(layout, frame, walls, map) + lines + curves + "</svg>\n" +
         draw_bar(layout.drawn.real(), range, label_of(quantity)) + "</svg>\n";
   };
   draw(velocity_name, field.velocity.cwiseAbs());
