@@ -102,6 +102,8 @@ class Tracer {
       const std::optional<Complex> whole = direction_(x + 0.5 * sign * step * *half);
       if (!whole) break;
       const Complex next = x + sign * step * *whole;
+      // A line that turns back within a step is at a point of rest.
+      if (dot(*whole, last_direction) < 0.0) break;
       if (line.points.size() > 1) turned += std::arg(*whole * std::conj(last_direction));
       last_direction = *whole;
       // Round once, a line closes where it passes its start.
