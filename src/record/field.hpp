@@ -35,7 +35,7 @@ struct FieldGrid {
 /// Where there is no fluid, inside bodies and outside an enclosing wall, they are not a number.
 struct Field {
   FieldGrid grid;                      ///< where
-  std::vector<std::uint8_t> in_fluid;  ///< one a point: 1 in the fluid and on its boundary, else 0
+  std::vector<std::uint8_t> in_fluid;  ///< one a point: 1 in the fluid, else 0
   ComplexVector velocity;              ///< length / time
   Eigen::VectorXd pressure;            ///< force / length^2
   Eigen::VectorXd vorticity;           ///< d_1 u_2 - d_2 u_1, 1 / time

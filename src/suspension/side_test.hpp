@@ -17,7 +17,7 @@ namespace stokesbook {
 /// @param  configuration  placements of all components
 /// @param  references     of each component
 /// @param  points         m points, length
-/// @return                one a point: 1 in the fluid and on nodes of its boundary, else 0
+/// @return                one a point: 1 in the fluid, else 0
 /// @par Accuracy  the border is the boundary up to 1e-12 of a component's size, between nodes too,
 /// once shapes are resolved
 /// @par Cost      a bounding-circle test a point and component, O(N) for a point inside it
