@@ -54,24 +54,28 @@ ValueRange shown_range(const Eigen::VectorXd& values) {
   return {sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
 }
 
-/// Gives points beside the fluid the mean of their neighbours in it, so that colours reach the curves
-/// which are drawn over them.
+/// Mean of the neighbours that have a value; not a number where there are none.
+double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, Index column,
+                          Index row) {
+  double sum = 0.0, count = 0.0;
+  for (Index j = std::max<Index>(row - 1, 0); j < std::min(row + 2, grid.rows); ++j) {
+    for (Index i = std::max<Index>(column - 1, 0); i < std::min(column + 2, grid.columns); ++i) {
+      const double value = values[grid.index(i, j)];
+      if (std::isnan(value)) continue;
+      sum += value;
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+/// Gives values to the points beside the fluid, so that colours reach the curves drawn over them.
 Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
   Eigen::VectorXd result = values;
   for (Index row = 0; row < grid.rows; ++row) {
     for (Index column = 0; column < grid.columns; ++column) {
-      if (!std::isnan(values[grid.index(column, row)])) continue;
-      double sum = 0.0, count = 0.0;
-      for (Index j = std::max<Index>(row - 1, 0); j <= std::min(row + 1, grid.rows - 1); ++j) {
-        for (Index i = std::max<Index>(column - 1, 0); i <= std::min(column + 1, grid.columns - 1);
-             ++i) {
-          const double value = values[grid.index(i, j)];
-          if (std::isnan(value)) continue;
-          sum += value;
-          count += 1.0;
-        }
-      }
-      if (count > 0.0) result[grid.index(column, row)] = sum / count;
+      double& value = result[grid.index(column, row)];
+      if (std::isnan(value)) value = mean_of_neighbours(grid, values, column, row);
     }
   }
   return result;
@@ -83,8 +87,9 @@ std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values,
   constexpr int levels = 64;
   const double spread = range.high > range.low ? range.high - range.low : 1.0;
   const auto level_of = [&](double value) {
+    if (std::isnan(value)) return -1;
     const double fraction = std::clamp((value - range.low) / spread, 0.0, 1.0);
-    return std::isnan(value) ? -1 : static_cast<int>(std::lround(fraction * (levels - 1)));
+    return static_cast<int>(std::lround(fraction * (levels - 1)));
   };
   std::vector<std::string> dashes(levels);
   for (Index row = 0; row < grid.rows; ++row) {

@@ -159,7 +159,7 @@ class Records(Program):
         rheology = numpy.genfromtxt(folder / "rheology.csv", names=True, delimiter=",")
         numpy.testing.assert_array_equal(rheology["t"], numpy.unique(table["t"]))
         self.assertTrue(numpy.isnan(rheology["torque_ratio"]).all())
-        # In shear of rate 1 without loads the excess dissipation is S_12; the ellipse alone is long.
+        # In shear of rate 1 without loads the excess dissipation is S_12; only the ellipse is long.
         numpy.testing.assert_allclose(rheology["dissipation"], rheology["s12"], rtol=1e-12)
         theta = table["theta"][table["body"] == 1]
         numpy.testing.assert_allclose(rheology["order_parameter"], numpy.cos(2 * theta), atol=1e-12)
@@ -175,7 +175,8 @@ class Records(Program):
                                  "fields_pressure.svg", "fields_velocity.svg"])
         entries = re.findall(r'timestep="(.*?)" file="(.*?)"', (folder / "fields.pvd").read_text())
         self.assertEqual([name for _, name in entries], names[1:5])
-        numpy.testing.assert_allclose([float(t) for t, _ in entries], numpy.arange(4) / 10, atol=1e-15)
+        times = [float(t) for t, _ in entries]
+        numpy.testing.assert_allclose(times, numpy.arange(4) / 10, atol=1e-15)
 
     def test_fields_of_a_scene_that_ships(self):
         box = "output.fields.box=[-10.2, -10.2, 10.2, 10.2]"
