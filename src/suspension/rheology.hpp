@@ -32,8 +32,8 @@ std::optional<double> long_axis(const Curve& curve);
 /// - Dissipation, in an enclosed fluid: all of it, the power of all loads and moving walls. In an
 ///   unbounded one whose background is linear and whose forces balance: what bodies and walls add
 ///   to that of the undisturbed flow in the same plane,
-///   \f$ \sum_k [E:S_k + F_k\cdot(U_k - u_\infty(c_k)) + L_k(\omega_k - \Omega_\infty)] \f$; not
-///   defined where a wall deforms.
+///   the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
+///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined where a wall deforms.
 /// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
 /// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
 ///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear

@@ -244,8 +244,11 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
 
 SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
                                          const Solution& solution, double drive) const {
-  std::vector<PlacedCurve> curves = placed(configuration);
-  for (std::size_t k = 0; k < curves.size(); ++k) curves[k].scheme = cauchy_of(*references_[k]);
+  std::vector<PlacedCurve> curves;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const auto [position, orientation] = configuration[k];
+    curves.push_back({cauchy_of(*references_[k]), position, orientation});
+  }
   return {problem(configuration, drive), std::move(curves), solution.density, plan_.near_tolerance};
 }
 

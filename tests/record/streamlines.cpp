@@ -3,6 +3,7 @@
 #include "record/streamlines.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <boost/test/unit_test.hpp>
@@ -50,7 +51,8 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
     closed += line.closed ? 1 : 0;
     if (!line.closed) continue;
     // Once round: the ends meet, but for a step.
-    const double turns = static_cast<double>(line.points.size()) * 0.0125 / (2.0 * M_PI * radius);
+    const double turns =
+        static_cast<double>(line.points.size()) * 0.0125 / (2.0 * std::numbers::pi * radius);
     BOOST_TEST(turns > 0.93);
     BOOST_TEST(turns < 1.07);
   }
