@@ -150,7 +150,7 @@ std::vector<Streamline> streamlines(const Field& field, double separation) {
       const Complex start(static_cast<double>(column), static_cast<double>(row));
       if (!neighbours.is_free(start, cells)) continue;
       Streamline line = through(start, trace);
-      if (!line.closed && static_cast<double>(line.points.size()) < 2.0 * cells) continue;
+      if (static_cast<double>(line.points.size()) < 2.0 * cells) continue;
       neighbours.add(line.points);
       lines.push_back(std::move(line));
     }

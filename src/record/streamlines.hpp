@@ -20,7 +20,7 @@ struct Streamline {
 /// A line starts wherever a point is a separation away from all lines before, and goes both ways
 /// until it closes, comes within half a separation of another line, or leaves the grid or the
 /// fluid. Between the points of the grid velocities are bilinear; a cell with a corner outside the
-/// fluid has none. Open lines shorter than the separation are left out.
+/// fluid has none. Lines shorter than the separation are left out.
 /// @param  field       with its velocity
 /// @param  separation  of lines, > 0, length
 /// @return             lines in the direction of the flow

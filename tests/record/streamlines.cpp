@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
   int closed = 0;
   for (const Streamline& line : lines) {
     const double radius = std::abs(line.points.front());
-    BOOST_TEST(radius > 0.01);  // about a cell's half, where no line can be followed
+    BOOST_TEST(2.0 * std::numbers::pi * radius > 0.09);  // the separation, but for a step
     if (radius < 0.05) continue;
     for (const Complex point : line.points) {
       BOOST_TEST(std::abs(point) == radius, boost::test_tools::tolerance(2e-3));
