@@ -47,7 +47,8 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        {},
                        asks_for(OutputFormat::csv),
                        asks_for(OutputFormat::vtk),
-                       asks_for(OutputFormat::svg)};
+                       asks_for(OutputFormat::svg),
+                       scene.output.fields.has_value()};
   for (std::size_t k = 0; k < solver.references().size(); ++k) {
     const Curve& curve = solver.references()[k]->curve;
     auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;

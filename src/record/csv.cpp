@@ -34,6 +34,14 @@ std::string wall_rows(const Frame& frame) {
   return rows;
 }
 
+std::string rheology_row(const Frame& frame) {
+  const auto& [dissipation, torque_ratio, order_parameter, stresslet] = frame.rheology;
+  std::string row;
+  append_row(row, frame.t, dissipation, torque_ratio, order_parameter, stresslet.real(),
+             stresslet.imag());
+  return row;
+}
+
 std::string step_row(const StepInfo& step) {
   std::string row;
   append_row(row, step.t, step.dt, step.gmres_iterations, step.matvecs, step.ncp_iterations,

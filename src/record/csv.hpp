@@ -17,6 +17,9 @@ namespace stokesbook {
 inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n";
 /// Header of `walls.csv`.
 inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
+/// Header of `rheology.csv`.
+inline constexpr std::string_view rheology_header =
+    "t,dissipation,torque_ratio,order_parameter,s11,s12\n";
 /// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,error_estimate,"
@@ -34,6 +37,12 @@ std::string trajectory_rows(const Frame& frame);
 /// @param  frame  configuration at a written time
 /// @return        one line a wall, as walls_header says
 std::string wall_rows(const Frame& frame);
+
+/// Writes the rheology of a frame.
+///
+/// @param  frame  with its rheology
+/// @return        one line, as rheology_header says; `nan` for what is not defined
+std::string rheology_row(const Frame& frame);
 
 /// Writes a step.
 ///

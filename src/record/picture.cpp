@@ -6,21 +6,14 @@
 #include <stdexcept>
 
 #include "record/colour_map.hpp"
-#include "record/number_text.hpp"
+#include "record/picture_parts.hpp"
 #include "record/svg.hpp"
 
 namespace stokesbook {
 
 namespace {
 
-/// @name Layout, pixels
-/// @{
-constexpr double margin = 14.0;
-constexpr double header = 54.0;         ///< title and time, above the drawing
-constexpr double bar_column = 84.0;     ///< colour bar and its numbers, right of the drawing
-constexpr double bar_height = 150.0;    ///< also the least height of a drawing
-constexpr double longest_aspect = 1.4;  ///< height / width of a drawing that fills its column
-/// @}
+using namespace picture_parts;
 
 /// Bodies let some ground through, and the colour bar with them: arrows must show on dark colours.
 const std::string veil = "fill-opacity=\"0.85\"";
@@ -98,8 +91,7 @@ Layout lay_out(const Frame& frame, const std::vector<Outline>& bodies,
     for (const Complex tip : layout.arrow_tips) layout.box.include(tip);
   }
   const Complex size = layout.box.high - layout.box.low;
-  const double column = width - 2.0 * margin - bar_column;
-  layout.scale = std::min(column / size.real(), longest_aspect * column / size.imag());
+  layout.scale = scale_of_drawing(size, width);
   layout.drawn = layout.scale * size;
   return layout;
 }
@@ -163,27 +155,6 @@ std::string draw_arrows(const Layout& layout, const Frame& frame) {
   return svg::path(data, "fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\"");
 }
 
-/// Draws the colours of speeds, zero below, with numbers.
-std::string draw_bar(const Layout& layout) {
-  constexpr double bar_width = 12.0;
-  const double left = margin + layout.drawn.real() + 26.0;
-  std::string text =
-      "<linearGradient id=\"stokesbook-speed\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
-  for (std::size_t k = 0; k < viridis.size(); ++k) {
-    const double fraction = static_cast<double>(k) / (viridis.size() - 1);
-    text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
-            viridis_colour(fraction) + "\"/>\n";
-  }
-  text += "</linearGradient>\n<rect" + svg::attribute("x", left) + svg::attribute("y", header) +
-          svg::attribute("width", bar_width) + svg::attribute("height", bar_height) +
-          " rx=\"2\" fill=\"url(#stokesbook-speed)\" " + veil + "/>\n";
-  for (const double fraction : {0.0, 0.5, 1.0}) {
-    const Complex place(left + bar_width + 6.0, header + (1.0 - fraction) * bar_height);
-    text += svg::label(place, short_number(fraction * layout.top_speed), "dy=\"0.35em\"");
-  }
-  return text + svg::label({left, header - 14.0}, "speed |U|");
-}
-
 }  // namespace
 
 std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
@@ -193,14 +164,11 @@ std::string draw_configuration(const Frame& frame, const std::vector<Outline>& b
     throw std::invalid_argument("draw_configuration: neither bodies nor walls to draw");
   }
   const Layout layout = lay_out(frame, bodies, walls, options.width);
-  const double title_width = 9.0 * static_cast<double>(options.title.size());
-  const double width = std::max(layout.drawn.real() + bar_column,
-                                std::min(title_width, options.width - 2.0 * margin));
-  const Complex size(width + 2.0 * margin, header + layout.height() + margin);
-  const std::string bar = layout.top_speed > 0.0 ? draw_bar(layout) : "";
-  return svg::open(size, options.title) +
-         svg::label({margin, 20.0}, options.title, "font-weight=\"600\" font-size=\"15\"") +
-         svg::label({margin, 38.0}, "t = " + short_number(frame.t, 6), "fill-opacity=\"0.75\"") +
+  const std::string bar =
+      layout.top_speed > 0.0
+          ? draw_bar(layout.drawn.real(), {0.0, layout.top_speed}, "speed |U|", veil)
+          : "";
+  return open_picture({layout.drawn.real(), layout.height()}, frame.t, options) +
          draw_walls(layout, walls) + draw_bodies(layout, frame) +
          draw_ticks(layout, frame, bodies) + draw_arrows(layout, frame) + bar + "</svg>\n";
 }

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <vector>
 
+#include "record/field.hpp"
 #include "trapezoid/plane.hpp"
 
 namespace stokesbook {
@@ -27,11 +30,23 @@ struct WallLoad {
   double torque = 0.0;       ///< by the wall on the fluid, about position, counter-clockwise, force
 };
 
-/// The configuration at a written time.
+/// Properties of a suspension as a whole; not a number where the scene does not define them.
+struct Rheology {
+  static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  ///< not a number
+
+  double dissipation = undefined;           ///< power, force length / (length time)
+  double torque_ratio = undefined;          ///< of a Couette cell, with bodies over without
+  double order_parameter = undefined;       ///< 1 for long axes along the flow, -1 across it
+  Complex stresslet{undefined, undefined};  ///< S_11 + i S_12 of all that is in the fluid, force
+};
+
+/// The configuration at a written time, and what the flow does there.
 struct Frame {
   double t = 0.0;                 ///< time
   std::vector<BodyState> bodies;  ///< in the scene's order
   std::vector<WallLoad> walls;    ///< in the scene's order
+  Rheology rheology{};            ///< of the whole
+  std::optional<Field> field{};   ///< where it was asked for
 };
 
 /// What one time step did.

@@ -6,6 +6,9 @@
 
 #include "record/atomic_file.hpp"
 #include "record/csv.hpp"
+#include "record/field_picture.hpp"
+#include "record/field_vti.hpp"
+#include "record/frame_files.hpp"
 #include "record/picture.hpp"
 #include "record/record_error.hpp"
 #include "record/vtk.hpp"
@@ -19,8 +22,8 @@ namespace fs = std::filesystem;
 constexpr const char* checkpoint_name = "checkpoint";
 constexpr const char* trajectory_name = "trajectory.csv";
 constexpr const char* walls_name = "walls.csv";
+constexpr const char* rheology_name = "rheology.csv";
 constexpr const char* steps_name = "steps.csv";
-constexpr const char* collection_name = "bodies.pvd";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
 
@@ -28,14 +31,22 @@ constexpr const char* info_name = "run.json";
 std::map<std::string, std::string_view> headers(const RunContents& contents) {
   std::map<std::string, std::string_view> result{{steps_name, steps_header}};
   if (contents.csv) result[trajectory_name] = trajectory_header;
+  if (contents.csv) result[rheology_name] = rheology_header;
   if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
   return result;
 }
 
+/// Returns the number of the frame that a file is about, or nothing for other files.
+std::optional<std::size_t> frame_of(const std::string& name) {
+  const std::optional<std::size_t> frame = body_files.frame_of(name);
+  return frame ? frame : field_files.frame_of(name);
+}
+
 bool belongs_to_run(const std::string& name) {
-  constexpr std::array names{checkpoint_name, trajectory_name, walls_name, steps_name,
-                             collection_name, picture_name,    info_name};
-  return std::ranges::find(names, name) != names.end() || frame_of_vtp(name);
+  constexpr std::array names{checkpoint_name, trajectory_name, walls_name, rheology_name,
+                             steps_name,      picture_name,    info_name};
+  return std::ranges::find(names, name) != names.end() || name == body_files.collection() ||
+         name == field_files.collection() || is_field_picture(name) || frame_of(name);
 }
 
 /// Removes the files whose name is picked, with what a kill may have left of their successors.
@@ -99,11 +110,9 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
   }
   directory.frame_times_ = std::move(saved.frame_times);
   // The collection is cut first, so that it never names a missing file.
-  if (directory.contents_.vtk) {
-    directory.replace(collection_name, collection_pvd(directory.frame_times_));
-  }
+  directory.write_collections();
   remove_files(path, [&](const std::string& name) {
-    const std::optional<std::size_t> frame = frame_of_vtp(name);
+    const std::optional<std::size_t> frame = frame_of(name);
     return frame && *frame >= directory.frame_count();
   });
   return {std::move(directory), std::move(saved.checkpoint)};
@@ -111,16 +120,36 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
 
 void RunDirectory::write_frame(const Frame& frame) {
   require_outlines(frame, contents_.bodies, contents_.walls);
+  if (frame.field.has_value() != contents_.fields) {
+    throw std::invalid_argument("a frame has a field if the run writes fields, and only then");
+  }
   append(trajectory_name, trajectory_rows(frame));
   append(walls_name, wall_rows(frame));
+  append(rheology_name, rheology_row(frame));
   if (contents_.vtk) {
-    replace(vtp_name(frame_count()), configuration_vtp(frame, contents_.bodies, contents_.walls));
+    replace(body_files.name(frame_count()),
+            configuration_vtp(frame, contents_.bodies, contents_.walls));
   }
+  if (contents_.fields) replace(field_files.name(frame_count()), field_vti(*frame.field));
   frame_times_.push_back(frame.t);
-  if (contents_.vtk) replace(collection_name, collection_pvd(frame_times_));
-  if (contents_.svg) {
-    replace(picture_name, draw_configuration(frame, contents_.bodies, contents_.walls,
-                                             {.title = contents_.title}));
+  write_collections();
+  if (contents_.svg) write_pictures(frame);
+}
+
+void RunDirectory::write_collections() {
+  if (contents_.vtk) replace(body_files.collection(), body_files.collection_text(frame_times_));
+  if (contents_.fields) {
+    replace(field_files.collection(), field_files.collection_text(frame_times_));
+  }
+}
+
+void RunDirectory::write_pictures(const Frame& frame) {
+  const PictureOptions options{.title = contents_.title};
+  replace(picture_name, draw_configuration(frame, contents_.bodies, contents_.walls, options));
+  if (!contents_.fields) return;
+  for (const auto& [name, picture] :
+       draw_fields(frame, contents_.bodies, contents_.walls, options)) {
+    replace(name, picture);
   }
 }
 

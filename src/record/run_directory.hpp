@@ -23,9 +23,10 @@ struct RunContents {
   std::string scene;            ///< resolved scene text: a run resumes with the same only
   std::vector<Outline> bodies;  ///< in the order of Frame::bodies
   std::vector<Outline> walls;   ///< in the order of Frame::walls
-  bool csv = true;              ///< trajectory.csv, and walls.csv when there are walls
-  bool vtk = false;             ///< bodies.pvd and one .vtp a frame
-  bool svg = false;             ///< configuration.svg of the latest frame
+  bool csv = true;      ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
+  bool vtk = false;     ///< bodies.pvd and one .vtp a frame
+  bool svg = false;     ///< configuration.svg of the latest frame, and pictures of its fields
+  bool fields = false;  ///< fields.pvd and one .vti a frame
 };
 
 /// What happens to a run that a directory holds already.
@@ -69,7 +70,8 @@ class RunDirectory {
   /// Adds a written time to all files asked for.
   ///
   /// @param  frame  the configuration at that time
-  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents
+  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents, or a
+  ///         field although the run writes none, or none although it does
   /// @throws RecordError when the disk does not take it; what was written before stays valid
   void write_frame(const Frame& frame);
 
@@ -104,6 +106,12 @@ class RunDirectory {
 
   /// Adds rows to a table, if this run has it.
   void append(const std::string& table, std::string_view rows);
+
+  /// Brings the collections of the files of all frames up to date.
+  void write_collections();
+
+  /// Draws the latest frame.
+  void write_pictures(const Frame& frame);
 
   /// Replaces a file of a frame, safe from a power cut after the next save() only.
   void replace(const std::string& name, std::string_view text);

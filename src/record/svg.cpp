@@ -49,13 +49,17 @@ std::string line(Complex from, Complex to) {
   return 'M' + pair(from) + 'L' + pair(to);
 }
 
-std::string polygon(const ComplexVector& points) {
+std::string polyline(const ComplexVector& points) {
   std::string data;
   for (const Complex point : points) {
     data += data.empty() ? 'M' : ' ';
     data += pair(point);
   }
-  return data + 'Z';
+  return data;
+}
+
+std::string polygon(const ComplexVector& points) {
+  return polyline(points) + 'Z';
 }
 
 std::string path(const std::string& data, const std::string& style) {

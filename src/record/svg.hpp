@@ -30,6 +30,12 @@ std::string attribute(const std::string& name, double x);
 /// @return       path data
 std::string line(Complex from, Complex to);
 
+/// Draws an open line through points.
+///
+/// @param  points  in order, pixels
+/// @return         path data
+std::string polyline(const ComplexVector& points);
+
 /// Draws a closed polygon.
 ///
 /// @param  points  its corners in order, pixels

@@ -1,7 +1,6 @@
 #include "record/vtk.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "record/number_text.hpp"
 
@@ -131,32 +130,6 @@ std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bo
          "</CellData>\n<Points>\n" + points(cells) + "</Points>\n<Lines>\n" +
          topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
          "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
-}
-
-std::string vtp_name(std::size_t frame) {
-  const std::string digits = std::to_string(frame);
-  return "bodies_" + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits +
-         ".vtp";
-}
-
-std::optional<std::size_t> frame_of_vtp(const std::string& name) {
-  std::size_t frame = 0;
-  const std::size_t digits = name.find_first_of("0123456789");
-  if (digits == std::string::npos) return {};
-  std::from_chars(name.data() + digits, name.data() + name.size(), frame);
-  if (name != vtp_name(frame)) return {};
-  return frame;
-}
-
-std::string collection_pvd(std::span<const double> frame_times) {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
-  for (std::size_t k = 0; k < frame_times.size(); ++k) {
-    text += "<DataSet timestep=\"";
-    append_number(text, frame_times[k]);
-    text += "\" file=\"" + vtp_name(k) + "\"/>\n";
-  }
-  return text + "</Collection>\n</VTKFile>\n";
 }
 
 }  // namespace stokesbook

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,24 +23,6 @@ namespace stokesbook {
 /// @throws std::invalid_argument when the numbers of outlines and states differ
 std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bodies,
                               const std::vector<Outline>& walls);
-
-/// Names the file with the configuration of a frame.
-///
-/// @param  frame  its number, from 0
-/// @return        `bodies_000042.vtp`; more digits where six do not do
-std::string vtp_name(std::size_t frame);
-
-/// Reads the number of the frame from the name of its file.
-///
-/// @param  name  of any file
-/// @return       number, or nothing for other names
-std::optional<std::size_t> frame_of_vtp(const std::string& name);
-
-/// Ties the files of all frames to their times, as a ParaView collection.
-///
-/// @param  frame_times  one a frame, from the first
-/// @return              text of `bodies.pvd`
-std::string collection_pvd(std::span<const double> frame_times);
 
 /// @}
 

@@ -6,17 +6,12 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-using Box = std::array<double, 4>;
-
 constexpr Requirement<double> fraction{"a number > 0 and < 1",
                                        [](const double& x) { return x > 0.0 && x < 1.0; }};
 constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return x >= 0.0; }};
-constexpr Requirement<Box> corners{
-    "[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax",
-    [](const Box& box) { return box[0] < box[2] && box[1] < box[3]; }};
 
 /// Returns the box, or nothing for all of the fluid.
-std::optional<Box> read_region(const TableReader& fill, bool enclosed) {
+std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
   const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
   const std::string expected =
       enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" needs an outer wall)";
@@ -24,7 +19,7 @@ std::optional<Box> read_region(const TableReader& fill, bool enclosed) {
   if (given == nullptr && enclosed) return std::nullopt;
   const Node& region = fill.at("region", expected);
   if (std::holds_alternative<Table>(region.value)) {
-    return TableReader(region, {"box"}).require("box", corners);
+    return TableReader(region, {"box"}).require("box", any_box);
   }
   if (value_as<std::string>(region, expected) != "fluid" || !enclosed) {
     fail(region, "must be " + expected);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -12,21 +11,23 @@ constexpr Requirement<double> accuracy{"a number from 1e-14 to 0.1",
                                        [](const double& x) { return x >= 1e-14 && x <= 0.1; }};
 constexpr Requirement<double> residual{"a number > 0 and < 1",
                                        [](const double& x) { return x > 0.0 && x < 1.0; }};
+constexpr Requirement<int> resolution{
+    "an integer from 2 to 2000: points along the box's longer side",
+    [](const int& k) { return k >= 2 && k <= 2000; }};
 constexpr Words<std::monostate, 2> couplings{{
     {"global", std::monostate{}},
     {"local", not_yet},
 }};
 
-std::vector<OutputFormat> read_formats(const Node& node) {
-  const std::string expected = "a list of one or more of " + list_of(output_formats);
-  std::vector<OutputFormat> formats;
-  for (const Node& element : elements_of(node, expected)) {
-    const OutputFormat format = read(element, output_formats);
-    if (std::ranges::find(formats, format) != formats.end()) fail(element, "is there already");
-    formats.push_back(format);
+FieldSettings read_fields(const Node& node) {
+  const TableReader table(node, {"box", "resolution", "quantities"});
+  FieldSettings fields;
+  fields.box = table.require("box", any_box);
+  fields.resolution = table.get("resolution", resolution).value_or(fields.resolution);
+  if (const Node* quantities = table.find("quantities")) {
+    fields.quantities = read_distinct(*quantities, field_quantities);
   }
-  if (formats.empty()) fail(node, "must be " + expected);
-  return formats;
+  return fields;
 }
 
 }  // namespace
@@ -68,9 +69,11 @@ OutputSettings read_output(const TableReader& root) {
   const Node* node = root.find("output");
   if (node == nullptr) return output;
   const TableReader table(*node, {"dt_write", "formats", "fields"});
-  table.refuse({"fields"}, "not available yet");
   output.dt_write = table.get("dt_write", positive_number);
-  if (const Node* formats = table.find("formats")) output.formats = read_formats(*formats);
+  if (const Node* formats = table.find("formats")) {
+    output.formats = read_distinct(*formats, output_formats);
+  }
+  if (const Node* fields = table.find("fields")) output.fields = read_fields(*fields);
   return output;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -151,6 +152,25 @@ T read(const Node& node, const Words<T, N>& words) {
   fail(node, "must be " + expected);
 }
 
+/// Reads a list of one or more words, none of them twice.
+///
+/// @param  node   the value
+/// @param  words  all that may stand in the list
+/// @return        their meanings, in order
+/// @throws SceneError when it is no list, is empty, or holds another word or one twice
+template <class T, std::size_t N>
+std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
+  const std::string expected = "a list of one or more of " + list_of(words);
+  std::vector<T> meanings;
+  for (const Node& element : elements_of(node, expected)) {
+    const T meaning = read(element, words);
+    if (std::ranges::find(meanings, meaning) != meanings.end()) fail(element, "is there already");
+    meanings.push_back(meaning);
+  }
+  if (meanings.empty()) fail(node, "must be " + expected);
+  return meanings;
+}
+
 /// Number of collocation nodes of a curve.
 struct NodeCount {};
 
@@ -183,6 +203,11 @@ inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
 /// A 2 x 2 matrix.
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
     "two rows of two numbers [[a, b], [c, d]]"};
+
+/// Corners of a box that is not empty.
+inline constexpr Requirement<std::array<double, 4>> any_box{
+    "[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax",
+    [](const std::array<double, 4>& box) { return box[0] < box[2] && box[1] < box[3]; }};
 
 /// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",

@@ -198,7 +198,16 @@ enum class SteppingMethod {
 enum class OutputFormat {
   csv,  ///< tables of bodies and walls
   vtk,  ///< polygons with data, for ParaView
-  svg   ///< a picture of the latest configuration
+  svg   ///< pictures of the latest configuration and its fields
+};
+
+/// A quantity of the flow that is written at the points of a grid.
+enum class FieldQuantity {
+  velocity,      ///< u, length / time
+  pressure,      ///< p, force / length^2
+  vorticity,     ///< d_1 u_2 - d_2 u_1, 1 / time
+  shear_stress,  ///< sigma_12, force / length^2
+  dissipation    ///< 2 mu e : e, force / (length time)
 };
 
 /// How one instant is solved.
@@ -224,10 +233,22 @@ struct TimeSettings {
   bool operator==(const TimeSettings&) const = default;
 };
 
+/// Which fields are written, and where; field_grid() says which points these are.
+struct FieldSettings {
+  std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, length
+  int resolution = 200;         ///< points along the longer side, 2 to 2000
+  std::vector<FieldQuantity> quantities = {FieldQuantity::velocity,
+                                           FieldQuantity::pressure};  ///< distinct, at least one
+
+  /// @return true when all members are equal
+  bool operator==(const FieldSettings&) const = default;
+};
+
 /// What a run writes, and when.
 struct OutputSettings {
   std::optional<double> dt_write{};  ///< time between frames; none: every step
   std::vector<OutputFormat> formats = {OutputFormat::csv};  ///< distinct, at least one
+  std::optional<FieldSettings> fields{};                    ///< none: no fields
 
   /// @return true when all members are equal
   bool operator==(const OutputSettings&) const = default;

@@ -117,6 +117,10 @@ std::string toml_value(const std::vector<OutputFormat>& formats) {
   return list(formats, [](OutputFormat format) { return name_of(format, output_formats); });
 }
 
+std::string toml_value(const std::vector<FieldQuantity>& quantities) {
+  return list(quantities, [](FieldQuantity q) { return name_of(q, field_quantities); });
+}
+
 std::string toml_value(const Shape& shape) {
   return std::visit([](const auto& curve) { return value_of(curve); }, shape);
 }

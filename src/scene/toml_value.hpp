@@ -78,6 +78,12 @@ std::string toml_value(const ComplexVector& points);
 /// @return          a list of words
 std::string toml_value(const std::vector<OutputFormat>& formats);
 
+/// Writes quantities as ["velocity", ...].
+///
+/// @param  quantities  any
+/// @return             a list of words
+std::string toml_value(const std::vector<FieldQuantity>& quantities);
+
 /// The text `key = value`.
 struct Entry {
   /// Writes an entry.

@@ -82,4 +82,13 @@ inline constexpr Words<OutputFormat, 3> output_formats{{
     {"svg", OutputFormat::svg},
 }};
 
+/// Words of `quantities` in `fields` of [output].
+inline constexpr Words<FieldQuantity, 5> field_quantities{{
+    {"velocity", FieldQuantity::velocity},
+    {"pressure", FieldQuantity::pressure},
+    {"vorticity", FieldQuantity::vorticity},
+    {"shear_stress", FieldQuantity::shear_stress},
+    {"dissipation", FieldQuantity::dissipation},
+}};
+
 }  // namespace stokesbook::scene_text

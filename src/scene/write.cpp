@@ -97,7 +97,15 @@ std::string section(const TimeSettings& time) {
 std::string section(const OutputSettings& output) {
   std::string text = "\n[output]\n";
   if (output.dt_write) text += lines({{"dt_write", *output.dt_write}});
-  return text + lines({{"formats", output.formats}});
+  text += lines({{"formats", output.formats}});
+  if (const std::optional<FieldSettings>& fields = output.fields) {
+    text += "fields = " +
+            inline_table({{"box", fields->box},
+                          {"resolution", fields->resolution},
+                          {"quantities", fields->quantities}}) +
+            "\n";
+  }
+  return text;
 }
 
 }  // namespace

@@ -23,6 +23,27 @@ struct VelocityAt {
   }
 };
 
+struct DerivativesAt {
+  Complex x;
+
+  FlowDerivatives operator()(const QuiescentFlow&) const { return {}; }
+  FlowDerivatives operator()(const UniformFlow&) const { return {}; }
+  FlowDerivatives operator()(const ShearFlow& flow) const {
+    return {0.0, -flow.rate, imaginary * flow.rate};
+  }
+  FlowDerivatives operator()(const ExtensionalFlow& flow) const {
+    return {0.0, 0.0, 2.0 * flow.rate};
+  }
+  FlowDerivatives operator()(const TaylorGreenFlow& flow) const {
+    return {0.0, -2.0 * flow.rate * std::cos(x.real()) * std::cos(x.imag()),
+            -2.0 * flow.rate * std::sin(x.real()) * std::sin(x.imag())};
+  }
+  FlowDerivatives operator()(const LinearFlow& flow) const {
+    const Eigen::Matrix2d& g = flow.gradient;
+    return {0.0, g(1, 0) - g(0, 1), {g(0, 0) - g(1, 1), g(0, 1) + g(1, 0)}};
+  }
+};
+
 }  // namespace
 
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points) {
@@ -31,6 +52,15 @@ ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVecto
     velocity[i] = std::visit(VelocityAt{points[i]}, flow);
   }
   return velocity;
+}
+
+std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
+                                                    const ComplexVector& points) {
+  std::vector<FlowDerivatives> derivatives;
+  for (const Complex point : points) {
+    derivatives.push_back(std::visit(DerivativesAt{point}, flow));
+  }
+  return derivatives;
 }
 
 }  // namespace stokesbook

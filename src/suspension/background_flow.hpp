@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "double_layer/flow_derivatives.hpp"
 #include "scene/scene.hpp"
 #include "trapezoid/plane.hpp"
 
@@ -14,6 +17,15 @@ namespace stokesbook {
 /// @param  points  m points, length
 /// @return         m velocities, length / time
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
+
+/// Evaluates vorticity and strain of an undisturbed flow. Its pressure is zero: the linear flows
+/// have none, and the Taylor-Green flow is driven by the force 2 mu u on every area of the fluid.
+///
+/// @param  flow    kind and strength
+/// @param  points  m points, length
+/// @return         m values, 1 / time
+std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
+                                                    const ComplexVector& points);
 
 /// @}
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "record/number_text.hpp"
+#include "scene/words.hpp"
+#include "suspension/fields.hpp"
+#include "suspension/rheology.hpp"
 
 namespace stokesbook {
 
@@ -75,6 +78,17 @@ Plan::Line singularity_line(const Census& census) {
   return {"singularities", "none", "no loads, no inner walls, no held bodies"};
 }
 
+Plan::Line fields_line(const FieldSettings& fields) {
+  const FieldGrid grid = field_grid(fields);
+  std::string quantities;
+  for (const FieldQuantity quantity : fields.quantities) {
+    if (!quantities.empty()) quantities += ", ";
+    quantities += scene_text::name_of(quantity, scene_text::field_quantities);
+  }
+  return {"fields", std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " points",
+          quantities + " at every written time"};
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene) {
@@ -116,6 +130,10 @@ Plan make_plan(const Scene& scene) {
                         scene.solver.gmres_tol
                             ? "solver.gmres_tol"
                             : "solver.tolerance = " + short_number(tolerance) + " / 100"});
+  if (is_couette_cell(scene)) {
+    plan.lines.push_back({"rheology", "one solve without bodies", "a Couette cell's torque ratio"});
+  }
+  if (scene.output.fields) plan.lines.push_back(fields_line(*scene.output.fields));
   plan.lines.push_back({"contact", "none", "no [contact]: an overlap stops the run"});
   return plan;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "record/number_text.hpp"
+#include "suspension/fields.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
@@ -150,7 +151,14 @@ void Simulation::note_resolution(const Solution& solution) {
 
 void Simulation::write(const Solution& now) {
   if (observer_.frame) {
-    observer_.frame(make_frame(t_, solver_.scene().bodies.size(), to_configuration(state_), now));
+    const Configuration configuration = to_configuration(state_);
+    Frame frame = make_frame(t_, solver_.scene().bodies.size(), configuration, now);
+    if (!rheometer_) rheometer_.emplace(solver_);
+    frame.rheology = (*rheometer_)(configuration, now, drive_);
+    if (solver_.scene().output.fields) {
+      frame.field = evaluate_field(solver_, configuration, now, drive_);
+    }
+    observer_.frame(frame);
   }
   if (observer_.checkpoint) observer_.checkpoint(checkpoint());
 }

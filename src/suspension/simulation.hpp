@@ -6,6 +6,7 @@
 #include "record/checkpoint.hpp"
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
+#include "suspension/rheology.hpp"
 #include "suspension/solver.hpp"
 #include "time_stepping/steps.hpp"
 
@@ -27,7 +28,7 @@ struct Observer {
 /// hit exactly. Where there is no earlier rate, at the start and after a reversal,
 /// Adams-Bashforth 2 takes a step by Runge-Kutta 4. The order in time.dt is that of the method.
 /// @par Cost      one solve a step with its error estimate, three more solves by Runge-Kutta 4, and
-/// one at the end
+/// one at the end; evaluate_field() and Rheometer a written time
 class Simulation {
  public:
   /// Takes the scene's initial configuration.
@@ -82,7 +83,8 @@ class Simulation {
   double drive_ = 1.0;
   Eigen::VectorXd state_;
   std::optional<PreviousStep> previous_;
-  StepInfo step_;  // of the step under way
+  std::optional<Rheometer> rheometer_;  // made for the first frame
+  StepInfo step_;                       // of the step under way
   RunTotals totals_;
   RunResolution resolution_;
   bool written_ = false;  // the frame of t_ is on record

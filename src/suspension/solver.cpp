@@ -80,6 +80,11 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
   return tails;
 }
 
+// A component that is alone has none: only the flow near it asks for one.
+std::shared_ptr<const CauchyCurve> cauchy_of(const Reference& reference) {
+  return reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
+}
+
 }  // namespace
 
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
@@ -138,9 +143,7 @@ std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configura
   std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Reference& reference = *references[k];
-    // A component that is alone has none: only the fluid's velocity near it asks for one.
-    CloseScheme scheme =
-        reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
+    CloseScheme scheme = cauchy_of(reference);
     if (reference.interpolation) scheme = reference.interpolation;
     placed.push_back({scheme, configuration[k].position, configuration[k].orientation});
   }
@@ -270,6 +273,32 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
       system.velocity(solution.density, points, near_curves, plan_.near_tolerance);
   if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
   return velocity;
+}
+
+SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
+                                         const Solution& solution, double drive) const {
+  std::vector<PlacedCurve> curves;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const auto [position, orientation] = configuration[k];
+    curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
+  }
+  return {problem(configuration, solution.references, drive), std::move(curves), solution.density,
+          plan_.near_tolerance};
+}
+
+std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& configuration,
+                                                           const Solution& solution,
+                                                           const ComplexVector& points,
+                                                           double drive) const {
+  const SolvedFlow flow = disturbance(configuration, solution, drive);
+  std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
+  if (is_bounded(flow.problem())) return derivatives;
+  const std::vector<FlowDerivatives> background = background_derivatives(scene_.flow, points);
+  for (std::size_t i = 0; i < derivatives.size(); ++i) {
+    const auto& [pressure, vorticity, strain] = background[i];
+    derivatives[i] += {drive * pressure, drive * vorticity, drive * strain};
+  }
+  return derivatives;
 }
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {

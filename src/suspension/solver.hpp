@@ -7,6 +7,7 @@
 #include "krylov/gmres.hpp"
 #include "near_singular/near_correction.hpp"
 #include "scene/scene.hpp"
+#include "stress/solved_flow.hpp"
 #include "suspension/configuration.hpp"
 #include "suspension/discrete_problem.hpp"
 #include "suspension/gaps.hpp"
@@ -102,6 +103,31 @@ class SuspensionSolver {
   /// @par Not for   points near the boundary where solver.near_singular is off, nor inside bodies
   ComplexVector velocity(const Configuration& configuration, const Solution& solution,
                          const ComplexVector& points, double drive = 1.0) const;
+
+  /// Prepares a solution for the evaluation of stresses and powers, without the background flow.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  drive          as in solve()
+  /// @return                the disturbance, near the boundary by the Cauchy scheme whatever
+  ///                        solver.near_singular says
+  SolvedFlow disturbance(const Configuration& configuration, const Solution& solution,
+                         double drive = 1.0) const;
+
+  /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
+  /// included.
+  ///
+  /// The pressure is zero at infinity; in an enclosed fluid it has a datum that means nothing.
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  points         m points in the fluid, or nodes of its boundary, length
+  /// @param  drive          as in solve()
+  /// @return                m values, 1 / time
+  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Not for   points inside bodies
+  std::vector<FlowDerivatives> derivatives(const Configuration& configuration,
+                                           const Solution& solution, const ComplexVector& points,
+                                           double drive = 1.0) const;
 
   /// Poses the boundary value problem of a configuration at a resolution.
   ///

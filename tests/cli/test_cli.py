@@ -39,6 +39,7 @@ method = "adams_bashforth2"
 [output]
 dt_write = 0.1
 formats = ["csv", "vtk", "svg"]
+fields = { box = [-3, -2, 3, 2], resolution = 19, quantities = ["velocity", "pressure"] }
 """
 
 
@@ -118,7 +119,8 @@ class Plan(Program):
     def test_dry_run_prints_the_plan_and_writes_nothing(self):
         result = self.run_scene("--dry-run")
         for topic in ("problem", "unknowns", "N_0", "summation", "near correction",
-                      "preconditioner", "contact", "time", "components", "closest pair", "resolution"):
+                      "preconditioner", "fields", "contact", "time", "components", "closest pair",
+                      "resolution"):
             self.assertIn(topic, result.stdout)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["pair.toml"])
 
@@ -140,9 +142,12 @@ class Plan(Program):
     def test_the_plan_has_what_the_scene_needs_only(self):
         plan = stokes("run", SCENES / "couette.toml", "--dry-run").stdout
         self.assertRegex(plan, r"N_0 +yes")
+        self.assertRegex(plan, r"rheology +one solve without bodies")
+        self.assertNotRegex(plan, r"\n +fields ")
         self.assertRegex(plan, r"singularities +Stokeslets and rotlets")
         plan = stokes("run", SCENES / "jeffery.toml", "--dry-run").stdout
         self.assertRegex(plan, r"N_0 +no")
+        self.assertNotRegex(plan, r"\n +rheology ")
         self.assertRegex(plan, r"near correction +no")
         self.assertRegex(plan, r"singularities +none")
 
@@ -159,6 +164,13 @@ class Records(Program):
         self.assertEqual(len(steps), 10)
         self.assertTrue((steps["error_estimate"] < 1e-5).all())
         self.assertFalse((folder / "walls.csv").exists())
+        rheology = numpy.genfromtxt(folder / "rheology.csv", names=True, delimiter=",")
+        numpy.testing.assert_array_equal(rheology["t"], numpy.unique(table["t"]))
+        self.assertTrue(numpy.isnan(rheology["torque_ratio"]).all())
+        # In shear of rate 1 without loads the excess dissipation is S_12; only the ellipse is long.
+        numpy.testing.assert_allclose(rheology["dissipation"], rheology["s12"], rtol=1e-12)
+        theta = table["theta"][table["body"] == 1]
+        numpy.testing.assert_allclose(rheology["order_parameter"], numpy.cos(2 * theta), atol=1e-12)
         information = json.loads((folder / "run.json").read_text())
         self.assertEqual(information["exit_status"], 0)
         self.assertTrue(any("preconditioner" in line for line in information["plan"]))
@@ -187,6 +199,29 @@ class Records(Program):
         process.wait()
         self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--resume", text=text)
         self.assertEqual(self.files("whole"), self.files("killed"))
+
+    def test_fields_have_their_times_and_pictures(self):
+        self.run_scene("--out", "a", "--set", "time.t_final=0.3")
+        folder = self.folder / "a"
+        names = sorted(p.name for p in folder.glob("fields*"))
+        self.assertEqual(names, ["fields.pvd", *(f"fields_{k:06}.vti" for k in range(4)),
+                                 "fields_pressure.svg", "fields_velocity.svg"])
+        entries = re.findall(r'timestep="(.*?)" file="(.*?)"', (folder / "fields.pvd").read_text())
+        self.assertEqual([name for _, name in entries], names[1:5])
+        times = [float(t) for t, _ in entries]
+        numpy.testing.assert_allclose(times, numpy.arange(4) / 10, atol=1e-15)
+
+    def test_fields_of_a_scene_that_ships(self):
+        box = "output.fields.box=[-10.2, -10.2, 10.2, 10.2]"
+        result = stokes("solve", SCENES / "couette.toml", "--out", self.folder / "a", "--set", box,
+                        "--set", 'output.fields.quantities=["velocity", "dissipation"]')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stdout, r"fields +200 x 200 points: velocity, dissipation")
+        for quantity in ("velocity", "dissipation"):
+            size = (self.folder / "a" / f"fields_{quantity}.svg").stat().st_size
+            self.assertTrue(50_000 < size < 500_000, size)
+        rheology = numpy.genfromtxt(self.folder / "a" / "rheology.csv", names=True, delimiter=",")
+        self.assertAlmostEqual(float(rheology["torque_ratio"]), 1.10814, delta=2e-4)
 
     def test_the_saved_scene_runs_again_to_the_same_result(self):
         self.run_scene("--out", "a")

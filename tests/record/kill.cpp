@@ -58,10 +58,13 @@ std::map<std::string, std::string> uninterrupted_run() {
 void check_files(const Folder& folder) {
   for (const auto& [name, text] : read_all(folder.path())) {
     if (name.ends_with(".csv") && !text.empty()) BOOST_TEST(text.back() == '\n', name);
-    if (name.ends_with(".vtp")) BOOST_TEST(text.ends_with("</VTKFile>\n"), name);
-    if (name != "bodies.pvd") continue;
-    for (std::size_t at = 0; (at = text.find("bodies_", at)) != std::string::npos; ++at) {
-      BOOST_TEST(std::filesystem::exists(folder.at(text.substr(at, 17))), text.substr(at, 17));
+    if (name.ends_with(".vtp") || name.ends_with(".vti")) {
+      BOOST_TEST(text.ends_with("</VTKFile>\n"), name);
+    }
+    if (!name.ends_with(".pvd")) continue;
+    for (std::size_t at = 0; (at = text.find("file=\"", at)) != std::string::npos; ++at) {
+      const std::string file = text.substr(at + 6, 17);
+      BOOST_TEST(std::filesystem::exists(folder.at(file)), file);
     }
   }
 }
@@ -101,7 +104,7 @@ BOOST_AUTO_TEST_CASE(disk_full) {
   const std::map<std::string, std::string> expected = uninterrupted_run();
   const Folder folder;
   RunContents tables_only = sample_contents();
-  tables_only.vtk = tables_only.svg = false;
+  tables_only.vtk = tables_only.svg = tables_only.fields = false;
   const pid_t child = start_process([&] {
     const rlimit limit{1500, 1500};
     std::signal(SIGXFSZ, SIG_IGN);

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 N_FRAMES = 3
 
@@ -49,6 +49,12 @@ def check_tables(directory):
     names, rows = read_table(directory / "walls.csv")
     assert names == ("t", "wall", "fx", "fy", "torque")
     assert np.array_equal(rows, [(t, j, *wall(t, j)) for t in times for j in range(2)])
+    names, rows = read_table(directory / "rheology.csv")
+    assert names == ("t", "dissipation", "torque_ratio", "order_parameter", "s11", "s12")
+    nan = np.full(N_FRAMES, np.nan)
+    expected = np.column_stack([times, times / 3, nan, -times, nan, times])
+    expected[:, 4] = 1 / 7
+    assert np.array_equal(rows, expected, equal_nan=True)
     names, rows = read_table(directory / "steps.csv")
     assert names == ("t", "dt", "gmres_iterations", "matvecs", "ncp_iterations", "contacts",
                      "min_gap", "residual", "error_estimate", "seconds")
@@ -72,9 +78,8 @@ def triangulated_area(polydata):
     return sum(0.5 * np.cross(x[b] - x[a], x[c] - x[a])[2] for a, b, c in corners)
 
 
-def read_polydata(path):
+def read_vtk(reader, path):
     errors = []
-    reader = vtkXMLPolyDataReader()
     reader.AddObserver("ErrorEvent", lambda *_: errors.append(path))
     reader.AddObserver("WarningEvent", lambda *_: errors.append(path))
     reader.SetFileName(str(path))
@@ -91,7 +96,7 @@ def cell_points(polydata, k):
 
 
 def check_polydata(path, t):
-    polydata = read_polydata(path)
+    polydata = read_vtk(vtkXMLPolyDataReader(), path)
     states = [body(t, j) for j in range(2)]
     placed = [x + 1j * y + np.exp(1j * theta) * points
               for points, (x, y, theta, *_) in zip(BODIES, states)]
@@ -117,13 +122,34 @@ def check_polydata(path, t):
     assert array("torque").tolist() == [walls[0][2], states[0][8], states[1][8], walls[1][2]]
 
 
-def check_collection(directory):
-    collection = xml.parse(directory / "bodies.pvd").getroot()
+def check_image(path, t):
+    """Every quantity is the formula of sample_run.cpp, exactly; not a number in the unit disk."""
+    image = read_vtk(vtkXMLImageDataReader(), path)
+    assert image.GetDimensions() == (25, 17, 1)
+    points = np.array([complex(*image.GetPoint(i)[:2]) for i in range(25 * 17)])
+    columns, rows = np.meshgrid(np.arange(25), np.arange(17))
+    np.testing.assert_allclose(points, -4 - 2.5j + (columns + 1j * rows).ravel() / 3, rtol=1e-15)
+    data = image.GetPointData()
+    array = lambda name: vtk_to_numpy(data.GetArray(name))
+    fluid = abs(points) >= 1
+    assert array("in_fluid").tolist() == fluid.astype(int).tolist() and not fluid.all()
+    velocity = np.column_stack([points.real / 3 + t, -points.imag / 3])
+    np.testing.assert_allclose(array("velocity")[fluid, :2], velocity[fluid], rtol=0, atol=1e-15)
+    assert np.isnan(array("velocity")[~fluid, :2]).all() and (array("velocity")[:, 2] == 0).all()
+    pressure = np.where(fluid, points.real / 7, np.nan)
+    np.testing.assert_allclose(array("pressure"), pressure, rtol=0, atol=1e-15)
+    for name, values in (("vorticity", points.imag / 11), ("shear_stress", abs(points) / 13),
+                         ("dissipation", abs(points)**2 / 17)):
+        np.testing.assert_allclose(array(name), values, rtol=0, atol=1e-14)
+
+
+def check_collection(path, check_file):
+    collection = xml.parse(path).getroot()
     assert collection.tag == "VTKFile" and collection.get("type") == "Collection"
     entries = collection.findall("Collection/DataSet")
     assert [float(entry.get("timestep")) for entry in entries] == [k / 7.0 for k in range(N_FRAMES)]
     for entry in entries:
-        check_polydata(directory / entry.get("file"), float(entry.get("timestep")))
+        check_file(path.parent / entry.get("file"), float(entry.get("timestep")))
 
 
 def check_picture(path):
@@ -149,6 +175,26 @@ def check_picture(path):
         np.testing.assert_allclose((curves[2 + j] - centre) / scale, expected, rtol=0, atol=1e-3)
 
 
+def check_field_picture(path):
+    """The colours are dashes in their rows: right of the unit disk is the field's right part."""
+    svg = "{http://www.w3.org/2000/svg}"
+    picture = xml.parse(path).getroot()
+    window = picture.find(svg + "svg")
+    assert window.get("viewBox") == "0 0 25 17"
+    colours = window.find(f"{svg}g/{svg}g")
+    level_of = np.full((17, 25), -1)
+    for level, dashes in enumerate(colours.findall(svg + "path")):
+        for dash in dashes.get("d").split("M")[1:]:
+            start, length = dash.split("h")
+            column, row = map(int, start.split())
+            level_of[16 - row, column:column + int(length)] = level
+    # The grid reaches from -4 to 4: colours rise along x, and nothing is blank but the disk's core.
+    assert (np.diff(level_of[-1]) >= 0).all() and level_of[-1, 0] == 0
+    blank = {(int(row), int(column)) for row, column in np.argwhere(level_of < 0)}
+    points = lambda row, column: complex(-4 + column / 3, -2.5 + row / 3)
+    assert blank and all(abs(points(*at)) < 0.6 for at in blank)
+
+
 def check_run_info(path):
     assert json.loads(path.read_text()) == {
         "version": "0.1.0", "git_hash": "abc", "compiler": 'GNU "12"', "flags": "-O3",
@@ -161,8 +207,10 @@ def check_run_info(path):
 def main():
     directory = Path(sys.argv[1])
     check_tables(directory)
-    check_collection(directory)
+    check_collection(directory / "bodies.pvd", check_polydata)
+    check_collection(directory / "fields.pvd", check_image)
     check_picture(directory / "configuration.svg")
+    check_field_picture(directory / "fields_pressure.svg")
     check_run_info(directory / "run.json")
 
 

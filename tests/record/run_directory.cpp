@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "folder.hpp"
+#include "record/frame_files.hpp"
 #include "record/record_error.hpp"
 #include "sample_run.hpp"
 
@@ -36,19 +37,29 @@ BOOST_AUTO_TEST_CASE(directories_are_made) {
 
 BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
   RunContents contents = sample_contents();
-  contents.vtk = contents.svg = false;
+  contents.vtk = contents.svg = contents.fields = false;
   const auto names = [](const RunContents& asked, int k) {
     const Folder folder;
-    create(folder, asked).write_frame(sample_frame(k));
+    Frame frame = sample_frame(k);
+    if (!asked.fields) frame.field.reset();
+    create(folder, asked).write_frame(frame);
     std::string list;
     for (const auto& [name, text] : read_all(folder.path())) list += name + ' ';
     return list;
   };
   BOOST_TEST(names(sample_contents(), 0) ==
-             "bodies.pvd bodies_000000.vtp configuration.svg steps.csv trajectory.csv walls.csv ");
-  BOOST_TEST(names(contents, 0) == "steps.csv trajectory.csv walls.csv ");
+             "bodies.pvd bodies_000000.vtp configuration.svg fields.pvd fields_000000.vti "
+             "fields_dissipation.svg fields_pressure.svg fields_shear_stress.svg "
+             "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv trajectory.csv "
+             "walls.csv ");
+  BOOST_TEST(names(contents, 0) == "rheology.csv steps.csv trajectory.csv walls.csv ");
   contents.csv = false;
   BOOST_TEST(names(contents, 0) == "steps.csv ");
+  contents.fields = true;
+  BOOST_TEST(names(contents, 0) == "fields.pvd fields_000000.vti steps.csv ");
+  contents.fields = false;
+  contents.svg = true;
+  BOOST_TEST(names(contents, 0) == "configuration.svg steps.csv ");
 }
 
 BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
@@ -74,8 +85,9 @@ BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
   const Folder folder;
   run_or_resume(folder.path(), sample_contents(), 4);
   const std::map<std::string, std::string> foreign{
-      {"bodies.csv", "1"}, {"bodies_1.vtp", "2"}, {"bodies_000001.vtp.old", "3"},
-      {"notes", "4"},      {"fits.partial", "5"}, {"scene.toml", "6"}};
+      {"bodies.csv", "1"},   {"bodies_1.vtp", "2"},   {"bodies_000001.vtp.old", "3"},
+      {"notes", "4"},        {"fits.partial", "5"},   {"scene.toml", "6"},
+      {"fields_1.vti", "7"}, {"fields_old.svg", "8"}, {"fields_000001.vtp", "9"}};
   for (const auto& [name, text] : foreign) write(folder.at(name), text);
   write(folder.at("checkpoint.partial"), "left by a kill");
   RunContents contents = sample_contents();
@@ -100,13 +112,16 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
     return files;
   }();
   write(folder.at("bodies_000003.vtp.partial"), "half");
+  write(folder.at("fields_000003.vti.partial"), "half");
   const ResumedRun run = RunDirectory::resume(folder.path(), sample_contents());
   BOOST_TEST(run.directory.frame_count() == 1u);
   BOOST_TEST(run.checkpoint.step == 1);
   BOOST_TEST(run.checkpoint.state == Eigen::VectorXd(Eigen::Vector2d(1.0, 2.0)));
   std::map<std::string, std::string> files = read_all(folder.path());
-  // The picture is that of the latest frame until the next one is written.
-  files["configuration.svg"] = saved_files.at("configuration.svg");
+  // Pictures are those of the latest frame until the next one is written.
+  for (auto& [name, text] : files) {
+    if (name.ends_with(".svg")) text = saved_files.at(name);
+  }
   BOOST_TEST((files == saved_files));
 }
 
@@ -144,6 +159,30 @@ BOOST_AUTO_TEST_CASE(places_that_cannot_be_written) {
   BOOST_CHECK_THROW(
       RunDirectory::create("/proc/stokesbook", sample_contents(), ExistingRun::refuse),
       RecordError);
+}
+
+BOOST_AUTO_TEST_CASE(files_of_frames_are_named_by_their_number) {
+  BOOST_TEST(field_files.name(42) == "fields_000042.vti");
+  BOOST_TEST(body_files.name(1234567) == "bodies_1234567.vtp");
+  BOOST_TEST(body_files.collection() == "bodies.pvd");
+  BOOST_TEST((field_files.frame_of("fields_000042.vti") == std::optional<std::size_t>(42)));
+  BOOST_TEST((body_files.frame_of("bodies_1234567.vtp") == std::optional<std::size_t>(1234567)));
+  for (const std::string name : {"fields_42.vti", "fields_000042.vtp", "bodies_000042.vti",
+                                 "fields_000042.vti.old", "fields.vti", "fields_00004x.vti", ""}) {
+    BOOST_TEST(!field_files.frame_of(name), name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_field_is_written_if_it_is_asked_for_and_only_then) {
+  const Folder folder;
+  RunContents contents = sample_contents();
+  Frame frame = sample_frame(0);
+  frame.field.reset();
+  BOOST_CHECK_THROW(create(folder, contents).write_frame(frame), std::invalid_argument);
+  contents.fields = false;
+  RunDirectory run = RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
+  BOOST_CHECK_THROW(run.write_frame(sample_frame(0)), std::invalid_argument);
+  BOOST_TEST(run.frame_count() == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_frame_of_other_bodies_is_refused) {

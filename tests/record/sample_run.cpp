@@ -21,6 +21,25 @@ Outline outline(int n, double a, double b, double amplitude, bool encloses) {
   return result;
 }
 
+/// A grid that lies across bodies and walls; every quantity is a formula of the point.
+Field sample_field(double t) {
+  Field field;
+  field.grid = {{-4.0, -2.5}, 1.0 / 3.0, 25, 17};
+  const ComplexVector points = field.grid.points();
+  field.velocity = points.conjugate() / 3.0 + ComplexVector::Constant(points.size(), {t, 0.0});
+  field.pressure = points.real() / 7.0;
+  field.vorticity = points.imag() / 11.0;
+  field.shear_stress = points.cwiseAbs() / 13.0;
+  field.dissipation = points.cwiseAbs2() / 17.0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    field.in_fluid.push_back(std::abs(points[i]) < 1.0 ? 0 : 1);
+    if (field.in_fluid.back() == 1) continue;
+    field.velocity[i] = {Rheology::undefined, Rheology::undefined};
+    field.pressure[i] = Rheology::undefined;
+  }
+  return field;
+}
+
 /// The map and what a time stepper would remember.
 Checkpoint start() {
   return {0.0, 0, Eigen::Vector2d(0.1, 0.7), {{"previous_rate", Eigen::Vector2d(0.2, 0.3)}}};
@@ -37,19 +56,20 @@ void advance(Checkpoint& run) {
   run.t += 0.1;
 }
 
-void write_frame_of(RunDirectory& directory, const Checkpoint& run) {
+void write_frame_of(RunDirectory& directory, const Checkpoint& run, bool fields) {
   Frame frame = sample_frame(static_cast<int>(run.step));
   frame.t = run.t;
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     frame.bodies[k].velocity = run.state[static_cast<Eigen::Index>(k)];
   }
+  if (!fields) frame.field.reset();
   directory.write_frame(frame);
 }
 
 RunDirectory begin(const std::filesystem::path& path, const RunContents& contents) {
   RunDirectory directory = RunDirectory::create(path, contents, ExistingRun::overwrite);
   directory.write_text("scene.toml", contents.scene);
-  write_frame_of(directory, start());
+  write_frame_of(directory, start(), contents.fields);
   directory.save(start());
   return directory;
 }
@@ -63,12 +83,13 @@ RunContents sample_contents() {
           .walls = {outline(64, 10.0, 10.0, 0.0, true), outline(16, 0.5, 0.5, 0.0, false)},
           .csv = true,
           .vtk = true,
-          .svg = true};
+          .svg = true,
+          .fields = true};
 }
 
 Frame sample_frame(int k) {
   const double t = k / 7.0;
-  Frame frame{t, {}, {}};
+  Frame frame{t, {}, {}, {t / 3.0, Rheology::undefined, -t, {1.0 / 7.0, t}}, sample_field(t)};
   for (int j = 0; j < 2; ++j) {
     frame.bodies.push_back({.position = {3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0},
                             .orientation = j + t,
@@ -93,7 +114,7 @@ bool run_or_resume(const std::filesystem::path& directory, const RunContents& co
   while (checkpoint.step < last_step) {
     advance(checkpoint);
     run.directory.write_step({.t = checkpoint.t, .dt = 0.1, .min_gap = checkpoint.state[0]});
-    if (checkpoint.step % 2 == 0) write_frame_of(run.directory, checkpoint);
+    if (checkpoint.step % 2 == 0) write_frame_of(run.directory, checkpoint, contents.fields);
     if (checkpoint.step % 3 == 0) run.directory.save(checkpoint);
   }
   run.directory.save(checkpoint);

@@ -136,7 +136,37 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:2:19: output.formats[1] = 1: must be one of csv, vtk, svg, not an integer"},
       {"[output]\nformats = ['vtk', 'csv', 'vtk']\n",
        "s.toml:2:26: output.formats[2] = \"vtk\": is there already"},
-      {"[output]\nfields = { resolution = 200 }\n", "s.toml:2:1: output.fields: not available yet"},
+      {"[output]\nfields = 200\n",
+       "s.toml:2:10: output.fields = 200: must be a table, not an integer"},
+      {"[output]\nfields = { resolution = 200 }\n",
+       "s.toml:2:10: output.fields.box is missing: must be [xmin, ymin, xmax, ymax] with xmin < "
+       "xmax "
+       "and ymin < ymax"},
+      {"[output]\nfields = { box = [0, 0, 1, 0] }\n",
+       "s.toml:2:18: output.fields.box = [0, 0, 1, 0]: must be [xmin, ymin, xmax, ymax] with xmin "
+       "< "
+       "xmax and ymin < ymax"},
+      {"[output]\nfields = { box = [0, 0, 1] }\n",
+       "s.toml:2:18: output.fields.box = [0, 0, 1]: must be [xmin, ymin, xmax, ymax] with xmin < "
+       "xmax and ymin < ymax, not an array of 3"},
+      {"[output]\nfields = { box = [0, 0, 1, inf] }\n",
+       "s.toml:2:28: output.fields.box[3] = inf: must be a number, and finite"},
+      {"[output]\nfields = { box = [0, 0, 1, 1], resolution = 1 }\n",
+       "s.toml:2:45: output.fields.resolution = 1: must be an integer from 2 to 2000: points along "
+       "the box's longer side"},
+      {"[output]\nfields = { box = [0, 0, 1, 1], resolution = 2001 }\n",
+       "s.toml:2:45: output.fields.resolution = 2001: must be an integer from 2 to 2000: points "
+       "along the box's longer side"},
+      {"[output]\nfields = { box = [0, 0, 1, 1], resolutoin = 9 }\n",
+       "s.toml:2:32: output.fields.resolutoin = 9: unknown key, did you mean 'resolution'?"},
+      {"[output.fields]\nbox = [0, 0, 1, 1]\nquantities = ['speed']\n",
+       "s.toml:3:15: output.fields.quantities[0] = \"speed\": must be one of velocity, pressure, "
+       "vorticity, shear_stress, dissipation"},
+      {"[output.fields]\nbox = [0, 0, 1, 1]\nquantities = ['pressure', 'pressure']\n",
+       "s.toml:3:27: output.fields.quantities[1] = \"pressure\": is there already"},
+      {"[output.fields]\nbox = [0, 0, 1, 1]\nquantities = []\n",
+       "s.toml:3:14: output.fields.quantities = []: must be a list of one or more of velocity, "
+       "pressure, vorticity, shear_stress, dissipation"},
       {"[output]\nformat = ['csv']\n",
        "s.toml:2:1: output.format = [\"csv\"]: unknown key, did you mean 'formats'?"},
   });

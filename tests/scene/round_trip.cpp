@@ -118,6 +118,14 @@ void add_settings(Scene& scene, Dice& dice) {
   }
   if (dice.coin()) scene.output.dt_write = dice.positive();
   scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg}});
+  if (dice.coin()) {
+    using enum FieldQuantity;
+    scene.output.fields = {
+        {-dice.positive(), -dice.positive(), dice.positive(), dice.positive()},
+        dice.integer(2, 2000),
+        dice.one_of<std::vector<FieldQuantity>>(
+            {{velocity}, {dissipation, vorticity}, {pressure, shear_stress, velocity}})};
+  }
 }
 
 Scene random_scene(Dice& dice) {

@@ -211,6 +211,21 @@ BOOST_AUTO_TEST_CASE(output_settings) {
   BOOST_TEST(output.dt_write.value() == 0.5);
   using enum OutputFormat;
   BOOST_TEST((output.formats == std::vector{svg, vtk, csv}));
+  BOOST_TEST(!output.fields.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(field_settings) {
+  const auto fields = [](const std::string& table) {
+    return parse(disk() + "[output]\nfields = " + table + "\n").output.fields.value();
+  };
+  using enum FieldQuantity;
+  BOOST_TEST((fields("{ box = [-1, -2.5, 3, 4] }") ==
+              FieldSettings{{-1.0, -2.5, 3.0, 4.0}, 200, {velocity, pressure}}));
+  BOOST_TEST(
+      (fields("{ box = [0, 0, 1, 1], resolution = 2, quantities = ['dissipation', "
+              "'shear_stress', 'vorticity', 'pressure', 'velocity'] }") ==
+       FieldSettings{
+           {0.0, 0.0, 1.0, 1.0}, 2, {dissipation, shear_stress, vorticity, pressure, velocity}}));
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_may_be_only_walls_or_only_a_fill) {

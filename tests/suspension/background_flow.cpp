@@ -30,6 +30,26 @@ BOOST_AUTO_TEST_CASE(formulas) {
   is(LinearFlow{gradient}, {0.2 * x + 0.5 * y, -0.9 * x - 0.2 * y});
 }
 
+BOOST_AUTO_TEST_CASE(derivatives) {
+  Eigen::Matrix2d gradient;
+  gradient << 0.2, 0.5, -0.9, -0.2;
+  const Complex point{0.7, -1.9};
+  const double h = 1e-4;
+  for (const BackgroundFlow& flow :
+       {BackgroundFlow{QuiescentFlow{}}, BackgroundFlow{UniformFlow{{0.3, -0.4}}},
+        BackgroundFlow{ShearFlow{1.3}}, BackgroundFlow{ExtensionalFlow{1.3}},
+        BackgroundFlow{TaylorGreenFlow{1.3}}, BackgroundFlow{LinearFlow{gradient}}}) {
+    const Complex u_x = (at(flow, point + h) - at(flow, point - h)) / (2.0 * h);
+    const Complex u_y =
+        (at(flow, point + h * imaginary) - at(flow, point - h * imaginary)) / (2.0 * h);
+    const auto [pressure, vorticity, strain] =
+        background_derivatives(flow, ComplexVector{{point}})[0];
+    BOOST_TEST(pressure == 0.0);
+    BOOST_TEST(std::abs(vorticity - (u_x.imag() - u_y.real())) < 1e-8);
+    BOOST_TEST(std::abs(strain - Complex(u_x.real() - u_y.imag(), u_x.imag() + u_y.real())) < 1e-8);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_divergence) {
   Eigen::Matrix2d gradient;
   gradient << 0.2, 0.5, -0.9, -0.2;

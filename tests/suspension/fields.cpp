@@ -62,6 +62,46 @@ BOOST_AUTO_TEST_CASE(divergence) {
   }
 }
 
+// Vorticity and strain are those of the velocity; pressure and vorticity satisfy the momentum
+// balance grad p = mu rot w. Differences of order 4 err by about 1e-9.
+BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
+  for (const Units& units : all_units) {
+    for (const double drive : {1.0, -1.0}) {
+      Solved solved(in_units(loaded_trio(58), units));
+      solved.solution = solved.solver.solve(solved.configuration, drive);
+      const double h = 1e-3 * units.length;
+      for (const Complex point : fluid_points(solved, 4 * units.length, 0.1 * units.length)) {
+        const auto along = [&](Complex step) {
+          const ComplexVector points{
+              {point - 2.0 * step, point - step, point + step, point + 2.0 * step}};
+          const auto difference = [&](const auto& f) {
+            return (f(0) - 8.0 * f(1) + 8.0 * f(2) - f(3)) / (12.0 * h);
+          };
+          const ComplexVector u =
+              solved.solver.velocity(solved.configuration, solved.solution, points, drive);
+          const auto flow =
+              solved.solver.derivatives(solved.configuration, solved.solution, points, drive);
+          return std::array<Complex, 2>{
+              difference([&](Eigen::Index i) { return u[i]; }), difference([&](Eigen::Index i) {
+                const FlowDerivatives& at = flow[static_cast<std::size_t>(i)];
+                return Complex{at.pressure, at.vorticity};
+              })};
+        };
+        const auto [u_x, pw_x] = along(h);
+        const auto [u_y, pw_y] = along(imaginary * h);
+        const FlowDerivatives at = solved.solver.derivatives(solved.configuration, solved.solution,
+                                                             ComplexVector{{point}}, drive)[0];
+        BOOST_TEST(std::abs(at.vorticity - (u_x.imag() - u_y.real())) < 1e-7 * units.rate);
+        BOOST_TEST(std::abs(at.strain - Complex(u_x.real() - u_y.imag(), u_x.imag() + u_y.real())) <
+                   1e-7 * units.rate);
+        const double scale = 1e-6 * units.rate / units.length;
+        BOOST_TEST(std::abs(pw_x.real() + pw_y.imag()) < scale);
+        BOOST_TEST(std::abs(pw_y.real() - pw_x.imag()) < scale);
+      }
+    }
+  }
+}
+
 // In a disk without bodies the laws of circle_averages.hpp hold without force and torque: <u>(r) -
 // u(0) = d r^2, which makes u biharmonic, and <u_theta> = A r, which makes the vorticity harmonic.
 // Together: momentum.

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "trapezoid/plane.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup record
+/// @{
+
+/// Points of the plane in rows and columns, with square cells between them.
+struct FieldGrid {
+  Complex corner;            ///< the lower left point, length
+  double spacing = 1.0;      ///< of neighbours along both sides, > 0, length
+  Eigen::Index columns = 0,  ///< points along x
+      rows = 0;              ///< points along y
+
+  /// Lists the points.
+  /// @return columns x rows points, x running fastest, length
+  ComplexVector points() const;
+
+  /// Returns the position of a point in the list.
+  /// @param  column  from 0, left to right
+  /// @param  row     from 0, upwards
+  /// @return         its index
+  Eigen::Index index(Eigen::Index column, Eigen::Index row) const { return row * columns + column; }
+};
+
+/// Quantities of the flow at the points of a grid; those that were not asked for are empty.
+///
+/// Where there is no fluid, inside bodies and outside an enclosing wall, they are not a number.
+struct Field {
+  FieldGrid grid;                      ///< where
+  std::vector<std::uint8_t> in_fluid;  ///< one a point: 1 in the fluid, else 0
+  ComplexVector velocity;              ///< length / time
+  Eigen::VectorXd pressure;            ///< force / length^2
+  Eigen::VectorXd vorticity;           ///< d_1 u_2 - d_2 u_1, 1 / time
+  Eigen::VectorXd shear_stress;        ///< sigma_12, force / length^2
+  Eigen::VectorXd dissipation;         ///< 2 mu e : e, force / (length time)
+};
+
+/// A scalar of a field with its name in files.
+struct FieldScalar {
+  std::string_view name;           ///< one word
+  Eigen::VectorXd Field::*values;  ///< which member
+};
+
+/// All scalars that a field may hold.
+inline constexpr std::array<FieldScalar, 4> field_scalars{{{"pressure", &Field::pressure},
+                                                           {"vorticity", &Field::vorticity},
+                                                           {"shear_stress", &Field::shear_stress},
+                                                           {"dissipation", &Field::dissipation}}};
+
+/// @}
+
+}  // namespace stokesbook

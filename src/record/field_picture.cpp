@@ -1,0 +1,230 @@
+#include "record/field_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "record/checkpoint.hpp"
+#include "record/colour_map.hpp"
+#include "record/picture_parts.hpp"
+#include "record/streamlines.hpp"
+#include "record/svg.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+using namespace picture_parts;
+using Eigen::Index;
+
+constexpr std::string_view velocity_name = "velocity";
+
+std::string file_name(std::string_view quantity) {
+  return "fields_" + std::string(quantity) + ".svg";
+}
+
+/// A grid laid out: its squares become unit squares, and these become pixels.
+struct Layout {
+  const FieldGrid& grid;
+  double scale;   ///< pixels a unit
+  Complex drawn;  ///< width and height of the drawing, pixels
+
+  Layout(const FieldGrid& points, double width) : grid(points) {
+    const Complex size(static_cast<double>(grid.columns), static_cast<double>(grid.rows));
+    scale = scale_of_drawing(size, width);
+    drawn = scale * size;
+  }
+
+  /// Place of a point in units, counted from the top left corner.
+  Complex unit(Complex point) const {
+    const Complex cells = (point - grid.corner) / grid.spacing;
+    return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
+  }
+};
+
+/// The values that get the darkest and the lightest colour.
+ValueRange shown_range(const Eigen::VectorXd& values) {
+  std::vector<double> sorted;
+  for (const double value : values) {
+    if (!std::isnan(value)) sorted.push_back(value);
+  }
+  if (sorted.empty()) return {0.0, 0.0};
+  std::ranges::sort(sorted);
+  const std::size_t hundredth = sorted.size() / 100;
+  return {sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
+}
+
+/// Mean of the neighbours that have a value; not a number where there are none.
+double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, Index column,
+                          Index row) {
+  double sum = 0.0, count = 0.0;
+  for (Index j = std::max<Index>(row - 1, 0); j < std::min(row + 2, grid.rows); ++j) {
+    for (Index i = std::max<Index>(column - 1, 0); i < std::min(column + 2, grid.columns); ++i) {
+      const double value = values[grid.index(i, j)];
+      if (std::isnan(value)) continue;
+      sum += value;
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+/// Gives values to the points beside the fluid, so that colours reach the curves drawn over them.
+Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
+  Eigen::VectorXd result = values;
+  for (Index row = 0; row < grid.rows; ++row) {
+    for (Index column = 0; column < grid.columns; ++column) {
+      double& value = result[grid.index(column, row)];
+      if (std::isnan(value)) value = mean_of_neighbours(grid, values, column, row);
+    }
+  }
+  return result;
+}
+
+/// Colours as lines one unit thick: a dash for all neighbours in a row that share a colour.
+std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values,
+                     const ValueRange& range) {
+  constexpr int levels = 64;
+  const double spread = range.high > range.low ? range.high - range.low : 1.0;
+  const auto level_of = [&](double value) {
+    if (std::isnan(value)) return -1;
+    const double fraction = std::clamp((value - range.low) / spread, 0.0, 1.0);
+    return static_cast<int>(std::lround(fraction * (levels - 1)));
+  };
+  std::vector<std::string> dashes(levels);
+  for (Index row = 0; row < grid.rows; ++row) {
+    const std::string y = std::to_string(grid.rows - 1 - row);
+    for (Index first = 0, last = 0; first < grid.columns; first = last) {
+      const int level = level_of(values[grid.index(first, row)]);
+      do {
+        ++last;
+      } while (last < grid.columns && level_of(values[grid.index(last, row)]) == level);
+      if (level < 0) continue;
+      dashes[static_cast<std::size_t>(level)] +=
+          'M' + std::to_string(first) + ' ' + y + 'h' + std::to_string(last - first);
+    }
+  }
+  std::string text =
+      "<g fill=\"none\" transform=\"translate(0 0.5)\" shape-rendering=\"crispEdges\">\n";
+  for (std::size_t level = 0; level < levels; ++level) {
+    const double fraction = static_cast<double>(level) / (levels - 1);
+    text += svg::path(dashes[level], "stroke=\"" + viridis_colour(fraction) + '"');
+  }
+  return text + "</g>\n";
+}
+
+/// Draws streamlines with an arrowhead in the middle of each.
+std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>& lines) {
+  std::string curves;
+  std::string heads;
+  for (const Streamline& line : lines) {
+    const auto count = static_cast<Index>(line.points.size());
+    // Every other point, about one a square, is smooth enough.
+    ComplexVector points((count + 1) / 2);
+    for (Index i = 0; i < points.size(); ++i) {
+      points[i] = layout.unit(line.points[static_cast<std::size_t>(2 * i)]);
+    }
+    curves += line.closed ? svg::polygon(points) : svg::polyline(points);
+    const Index middle = points.size() / 2;
+    if (middle == 0) continue;
+    const Complex tip = points[middle], back = points[middle - 1] - tip;
+    const Complex barb = 5.0 / layout.scale * back / std::abs(back);
+    heads += svg::polyline(ComplexVector{
+        {tip + barb * std::polar(1.0, 0.5), tip, tip + barb * std::polar(1.0, -0.5)}});
+  }
+  return "<g fill=\"none\" stroke=\"#fff\" stroke-opacity=\"0.7\">\n" +
+         svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
+         svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
+}
+
+/// A curve in its place, as path data.
+std::string path_data(const Layout& layout, const Outline& outline, const auto& state) {
+  const ComplexVector points = placed(outline, state.position, state.orientation);
+  return svg::polygon(points.unaryExpr([&](Complex point) { return layout.unit(point); }));
+}
+
+/// Draws enclosing walls as lines, and all else opaque: colours reach under it.
+std::string draw_curves(const Layout& layout, const Frame& frame,
+                        const std::vector<Outline>& bodies, const std::vector<Outline>& walls) {
+  const auto draw = [&](const Outline& outline, const auto& state) {
+    return svg::path(path_data(layout, outline, state),
+                     outline.encloses ? "fill=\"none\"" : "fill=\"#aab0b6\"");
+  };
+  std::string text =
+      "<g stroke=\"currentColor\" stroke-width=\"" + svg::number(1.2 / layout.scale) + "\">\n";
+  for (std::size_t k = 0; k < walls.size(); ++k) text += draw(walls[k], frame.walls[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k) text += draw(bodies[k], frame.bodies[k]);
+  return text + "</g>\n";
+}
+
+/// Cuts what is drawn off at the enclosing walls.
+std::string clipped(const Layout& layout, const Frame& frame, const std::vector<Outline>& walls,
+                    const std::string& drawing) {
+  std::string text = drawing;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!walls[k].encloses) continue;
+    const std::string data = path_data(layout, walls[k], frame.walls[k]);
+    // Pictures on one page share names, so the same name must mean the same curve.
+    const std::string name = "stokesbook-" + fingerprint(data);
+    text = "<clipPath id=\"" + name + "\"><path d=\"" + data +
+           "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + text + "</g>\n";
+  }
+  return text;
+}
+
+/// Opens a window through which squares are seen, and nothing beyond them.
+std::string open_window(const Layout& layout) {
+  const FieldGrid& grid = layout.grid;
+  return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header) +
+         svg::attribute("width", layout.drawn.real()) +
+         svg::attribute("height", layout.drawn.imag()) + " viewBox=\"0 0 " +
+         std::to_string(grid.columns) + ' ' + std::to_string(grid.rows) + "\">\n";
+}
+
+std::string label_of(std::string_view quantity) {
+  std::string label(quantity == velocity_name ? "speed |u|" : quantity);
+  std::ranges::replace(label, '_', ' ');
+  return label;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> draw_fields(const Frame& frame,
+                                               const std::vector<Outline>& bodies,
+                                               const std::vector<Outline>& walls,
+                                               const PictureOptions& options) {
+  require_outlines(frame, bodies, walls);
+  if (!frame.field) throw std::invalid_argument("draw_fields: the frame has no field");
+  const Field& field = *frame.field;
+  const Layout layout(field.grid, options.width);
+  const Complex drawn{layout.drawn.real(), std::max(layout.drawn.imag(), bar_height)};
+  std::string lines;
+  if (field.velocity.size() > 0) {
+    constexpr double pixels_apart = 16.0;
+    const double separation = pixels_apart / layout.scale * field.grid.spacing;
+    lines = draw_streamlines(layout, streamlines(field, separation));
+  }
+  const std::string curves = draw_curves(layout, frame, bodies, walls);
+  std::map<std::string, std::string> pictures;
+  const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values) {
+    if (values.size() == 0) return;
+    const ValueRange range = shown_range(values);
+    const std::string map = draw_map(field.grid, with_seam(field.grid, values), range);
+    pictures[file_name(quantity)] =
+        open_picture(drawn, frame.t, options) + open_window(layout) +
+        clipped(layout, frame, walls, map) + lines + curves + "</svg>\n" +
+        draw_bar(layout.drawn.real(), range, label_of(quantity)) + "</svg>\n";
+  };
+  draw(velocity_name, field.velocity.cwiseAbs());
+  for (const auto& [name, values] : field_scalars) draw(name, field.*values);
+  return pictures;
+}
+
+bool is_field_picture(const std::string& name) {
+  return name == file_name(velocity_name) ||
+         std::ranges::any_of(field_scalars, [&](const FieldScalar& scalar) {
+           return name == file_name(scalar.name);
+         });
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,50 @@
+#include "record/picture_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/colour_map.hpp"
+#include "record/number_text.hpp"
+#include "record/svg.hpp"
+
+namespace stokesbook::picture_parts {
+
+double scale_of_drawing(Complex size, double width) {
+  constexpr double longest_aspect = 1.4;  // height / width of a drawing that fills its column
+  const double column = width - 2.0 * margin - bar_column;
+  return std::min(column / size.real(), longest_aspect * column / size.imag());
+}
+
+std::string open_picture(Complex drawn, double t, const PictureOptions& options) {
+  const double title_width = 9.0 * static_cast<double>(options.title.size());
+  const double width =
+      std::max(drawn.real() + bar_column, std::min(title_width, options.width - 2.0 * margin));
+  const Complex size(width + 2.0 * margin, header + drawn.imag() + margin);
+  return svg::open(size, options.title) +
+         svg::label({margin, 20.0}, options.title, "font-weight=\"600\" font-size=\"15\"") +
+         svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
+}
+
+std::string draw_bar(double drawn_width, const ValueRange& range, const std::string& label,
+                     const std::string& style) {
+  constexpr double bar_width = 12.0;
+  const double left = margin + drawn_width + 26.0;
+  std::string text =
+      "<linearGradient id=\"stokesbook-colours\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
+  for (std::size_t k = 0; k < viridis.size(); ++k) {
+    const double fraction = static_cast<double>(k) / (viridis.size() - 1);
+    text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
+            viridis_colour(fraction) + "\"/>\n";
+  }
+  text += "</linearGradient>\n<rect" + svg::attribute("x", left) + svg::attribute("y", header) +
+          svg::attribute("width", bar_width) + svg::attribute("height", bar_height) +
+          " rx=\"2\" fill=\"url(#stokesbook-colours)\" " + style + "/>\n";
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    const Complex place(left + bar_width + 6.0, header + (1.0 - fraction) * bar_height);
+    text += svg::label(place, short_number(std::lerp(range.low, range.high, fraction)),
+                       "dy=\"0.35em\"");
+  }
+  return text + svg::label({left, header - 14.0}, label);
+}
+
+}  // namespace stokesbook::picture_parts

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "stress/fluid_quadrature.hpp"
+#include "stress/solved_flow.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup stress
+/// @{
+
+/// Integrates the power that every component's surface does on the fluid,
+/// \f$ \oint u\cdot\sigma n\,ds \f$.
+///
+/// Their sum is what the fluid dissipates, where it is enclosed; in an unbounded fluid that rests at
+/// infinity too, when the total force vanishes.
+/// @param  flow      problem and motions
+/// @param  traction  of the whole flow, from boundary_traction()
+/// @return           one entry a component, force length / time a unit of depth
+/// @par Accuracy     that of the rule: geometric in the nodes
+std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction);
+
+/// Computes the same power from motions and loads: with the rigid part U, omega of a component's
+/// velocity g,
+/// \f[ \oint g\cdot\sigma n\,ds = U\cdot F + \omega L + \oint (g - U - \omega (x-c)^\perp)\cdot
+///     \sigma n\,ds, \f]
+/// whose last term asks for the traction only where a wall does not move rigidly.
+/// @param  flow      problem, motions and loads; the background must vanish
+/// @return           one entry a component, force length / time a unit of depth
+/// @throws std::invalid_argument when a wall that does not move rigidly has no Cauchy scheme
+/// @par Cost         O(n), and the derivatives at the nodes of walls that do not move rigidly
+std::vector<double> power_of_loads(const SolvedFlow& flow);
+
+/// Integrates the dissipation \f$ \int 2\mu\,e:e\,dA \f$ over the fluid.
+///
+/// @param  rule      quadrature over the fluid
+/// @param  at_points derivatives of the whole flow at the rule's points
+/// @param  mu        viscosity, force time / length^2
+/// @return           force length / time a unit of depth
+/// @par Accuracy     1e-10 relative, once the flow is resolved
+double volume_dissipation(const FluidQuadrature& rule,
+                          const std::vector<FlowDerivatives>& at_points, double mu);
+
+/// @}
+
+}  // namespace stokesbook

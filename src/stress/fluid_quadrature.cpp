@@ -1,0 +1,145 @@
+#include "stress/fluid_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+
+#include <gsl/gsl_integration.h>
+
+#include "near_singular/closest_points.hpp"
+#include "near_singular/near_test.hpp"
+#include "trapezoid/fourier.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// erfc(beta) is 1e-13: the cut-off is as good as smooth where it ends.
+constexpr double beta = 5.25;
+
+// GSL tabulates Gauss's nodes for this number; it resolves the cut-off to rounding.
+constexpr int nodes_across = 64;
+
+double cut_off(double height) {
+  return 0.5 * std::erfc(beta * (2.0 * height - 1.0));
+}
+
+SmoothCurve smooth(const Curve& curve) {
+  return {curve, std::make_shared<const TrigonometricPolynomial>(curve.x), {}, 0.0};
+}
+
+// Height of a point over a curve, > 0 in the fluid; where the point is farther than the reach, only
+// its sign is meant.
+double height(const SmoothCurve& curve, Complex z, double reach) {
+  const Curve& nodes = curve.nodes;
+  const Index nearest = nearest_node(nodes, z);
+  const Complex to_node = z - nodes.x[nearest];
+  const double step = 2.0 * std::numbers::pi / static_cast<double>(nodes.size());
+  const double spacing = step * std::abs(nodes.dx[nearest]);
+  if (std::abs(to_node) > reach + spacing) {
+    return std::copysign(std::abs(to_node), nodes.sign() * cross(nodes.dx[nearest], to_node));
+  }
+  double t = step * static_cast<double>(nearest) + preimage(nodes, nearest, z).real();
+  TrigonometricPolynomial::Jet at = curve.at(t);
+  for (int k = 0; k < 20; ++k) {
+    const Complex r = at.value - z;
+    const double move = dot(r, at.first) / std::abs(std::norm(at.first) + dot(r, at.second));
+    t -= move;
+    at = curve.at(t);
+    if (std::abs(move) < 1e-12) break;
+  }
+  return nodes.sign() * cross(at.first, z - at.value) / std::abs(at.first);
+}
+
+class Rule {
+ public:
+  void add(Complex point, double weight) {
+    points_.push_back(point);
+    weights_.push_back(weight);
+  }
+
+  FluidQuadrature collected() const {
+    const auto m = static_cast<Index>(points_.size());
+    return {Eigen::Map<const ComplexVector>(points_.data(), m),
+            Eigen::Map<const Eigen::VectorXd>(weights_.data(), m)};
+  }
+
+ private:
+  std::vector<Complex> points_;
+  std::vector<double> weights_;
+};
+
+// Points of a finer rule along the curve: integrands are products of what its nodes resolve.
+void add_strip(Rule& rule, const Curve& curve, double width) {
+  const Index m = 2 * curve.size();
+  const Curve fine{resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+  const ComplexVector normal = normals(fine);
+  const Eigen::VectorXd w = weights(fine), curvature = fine.sign() * curvatures(fine);
+  const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)>
+      gauss(gsl_integration_glfixed_table_alloc(nodes_across), gsl_integration_glfixed_table_free);
+  for (std::size_t k = 0; k < nodes_across; ++k) {
+    double d = 0.0, across = 0.0;
+    gsl_integration_glfixed_point(0.0, width, k, &d, &across, gauss.get());
+    for (Index j = 0; j < m; ++j) {
+      const double stretch = 1.0 - curvature[j] * d;
+      rule.add(fine.x[j] - d * normal[j], across * cut_off(d / width) * w[j] * stretch);
+    }
+  }
+}
+
+}  // namespace
+
+double strip_width(const std::vector<Curve>& curves) {
+  double width = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < curves.size(); ++a) {
+    const double hollow = (curves[a].sign() * curvatures(curves[a])).maxCoeff();
+    if (hollow > 0.0) width = std::min(width, 0.5 / hollow);
+    for (std::size_t b = 0; b < a; ++b) {
+      width = std::min(width, 0.5 * closest_points(smooth(curves[a]), smooth(curves[b])).gap);
+    }
+  }
+  return width;
+}
+
+FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
+                                 const FluidQuadratureSettings& settings) {
+  const auto encloses = [](const Curve& curve) { return curve.side == Side::fluid_inside; };
+  if (std::ranges::count_if(curves, encloses) != 1) {
+    throw std::invalid_argument("a quadrature of the fluid wants one enclosing wall");
+  }
+  const double width = settings.width > 0.0 ? settings.width : strip_width(curves);
+  Rule rule;
+  std::vector<SmoothCurve> boundary;
+  for (const Curve& curve : curves) {
+    add_strip(rule, curve, width);
+    boundary.push_back(smooth(curve));
+  }
+  // What the strips leave of a point's weight, 0 outside the fluid.
+  const auto left = [&](Complex z) {
+    double share = 1.0;
+    for (const SmoothCurve& curve : boundary) {
+      const double h = height(curve, z, width);
+      if (h <= 0.0) return 0.0;
+      share -= cut_off(h / width);
+    }
+    return share;
+  };
+  const ComplexVector& wall = std::ranges::find_if(curves, encloses)->x;
+  const double spacing = width / settings.points_a_width;
+  const auto first = [&](double x) { return std::lround(x / spacing); };
+  for (long j = first(wall.imag().minCoeff()); j <= first(wall.imag().maxCoeff()); ++j) {
+    for (long i = first(wall.real().minCoeff()); i <= first(wall.real().maxCoeff()); ++i) {
+      const Complex z = spacing * Complex{static_cast<double>(i), static_cast<double>(j)};
+      const double share = left(z);
+      if (share > 0.0) rule.add(z, share * spacing * spacing);
+    }
+  }
+  return rule.collected();
+}
+
+}  // namespace stokesbook

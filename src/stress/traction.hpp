@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "closure/closure.hpp"
+#include "double_layer/flow_derivatives.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup stress
+/// @{
+
+/// Computes the traction \f$ \sigma n \f$ at the nodes of every component, with n out of the fluid:
+/// what the body or wall does to the fluid, a unit of length.
+///
+/// @param  problem   components with n nodes in all
+/// @param  at_nodes  derivatives of the whole flow at all nodes, limits from the fluid, as by
+///                   SolvedFlow::derivatives(), and the background's
+/// @return           n tractions, force / length^2
+/// @throws std::invalid_argument when the numbers of nodes differ
+/// @par Cost         O(n)
+ComplexVector boundary_traction(const StokesProblem& problem,
+                                const std::vector<FlowDerivatives>& at_nodes);
+
+/// Integrates the traction of every component, \f$ F_k = \oint\sigma n\,ds \f$ and
+/// \f$ L_k = \oint(x-c_k)\times\sigma n\,ds \f$.
+///
+/// @param  problem   components with n nodes in all
+/// @param  traction  from boundary_traction()
+/// @return           force and torque of each component on the fluid, about its centre
+/// @par Accuracy     that of the rule: geometric in the nodes
+/// @par Cost         O(n)
+std::vector<Load> integrated_loads(const StokesProblem& problem, const ComplexVector& traction);
+
+/// @}
+
+}  // namespace stokesbook

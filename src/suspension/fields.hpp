@@ -1,0 +1,40 @@
+#pragma once
+
+#include "record/field.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Places the points of a grid in its box.
+///
+/// The first and last point along the longer side are the box's ends, and `resolution` points make
+/// up that side. Cells are square: along the shorter side there are as many as fit it best, one at
+/// least, and the grid is centred in the box, so that it ends within half a cell of the box's
+/// corners.
+/// @param  settings  box and resolution
+/// @return           the grid
+FieldGrid field_grid(const FieldSettings& settings);
+
+/// Evaluates the quantities that a scene asks for on its grid.
+///
+/// The pressure is zero far away in an unbounded fluid; in an enclosed one, where it is known up to
+/// a constant, its mean over the outer wall is zero.
+/// @param  solver         of a scene with output.fields
+/// @param  configuration  where the components are
+/// @param  solution       from solve() in this configuration
+/// @param  drive          as in solve()
+/// @return                the field, not a number outside the fluid
+/// @throws std::invalid_argument when the scene asks for no fields
+/// @par Accuracy  velocity as SuspensionSolver::velocity(), all others as
+/// SuspensionSolver::derivatives()
+/// @par Cost      that of in_fluid(), and m n kernel evaluations for m points in the fluid and n
+/// nodes: once for the velocity, once for all others
+Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
+                     const Solution& solution, double drive = 1.0);
+
+/// @}
+
+}  // namespace stokesbook

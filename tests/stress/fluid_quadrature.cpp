@@ -1,0 +1,139 @@
+// The quadrature over the fluid: areas, moments and functions with poles in the bodies, against
+// boundary integrals.
+#include "stress/fluid_quadrature.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/lopsided_curve.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+
+namespace {
+
+struct Case {
+  const char* name;
+  std::vector<Curve> curves;
+  std::vector<Complex> poles;  // in the bodies
+};
+
+std::vector<Case> cases(double scale = 1.0) {
+  const auto wall = [&](const Shape& shape, Index n) {
+    return sample(shape, n, Side::fluid_inside);
+  };
+  const auto body = [&](const Shape& shape, Index n, Complex position, double orientation = 0.0) {
+    return place(sample(shape, n, Side::fluid_outside), scale * position, orientation);
+  };
+  const Circle outer{3.0 * scale};
+  return {{"annulus", {wall(outer, 128), body(Circle{scale}, 96, {})}, {0.1 * scale}},
+          {"eccentric",
+           {wall(outer, 160), body(Circle{scale}, 128, {1.3, 0.4})},
+           {scale * Complex{1.3, 0.4}}},
+          {"two bodies in an ellipse",
+           {wall(Ellipse{4.0 * scale, 3.0 * scale}, 192),
+            body(Ellipse{scale, 0.5 * scale}, 128, {-1.2, 0.3}, 0.7),
+            body(test::lopsided_curve(scale), 160, {1.6, -0.2}, 0.3)},
+           {scale * Complex{-1.2, 0.3}, scale * Complex{1.6, -0.2}}}};
+}
+
+// An analytic function of the fluid and its derivative.
+struct Analytic {
+  std::vector<Complex> poles;  // of order 1
+  int power = 0;
+
+  Complex value(Complex z) const {
+    Complex sum = std::pow(z, power);
+    for (const Complex pole : poles) sum += 1.0 / (z - pole);
+    return sum;
+  }
+  Complex slope(Complex z) const {
+    Complex sum = static_cast<double>(power) * std::pow(z, power - 1);
+    for (const Complex pole : poles) sum -= 1.0 / ((z - pole) * (z - pole));
+    return sum;
+  }
+};
+
+// The integral of |f'|^2 over the fluid, by the rule and by Green's theorem.
+double by_rule(const FluidQuadrature& rule, const Analytic& f) {
+  double sum = 0.0;
+  for (Index i = 0; i < rule.points.size(); ++i) {
+    sum += rule.weights[i] * std::norm(f.slope(rule.points[i]));
+  }
+  return sum;
+}
+
+double by_boundary(const std::vector<Curve>& curves, const Analytic& f) {
+  double sum = 0.0;
+  for (const Curve& curve : curves) {
+    const Eigen::VectorXd w = weights(curve);
+    const ComplexVector n = normals(curve);
+    for (Index j = 0; j < w.size(); ++j) {
+      const Complex z = curve.x[j];
+      sum += 0.5 * w[j] * (std::conj(f.value(z)) * f.slope(z) * n[j]).real();
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(areas_and_moments) {
+  for (double scale : {1.0, 1e-3, 1e3}) {
+    for (const Case& c : cases(scale)) {
+      BOOST_TEST_CONTEXT(c.name << ", scale " << scale) {
+        const FluidQuadrature rule = fluid_quadrature(c.curves);
+        double fluid = 0.0;
+        for (const Curve& curve : c.curves) fluid += curve.sign() * area(curve);
+        BOOST_TEST(std::abs(rule.weights.sum() - fluid) < 1e-11 * fluid);
+        BOOST_TEST(rule.weights.minCoeff() > 0.0);
+      }
+    }
+  }
+}
+
+// Measured up to 2e-13 with 18 points a width.
+BOOST_AUTO_TEST_CASE(polynomials_and_poles) {
+  for (const Case& c : cases()) {
+    const FluidQuadrature rule = fluid_quadrature(c.curves);
+    for (const Analytic& f : {Analytic{{}, 2}, Analytic{{}, 5}, Analytic{c.poles, 3}}) {
+      BOOST_TEST_CONTEXT(c.name << ", power " << f.power) {
+        const double exact = by_boundary(c.curves, f);
+        BOOST_TEST(std::abs(by_rule(rule, f) - exact) < 1e-11 * exact);
+      }
+    }
+  }
+}
+
+// Too coarse a grid is seen: the error falls with it, and the automatic width leaves room.
+BOOST_AUTO_TEST_CASE(converges_with_the_grid) {
+  const Case c = cases()[2];
+  const Analytic f{c.poles, 3};
+  const double exact = by_boundary(c.curves, f);
+  const auto error = [&](double points_a_width) {
+    const FluidQuadratureSettings settings{.points_a_width = points_a_width};
+    return std::abs(by_rule(fluid_quadrature(c.curves, settings), f) / exact - 1.0);
+  };
+  BOOST_TEST(error(3.0) > 1e-6);
+  BOOST_TEST(error(9.0) < 1e-2 * error(3.0));
+  BOOST_TEST(error(18.0) < 1e-11);
+}
+
+BOOST_AUTO_TEST_CASE(width_of_the_strips) {
+  const Curve wall = sample(Circle{3.0}, 64, Side::fluid_inside);
+  const Curve body = sample(Circle{1.0}, 64, Side::fluid_outside);
+  BOOST_TEST(std::abs(strip_width({wall, body}) - 1.0) < 1e-12);
+  BOOST_TEST(std::abs(strip_width({wall, place(body, 1.5, 0.0)}) - 0.25) < 1e-12);
+  BOOST_TEST(std::abs(strip_width({wall}) - 1.5) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(wants_one_enclosing_wall) {
+  const Curve wall = sample(Circle{3.0}, 64, Side::fluid_inside);
+  const Curve body = sample(Circle{1.0}, 64, Side::fluid_outside);
+  BOOST_CHECK_THROW(fluid_quadrature({body}), std::invalid_argument);
+  BOOST_CHECK_THROW(fluid_quadrature({wall, wall}), std::invalid_argument);
+}

@@ -1,0 +1,106 @@
+// Tractions integrate to forces and torques, those given and those solved for, whatever the
+// viscosity and the unit of length; surface values of reference NF; jumps across the boundary.
+#include "stress/traction.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <boost/test/unit_test.hpp>
+
+#include "stress/stress.hpp"
+#include "stress/stresslet.hpp"
+#include "support/closed_forms.hpp"
+#include "support/eccentric_annulus.hpp"
+#include "support/solved_flow.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+
+namespace {
+
+// Largest difference of integrated and given loads relative to the largest load; torques over a
+// length.
+double load_error(const SolvedFlow& flow, double length) {
+  const StokesProblem& problem = flow.problem();
+  const std::vector<Load> found =
+      integrated_loads(problem, boundary_traction(problem, flow.derivatives(flow.nodes())));
+  double error = 0.0, scale = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Load& expected = flow.completion().loads[k];
+    error = std::max(error, test::distance(found[k], expected, length));
+    scale = std::max({scale, std::abs(expected.force), std::abs(expected.torque) / length});
+  }
+  return error / scale;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(one_body_in_an_unbounded_fluid) {
+  for (double scale : {1.0, 1e-3, 1e3}) {
+    for (const Shape& shape : {Shape{Circle{scale}}, Shape{Ellipse{scale, 0.5 * scale}},
+                               Shape{test::lopsided_curve(scale)}}) {
+      StokesProblem problem{{test::free_body(shape, 128, {scale * Complex{0.3, 0.2}, 0.4},
+                                             {{1.0, 0.5}, 0.7 * scale})},
+                            1.3,
+                            {},
+                            scale};
+      BOOST_TEST(load_error(test::solve_flow(problem), scale) < 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(close_bodies_in_a_container) {
+  for (double scale : {1.0, 1e-3, 1e3}) {
+    const auto at = [&](double x, double y) { return scale * Complex{x, y}; };
+    const StokesProblem problem{
+        {test::free_body(Circle{scale}, 192, {at(-1.0, 0.3)}, {{1.0, -2.0}, 0.5 * scale}),
+         test::free_body(Ellipse{scale, 0.6 * scale}, 192, {at(1.1, 0.3), 0.1}),
+         test::held_body(Circle{0.5 * scale}, 160, {at(0.0, -1.2)}, {at(0.2, 0.1), -1.0}),
+         test::enclosing_wall(Circle{3.0 * scale}, 192, {at(0.2, 0.1)}, {0.0, 0.4})},
+        1.3,
+        {},
+        {}};
+    BOOST_TEST(load_error(test::solve_flow(problem), scale) < 1e-12);
+  }
+}
+
+// No wall, fixed bodies among free ones: a uniform velocity at infinity balances the forces.
+BOOST_AUTO_TEST_CASE(held_and_free_bodies_in_an_unbounded_fluid) {
+  const StokesProblem problem{
+      {test::held_body(Ellipse{1.0, 0.7}, 160, {{-1.3, 0.0}, 0.3}, {{1.0, 0.0}, 0.5}),
+       test::free_body(Circle{0.9}, 160, {{1.0, 0.5}}, {{0.3, 0.4}, 1.0})},
+      1.3,
+      {},
+      {}};
+  BOOST_TEST(load_error(test::solve_flow(problem), 1.0) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(eccentric_annulus_C7) {
+  const test::EccentricAnnulus annulus{1, 2, 0.0, {0, 0.5}, {0.0, 1}, {}};
+  const SolvedFlow flow = test::solve_flow(test::annulus_problem(annulus, 1.0, 160, 160));
+  const std::vector<Load> loads = integrated_loads(
+      flow.problem(), boundary_traction(flow.problem(), flow.derivatives(flow.nodes())));
+  BOOST_TEST(test::distance(loads[0], {-13.83366424161095, 20.023919863023254}) < 1e-11);
+}
+
+// Couette: u = A r + B / r with the pressure the same everywhere.
+BOOST_AUTO_TEST_CASE(couette_pressure) {
+  const StokesProblem problem{{test::held_body(Circle{1.0}, 96, {}, {0.0, 0.4}),
+                               test::enclosing_wall(Circle{2.5}, 96, {}, {0.0, -0.7})},
+                              1.3,
+                              {},
+                              {}};
+  const SolvedFlow flow = test::solve_flow(problem);
+  const double b = 1.1 * 6.25 / 5.25, a = (-0.7 * 6.25 - 0.4) / 5.25;
+  ComplexVector targets(96 * 2 + 2);
+  targets << flow.nodes(), Complex{1.3, 0.9}, Complex{-1.0 - 1e-7, 0.0};
+  const std::vector<FlowDerivatives> at = flow.derivatives(targets);
+  for (Index i = 0; i < targets.size(); ++i) {
+    const FlowDerivatives& found = at[static_cast<std::size_t>(i)];
+    const Complex direction = targets[i] / std::abs(targets[i]);
+    const Complex strain = -2.0 * imaginary * b / std::norm(targets[i]) * direction * direction;
+    BOOST_TEST(std::abs(found.pressure - at[0].pressure) < 1e-12);
+    BOOST_TEST(std::abs(found.vorticity - 2.0 * a) < 1e-11);
+    BOOST_TEST(std::abs(found.strain - strain) < 1e-11);
+  }
+}

@@ -1,0 +1,184 @@
+// Fields on grids: which points, which of them are in the fluid, and what the flow does there.
+
+#include <array>
+
+#include "suspension/fields.hpp"
+#include "suspension/scenes.hpp"
+#include "suspension/side_test.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+using Eigen::Index;
+using enum FieldQuantity;
+
+Field field_of(Scene scene, const FieldSettings& settings) {
+  scene.output.fields = settings;
+  const Solved solved(scene);
+  return evaluate_field(solved.solver, solved.configuration, solved.solution);
+}
+
+FieldSettings everything(const std::array<double, 4>& box, int resolution) {
+  return {box, resolution, {velocity, pressure, vorticity, shear_stress, dissipation}};
+}
+
+// Mean pressure over the outer wall, between its nodes.
+double mean_pressure(const Solved& solved, const Curve& wall) {
+  const auto flow = solved.solver.derivatives(solved.configuration, solved.solution, wall.x);
+  const Eigen::VectorXd w = weights(wall);
+  double sum = 0.0;
+  for (Index j = 0; j < w.size(); ++j) sum += w[j] * flow[static_cast<std::size_t>(j)].pressure;
+  return sum / w.sum();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(field_output)
+
+BOOST_AUTO_TEST_CASE(grids_cover_their_boxes) {
+  const auto is = [](const FieldGrid& grid, Complex corner, double spacing, Index columns,
+                     Index rows) {
+    BOOST_TEST(std::abs(grid.corner - corner) < 1e-14);
+    BOOST_TEST(grid.spacing == spacing, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(grid.columns == columns);
+    BOOST_TEST(grid.rows == rows);
+    BOOST_TEST(grid.points().size() == columns * rows);
+    const Complex far =
+        corner + spacing * Complex(static_cast<double>(columns - 1), static_cast<double>(rows - 1));
+    BOOST_TEST(std::abs(grid.points()[columns * rows - 1] - far) < 1e-13);
+  };
+  is(field_grid({{-1, 2, 2, 3}, 4, {}}), {-1, 2}, 1.0, 4, 2);
+  is(field_grid({{-5, -5, 5, 5}, 200, {}}), {-5, -5}, 10.0 / 199, 200, 200);
+  // 3.3 cells fit on the shorter side: three do, and are centred; 3.6: four stand out.
+  is(field_grid({{0, 0, 10, 3.3}, 11, {}}), {0, 0.15}, 1.0, 11, 4);
+  is(field_grid({{0, 0, 3.6, 10}, 11, {}}), {-0.2, 0}, 1.0, 5, 11);
+  is(field_grid({{0, 0, 10, 1e-3}, 2, {}}), {0, 5e-4 - 5}, 10.0, 2, 2);
+}
+
+// 1e-12 off the curves, on both sides, between the nodes.
+BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
+  const Scene scene = test::scene({body(Star{0.7, 0.2, 5}, 200, {1.0, 0.5}, 0.4),
+                                   body(Ellipse{1.5, 0.3}, 160, {-1.2, 0.3}, 2.0),
+                                   body(lopsided_curve(0.6), 128, {0.3, -1.5}, 1.0)},
+                                  {}, {outer_wall(Star{4.0, 0.1, 3}, 200, {}, {0.2, 0.1}, 0.3)});
+  const SuspensionSolver solver(scene);
+  const Configuration configuration = solver.initial_configuration();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const SmoothCurve curve = smooth_curve(*solver.references()[k], configuration[k]);
+    ComplexVector inner(500), outer(500);
+    for (Index i = 0; i < 500; ++i) {
+      const auto jet = curve.at(0.0123 + 2.0 * std::numbers::pi * static_cast<double>(i) / 500.0);
+      const Complex out = -imaginary * jet.first / std::abs(jet.first);
+      inner[i] = jet.value - 1e-12 * out;
+      outer[i] = jet.value + 1e-12 * out;
+    }
+    const bool encloses = k == 3;
+    for (const std::uint8_t side : in_fluid(configuration, solver.references(), inner)) {
+      BOOST_TEST(side == (encloses ? 1 : 0));
+    }
+    for (const std::uint8_t side : in_fluid(configuration, solver.references(), outer)) {
+      BOOST_TEST(side == (encloses ? 0 : 1));
+    }
+  }
+  const ComplexVector far = ComplexVector::Constant(1, 1e3);
+  BOOST_TEST(in_fluid(configuration, solver.references(), far)[0] == 0);
+}
+
+// Two turning cylinders: u = A r + B / r. The grid passes close to both walls.
+BOOST_AUTO_TEST_CASE(fields_between_cylinders) {
+  const double inner = 1.0, outer = 2.5, w1 = 0.4, w2 = -0.7, mu = 1.3;
+  Scene cell = scene({}, {},
+                     {outer_wall(Circle{outer}, 128, RotatingWall{w2}),
+                      inner_wall(Circle{inner}, 128, RotatingWall{w1})});
+  cell.viscosity = mu;
+  const Field field = field_of(cell, everything({-2.6, -2.6, 2.6, 2.6}, 90));
+  const double a = (w2 * outer * outer - w1 * inner * inner) / (outer * outer - inner * inner);
+  const double b = (w1 - w2) * inner * inner * outer * outer / (outer * outer - inner * inner);
+  const ComplexVector points = field.grid.points();
+  for (Index i = 0; i < points.size(); ++i) {
+    const double r = std::abs(points[i]);
+    const bool fluid = r > inner && r < outer;
+    BOOST_TEST(field.in_fluid[static_cast<std::size_t>(i)] == (fluid ? 1 : 0));
+    if (!fluid) {
+      BOOST_TEST(std::isnan(field.velocity[i].real()));
+      for (const auto& [name, values] : field_scalars) BOOST_TEST(std::isnan((field.*values)[i]));
+      continue;
+    }
+    const Complex across = imaginary * points[i] / r;
+    const double shear = -2.0 * mu * b / (r * r);  // sigma_{r phi}
+    BOOST_TEST(std::abs(field.velocity[i] - (a * r + b / r) * across) < 1e-12);
+    BOOST_TEST(std::abs(field.pressure[i]) < 1e-10);
+    BOOST_TEST(std::abs(field.vorticity[i] - 2.0 * a) < 1e-10);
+    BOOST_TEST(std::abs(field.shear_stress[i] + shear * (across * across).real()) < 1e-10);
+    BOOST_TEST(std::abs(field.dissipation[i] - shear * shear / mu) < 1e-10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(only_what_was_asked_for) {
+  const Scene one = scene({body(Circle{1}, 64, 0.0)}, ShearFlow{1});
+  const auto asked = [&](const std::vector<FieldQuantity>& quantities) {
+    const Field field = field_of(one, {{-2, -2, 2, 2}, 5, quantities});
+    std::vector<FieldQuantity> there;
+    if (field.velocity.size() > 0) there.push_back(velocity);
+    if (field.pressure.size() > 0) there.push_back(pressure);
+    if (field.vorticity.size() > 0) there.push_back(vorticity);
+    if (field.shear_stress.size() > 0) there.push_back(shear_stress);
+    if (field.dissipation.size() > 0) there.push_back(dissipation);
+    return there;
+  };
+  using Quantities = std::vector<FieldQuantity>;
+  for (const Quantities& quantities :
+       {Quantities{velocity}, Quantities{pressure}, Quantities{vorticity, dissipation},
+        Quantities{velocity, shear_stress}}) {
+    BOOST_TEST((asked(quantities) == quantities));
+  }
+  const Solved solved(one);
+  BOOST_CHECK_THROW(evaluate_field(solved.solver, solved.configuration, solved.solution),
+                    std::invalid_argument);
+}
+
+// A disk in strain: pressure and vorticity are -+ 4 a^2 e Re, Im z^-2, and the strain far away is
+// that of the stream.
+BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
+  const double a = 0.8, rate = 0.7, mu = 1.3;
+  Scene disk = scene({body(Circle{a}, 64, 0.0)}, ExtensionalFlow{rate});
+  disk.viscosity = mu;
+  const Field field = field_of(disk, everything({-60.0, 0.0, 0.0, 40.0}, 61));
+  const ComplexVector points = field.grid.points();
+  for (Index i = 0; i < points.size(); ++i) {
+    if (field.in_fluid[static_cast<std::size_t>(i)] == 0) continue;
+    const Complex inverse_square = 1.0 / (points[i] * points[i]);
+    BOOST_TEST(std::abs(field.pressure[i] + 4.0 * mu * rate * a * a * inverse_square.real()) <
+               1e-11);
+    BOOST_TEST(std::abs(field.vorticity[i] - 4.0 * rate * a * a * inverse_square.imag()) < 1e-11);
+    if (std::abs(points[i]) < 30.0) continue;
+    BOOST_TEST(field.dissipation[i] == 4.0 * mu * rate * rate,
+               boost::test_tools::tolerance(8.0 * a * a / std::norm(points[i])));
+  }
+}
+
+// In a container the mean pressure over the outer wall is zero, whatever bodies and drive do.
+BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
+  Scene tank = scene({body(Circle{0.5}, 96, {-0.4, 1.2}, 0.0, {{0.3, -1.0}, 0.2})}, {},
+                     {outer_wall(Ellipse{3.0, 2.5}, 192, {}, {0.1, 0.0})});
+  tank.output.fields = everything({-3, -3, 3, 3}, 21);
+  const Solved solved(tank);
+  const Field field = evaluate_field(solved.solver, solved.configuration, solved.solution);
+  Index at = 0;
+  while (field.in_fluid[static_cast<std::size_t>(at)] == 0) ++at;
+  const Complex point = field.grid.points()[at];
+  const double here =
+      solved.solver.derivatives(solved.configuration, solved.solution, ComplexVector{{point}})[0]
+          .pressure;
+  // Other points of the wall than the solver's nodes.
+  const Curve wall = place(sample(Ellipse{3.0, 2.5}, 150, Side::fluid_inside), {0.1, 0.0}, 0.0);
+  BOOST_TEST(std::abs(field.pressure[at] - (here - mean_pressure(solved, wall))) < 1e-10);
+
+  const Solution reversed = solved.solver.solve(solved.configuration, -1.0);
+  const Field back = evaluate_field(solved.solver, solved.configuration, reversed, -1.0);
+  BOOST_TEST(std::abs(back.pressure[at] + field.pressure[at]) < 1e-10);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "near_singular/near_targets.hpp"
+#include "stress/solved_flow.hpp"
+#include "support/vectors.hpp"
+#include "support/walls.hpp"
+
+namespace stokesbook::test {
+
+/// Adds what the Cauchy scheme finds at the nodes near other components, minus the trapezoid rule,
+/// to the reduced system of a problem.
+inline void add_near_correction(DenseSystem& system, const StokesProblem& problem,
+                                const std::vector<PlacedCurve>& placed) {
+  const std::vector<Eigen::Index> offsets = node_offsets(problem);
+  const std::vector<NearTargets> near =
+      find_near_targets(placed, all_nodes(problem), Targets::own_nodes, 1e-14);
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    const Curve& curve = placed[k].curve();
+    const auto& cauchy = *std::get<std::shared_ptr<const CauchyCurve>>(placed[k].scheme);
+    const Eigen::Index n = curve.size();
+    const Eigen::MatrixXd rows =
+        cauchy.velocity_rows(near[k].local) - StressletSum({curve}).matrix(near[k].local);
+    Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+    if (problem.components[k].kind != ComponentKind::enclosing_wall) {
+      const RigidModes modes(curve, 0.0);
+      for (Eigen::Index j = 0; j < 2 * n; ++j) {
+        const ComplexVector column = deinterleaved(rest.col(j));
+        const ComplexVector rigid = modes.at_nodes(modes.project(column));
+        rest.col(j) -= interleaved(rigid);
+      }
+    }
+    const Eigen::MatrixXd correction = rows * rest;
+    for (std::size_t i = 0; i < near[k].index.size(); ++i) {
+      system.matrix.block(2 * near[k].index[i], 2 * offsets[k], 2, 2 * n) +=
+          correction.middleRows(2 * static_cast<Eigen::Index>(i), 2);
+    }
+  }
+}
+
+/// Solves a problem densely, with close evaluation between its components.
+inline SolvedFlow solve_flow(const StokesProblem& problem) {
+  const std::vector<PlacedCurve> placed = cauchy_curves(problem);
+  DenseSystem system = assemble_bounded(problem, ClosureForm::reduced);
+  add_near_correction(system, problem, placed);
+  const Eigen::VectorXd density = solve(system);
+  return SolvedFlow(problem, placed, deinterleaved(density));
+}
+
+}  // namespace stokesbook::test
