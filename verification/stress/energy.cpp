@@ -145,6 +145,14 @@ double traction_error(Index n, Traction traction) {
          test::largest(exact);
 }
 
+/// Difference of the inner circle's traction, integrated, from its load in the same solution.
+double disagreement(Index n, Traction traction) {
+  const SolvedFlow& flow = solved_annulus(relative_gap, n);
+  const Load& load = flow.completion().loads[0];
+  return test::distance(integrated_loads(flow.problem(), traction_of(flow, traction))[0], load) /
+         std::abs(load.torque);
+}
+
 using ErrorOf = double (*)(Index, Traction);
 
 Measure over_eights(ErrorOf error, Traction traction) {
@@ -336,7 +344,10 @@ Experiment eccentric() {
                                     .reason = "the motions are rigid: it is a sum of loads",
                                     .api = {"stokesbook::boundary_power"}},
                      .control = Control{"the pseudo-traction -p n + mu du/dn",
-                                        over_eights(power_error, pseudo_traction)}}}};
+                                        over_eights(power_error, pseudo_traction)}},
+                    {.key = "agreement",
+                     .label = "traction integrated against the load it came with",
+                     .measure = over_eights(disagreement, boundary_traction)}}};
 }
 
 Experiment dissipation_of_gaps() {
