@@ -31,7 +31,7 @@ Complex body_stresslet(const Curve& curve, const ComplexVector& density, double 
 /// @param  centre    c, where a force acts; length
 /// @param  traction  of the whole flow at its nodes, from boundary_traction(), force / length^2
 /// @return           S_11 + i S_12, force length a unit of depth
-/// @par Accuracy     that of the rule: geometric in N
+/// @par Accuracy     that of integrated tractions: geometric in N, @ref claim_07_17
 /// @par Not for      walls that deform, whose velocity has a share in the stresslet
 Complex stresslet_of_traction(const Curve& curve, Complex centre, const ComplexVector& traction);
 
