@@ -18,7 +18,8 @@ namespace stokesbook {
 /// @param  flow      problem and motions
 /// @param  traction  of the whole flow, from boundary_traction()
 /// @return           one entry a component, force length / time a unit of depth
-/// @par Accuracy     that of the rule: geometric in the nodes
+/// @par Accuracy     geometric in the nodes: @ref claim_07_18; equal to power_of_loads() where all
+/// motions are rigid, @ref claim_07_19
 std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction);
 
 /// Computes the same power from motions and loads: with the rigid part U, omega of a component's
@@ -38,7 +39,7 @@ std::vector<double> power_of_loads(const SolvedFlow& flow);
 /// @param  at_points derivatives of the whole flow at the rule's points
 /// @param  mu        viscosity, force time / length^2
 /// @return           force length / time a unit of depth
-/// @par Accuracy     1e-10 relative, once the flow is resolved
+/// @par Accuracy     that of the rule, once the flow is resolved: @ref claim_07_20
 double volume_dissipation(const FluidQuadrature& rule,
                           const std::vector<FlowDerivatives>& at_points, double mu);
 

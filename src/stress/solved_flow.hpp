@@ -14,8 +14,8 @@ namespace stokesbook {
 /// The flow of a solved boundary value problem, without its background:
 /// \f[ u = D[(I-P)\eta] + \sum_k (S_kF_k + R_kL_k) + u_c. \f]
 /// The background is the caller's to add; derivatives superpose.
-/// @par Accuracy  velocity 1e-13, derivatives 1e-11 relative to the densities, at any distance from
-/// the boundary and on its nodes, once the densities are resolved
+/// @par Accuracy  derivatives 1e-11 relative at any distance from the boundary and on its nodes,
+/// once the densities are resolved, @ref claim_07_9; geometric in the nodes, @ref claim_07_16
 /// @par Not for   points inside bodies, or outside the enclosing wall
 class SolvedFlow {
  public:

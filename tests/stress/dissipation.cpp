@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(several_bodies_in_a_deforming_container) {
   wall.velocity = 0.5 * wall.curve.x.conjugate() + (0.3 * imaginary) * wall.curve.x;
   const StokesProblem problem{
       {test::free_body(Ellipse{1.0, 0.5}, 192, {{-1.3, 0.3}, 0.7}, {{1.0, -2.0}, 0.5}),
-       test::free_body(test::lopsided_curve(0.7), 192, {{1.4, -0.6}, 0.2}),
+       test::free_body(Superellipse{0.8, 0.6, 4}, 256, {{1.4, -0.6}, 0.2}),
        test::held_body(Circle{0.5}, 128, {{0.6, 1.5}}, {{0.2, 0.1}, -1.0}), wall},
       1.3,
       {},

@@ -8,18 +8,24 @@
 namespace stokesbook::test {
 
 /// Adds what the Cauchy scheme finds at the nodes near other components, minus the trapezoid rule,
-/// to the reduced system of a problem.
+/// to the reduced system of a problem; curves are placed without turning.
 inline void add_near_correction(DenseSystem& system, const StokesProblem& problem,
                                 const std::vector<PlacedCurve>& placed) {
   const std::vector<Eigen::Index> offsets = node_offsets(problem);
   const std::vector<NearTargets> near =
       find_near_targets(placed, all_nodes(problem), Targets::own_nodes, 1e-14);
+  std::vector<Curve> curves;
+  for (const Component& component : problem.components) curves.push_back(component.curve);
+  const Eigen::MatrixXd trapezoid = double_layer_matrix(curves);
   for (std::size_t k = 0; k < placed.size(); ++k) {
     const Curve& curve = placed[k].curve();
     const auto& cauchy = *std::get<std::shared_ptr<const CauchyCurve>>(placed[k].scheme);
     const Eigen::Index n = curve.size();
-    const Eigen::MatrixXd rows =
-        cauchy.velocity_rows(near[k].local) - StressletSum({curve}).matrix(near[k].local);
+    Eigen::MatrixXd rows = cauchy.velocity_rows(near[k].local);
+    for (std::size_t i = 0; i < near[k].index.size(); ++i) {
+      rows.middleRows(2 * static_cast<Eigen::Index>(i), 2) -=
+          trapezoid.block(2 * near[k].index[i], 2 * offsets[k], 2, 2 * n);
+    }
     Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(2 * n, 2 * n);
     if (problem.components[k].kind != ComponentKind::enclosing_wall) {
       const RigidModes modes(curve, 0.0);

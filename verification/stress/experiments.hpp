@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "study/study.hpp"
+#include "support/exact_flows.hpp"
+#include "support/over_nodes.hpp"
+#include "support/solved_flow.hpp"
+
+namespace stokesbook::verification::stress {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment methods_on_the_surface();
+study::Experiment rates_on_the_surface();
+study::Experiment distances();
+study::Experiment spacings();
+study::Experiment loads_of_tractions();
+study::Experiment eccentric();
+study::Experiment dissipation_of_gaps();
+study::Experiment quadrature();
+study::Experiment stresslets();
+study::Experiment orbits();
+study::Experiment aspect_ratios();
+study::Experiment excess();
+study::Experiment container();
+study::Experiment dilute();
+/// @}
+
+/// Measures a number at each of the points, the same in a quick study and a full one.
+template <class Number>
+study::Measure over(const std::vector<double>& points, const Number& number) {
+  return [=](study::Size) {
+    std::vector<study::Measurement> measurements;
+    for (const double x : points) measurements.push_back({.x = x, .error = number(x)});
+    return measurements;
+  };
+}
+
+/// Makes a value once for each key: lines and controls share what is dear.
+template <class Key, class Value>
+class Once {
+ public:
+  template <class Make>
+  const Value& operator()(const Key& key, const Make& make) {
+    const auto found = values_.find(key);
+    return found != values_.end() ? found->second : values_.emplace(key, make()).first->second;
+  }
+
+ private:
+  std::map<Key, Value> values_;
+};
+
+/// Pressure over viscosity, vorticity and strain of an exact flow of viscosity 1.
+inline FlowDerivatives derivatives_of(const test::ExactFlow& flow, Complex z) {
+  return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
+}
+
+/// The linear flow with vorticity w and strain q, at rest at the origin.
+inline ComplexVector linear_velocity(const FlowDerivatives& linear, const ComplexVector& z) {
+  return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
+}
+
+/// Point of an ellipse's inside whose preimage under z = (a + b) / 2 (w + m / w), m = (a - b) /
+/// (a + b), lies at the depth d within the unit circle, |w| = e^{-d}.
+inline Complex point_at_depth(const Ellipse& ellipse, double depth, double angle) {
+  const Complex w = std::polar(std::exp(-depth), angle);
+  return 0.5 * ((ellipse.a + ellipse.b) * w + (ellipse.a - ellipse.b) / w);
+}
+
+/// A planted defect: the pseudo-traction -p n + mu du/dn, whose force is right and whose torque is
+/// not, in the place of the traction. In complex notation 2 du/dn = q conj(n) + i w n.
+inline ComplexVector pseudo_traction(const StokesProblem& problem,
+                                     const std::vector<FlowDerivatives>& at_nodes) {
+  ComplexVector result(node_offsets(problem).back());
+  Eigen::Index i = 0;
+  for (const Component& component : problem.components) {
+    for (const Complex n : normals(component.curve)) {
+      const FlowDerivatives& at = at_nodes[static_cast<std::size_t>(i)];
+      result[i++] =
+          problem.viscosity *
+          (-at.pressure * n + 0.5 * (at.strain * std::conj(n) + imaginary * at.vorticity * n));
+    }
+  }
+  return result;
+}
+
+}  // namespace stokesbook::verification::stress

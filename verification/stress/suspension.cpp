@@ -1,0 +1,213 @@
+// Bodies in a container whose wall moves by a pure strain: the smallest suspension with an exact
+// effective viscosity.
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+#include "experiments.hpp"
+#include "stress/dissipation.hpp"
+#include "stress/stress.hpp"
+#include "stress/stresslet.hpp"
+#include "stress/traction.hpp"
+
+namespace stokesbook::verification::stress {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double viscosity = 1.3;
+const FlowDerivatives strained{0.0, 0.0, {1.0, -0.6}};
+
+/// Free bodies in a circular container of radius 1 whose wall moves as the linear flow.
+SolvedFlow in_container(std::vector<Component> bodies) {
+  Component wall = test::enclosing_wall(Circle{1.0}, 128, {});
+  wall.velocity = linear_velocity(strained, wall.curve.x);
+  bodies.push_back(wall);
+  return test::solve_flow({bodies, viscosity, {}, {}});
+}
+
+const SolvedFlow& disk(double fraction) {
+  static Once<double, SolvedFlow> solved;
+  return solved(fraction, [&] {
+    return in_container({test::free_body(Circle{std::sqrt(fraction)}, 128, {})});
+  });
+}
+
+/// Dissipation over that of the fluid alone, mu |q|^2 pi.
+double relative_power(const SolvedFlow& flow) {
+  const std::vector<double> powers = power_of_loads(flow);
+  return std::accumulate(powers.begin(), powers.end(), 0.0) /
+         (dissipation_density(strained, viscosity) * pi);
+}
+
+/// Stresslet of all free bodies.
+Complex stresslet_of_bodies(const SolvedFlow& flow) {
+  Complex sum{};
+  Index first = 0;
+  for (const Component& component : flow.problem().components) {
+    const Index n = component.curve.size();
+    if (component.kind == ComponentKind::free_body) {
+      sum += body_stresslet(component.curve, flow.density().segment(first, n), viscosity);
+    }
+    first += n;
+  }
+  return sum;
+}
+
+double excess_by_stresslets(const SolvedFlow& flow) {
+  return intrinsic_viscosity(stresslet_of_bodies(flow), strained.strain, pi, viscosity);
+}
+
+/// 1 + 2 phi (1 + phi + phi^2) / (1 - phi)^3 of a disk in the middle.
+double exact_viscosity(double phi) {
+  return 1.0 + 2.0 * phi * (1.0 + phi + phi * phi) / std::pow(1.0 - phi, 3);
+}
+
+const std::vector<double> fractions{0.01, 0.05, 0.1, 0.2, 0.35, 0.5};
+
+/// A planted defect: the stresslet 2 pi mu a^2 q of a disk in an unbounded fluid.
+double excess_unbounded(double phi) {
+  return intrinsic_viscosity(2.0 * pi * viscosity * phi * strained.strain, strained.strain, pi,
+                             viscosity);
+}
+
+/// Bodies of no symmetry, scaled by a factor.
+std::vector<Component> odd_bodies(double factor) {
+  return {test::free_body(Ellipse{factor, 0.5 * factor}, 192, {{-0.4, 0.2}, 0.7}),
+          test::free_body(test::lopsided_curve(0.5 * factor), 192, {{0.35, -0.2}, 0.3})};
+}
+
+const std::vector<double> factors{0.05, 0.1, 0.2, 0.3};
+
+/// Excess of the dissipation by tractions on the wall, against the stresslets; relative.
+Measure excess_differences(double factor_of_stresslets) {
+  return over(factors, [=](double factor) {
+    static Once<double, SolvedFlow> solved;
+    const SolvedFlow& flow = solved(factor, [&] { return in_container(odd_bodies(factor)); });
+    const ComplexVector traction =
+        boundary_traction(flow.problem(), flow.derivatives(flow.nodes()));
+    const std::vector<double> powers = boundary_power(flow, traction);
+    const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
+    const double excess = power / (dissipation_density(strained, viscosity) * pi) - 1.0;
+    return std::abs(factor_of_stresslets * excess_by_stresslets(flow) / excess - 1.0);
+  });
+}
+
+const std::vector<double> small_fractions{0.001, 0.002, 0.004, 0.008};
+
+}  // namespace
+
+Experiment container() {
+  const auto error = [](double factor) {
+    return over(fractions, [=](double phi) {
+      return std::abs(factor * relative_power(disk(phi)) / exact_viscosity(phi) - 1.0);
+    });
+  };
+  return {
+      .key = "container",
+      .title = "Effective viscosity of a disk in a container that is strained",
+      .x = "area fraction p",
+      .error = "relative error",
+      .axes = Axes::log_log,
+      .lines = {
+          {.key = "power",
+           .label = "by the power of the wall",
+           .measure = over(fractions,
+                           [](double phi) {
+                             return std::abs(relative_power(disk(phi)) / exact_viscosity(phi) -
+                                             1.0);
+                           }),
+           .claim = Claim{.id = "07_30",
+                          .statement = "The effective viscosity by dissipation is "
+                                       "1 + 2 p (1 + p + p^2) / (1 - p)^3.",
+                          .law = Identity{1e-12},
+                          .reason = "four Goursat terms solve the problem; the nodes resolve it",
+                          .api = {"stokesbook::power_of_loads"}},
+           .control = Control{"a fluid of viscosity 1", error(1.0 / viscosity)}},
+          {.key = "stresslet",
+           .label = "by the disk's stresslet",
+           .measure = over(fractions,
+                           [](double phi) {
+                             return std::abs((1.0 + excess_by_stresslets(disk(phi))) /
+                                                 exact_viscosity(phi) -
+                                             1.0);
+                           }),
+           .claim = Claim{.id = "07_31",
+                          .statement = "By the mean stress it is the same.",
+                          .law = Identity{1e-12},
+                          .reason = "the wall's velocity is linear: the mean strain is that of "
+                                    "the wall, and the mean stress is 2 mu E + S/A",
+                          .api = {"stokesbook::body_stresslet", "stokesbook::intrinsic_viscosity"}},
+           .control = Control{
+               "the stresslet of a disk in an unbounded fluid", over(fractions, [](double phi) {
+                 return std::abs((1.0 + excess_unbounded(phi)) / exact_viscosity(phi) - 1.0);
+               })}}}};
+}
+
+Experiment excess() {
+  return {
+      .key = "excess",
+      .title = "Excess dissipation of two bodies in a strained container, and their stresslets",
+      .x = "size r",
+      .error = "relative difference of excess and S:E",
+      .axes = Axes::log_log,
+      .lines = {
+          {.key = "stresslets",
+           .label = "stresslets against the wall's tractions",
+           .measure = excess_differences(1.0),
+           .claim = Claim{.id = "07_32",
+                          .statement = "What bodies add to the dissipation is the sum "
+                                       "of S:E, whatever their shapes and places.",
+                          .law = Identity{1e-11},
+                          .reason = "the reciprocal theorem between the flow with and "
+                                    "without bodies",
+                          .api = {"stokesbook::body_stresslet", "stokesbook::boundary_power"}},
+           .control = Control{"half of S:E, as S is twice the dipole", excess_differences(0.5)}}}};
+}
+
+Experiment dilute() {
+  const auto coefficient = [](double phi, double viscosity_of_disk) {
+    return std::abs(viscosity_of_disk - 1.0 - 2.0 * phi) / (phi * phi);
+  };
+  return {
+      .key = "dilute",
+      .title = "The second coefficient of the effective viscosity",
+      .x = "area fraction p",
+      .error = "(viscosity - 1 - 2 p) / p^2, and its difference from 8",
+      .axes = Axes::log_log,
+      .lines = {
+          {.key = "coefficient",
+           .label = "second coefficient",
+           .measure = over(small_fractions,
+                           [=](double phi) { return coefficient(phi, relative_power(disk(phi))); }),
+           .claim = Claim{.id = "07_33",
+                          .statement = "After 1 + 2 p comes 8 p^2.",
+                          .law = Floor{8.0, 1.03},
+                          .reason = "1 + 2 p (1 + p + p^2)/(1 - p)^3 = 1 + 2 p + 8 p^2 + "
+                                    "20 p^3 + ...",
+                          .api = {"stokesbook::power_of_loads"}},
+           .control = Control{"the stresslet of a disk in an unbounded fluid",
+                              over(small_fractions,
+                                   [=](double phi) {
+                                     return coefficient(phi, 1.0 + excess_unbounded(phi));
+                                   })}},
+          {.key = "rest",
+           .label = "its difference from 8",
+           .measure = over(small_fractions,
+                           [=](double phi) {
+                             return std::abs(coefficient(phi, relative_power(disk(phi))) - 8.0);
+                           }),
+           .claim = Claim{.id = "07_34",
+                          .statement = "The rest is of third order.",
+                          .law = Algebraic{-1.0, 0.03},
+                          .reason = "20 p^3",
+                          .api = {"stokesbook::power_of_loads"}},
+           .control = Control{"a coefficient of 7.6", over(small_fractions, [=](double phi) {
+                                return std::abs(coefficient(phi, relative_power(disk(phi))) - 7.6);
+                              })}}}};
+}
+
+}  // namespace stokesbook::verification::stress
