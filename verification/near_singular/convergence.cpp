@@ -68,7 +68,7 @@ Experiment convergence() {
                 {.key = "cauchy",
                  .label = "Cauchy integrals",
                  .measure = errors_of(height, cauchy),
-                 .claim = Claim{.id = "06_13",
+                 .claim = Claim{.id = "06_12",
                                 .statement = "At a thousandth from the curve the Cauchy scheme "
                                              "converges as N e^{-0.15 N}, half of the distance 0.3 "
                                              "of the pole's preimage.",

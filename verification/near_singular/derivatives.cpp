@@ -98,13 +98,13 @@ Experiment derivatives() {
           .title = "Pressure, vorticity and strain by the Cauchy scheme",
           .x = "distance in local spacings d",
           .error = "largest error of the three, relative to the largest strain",
-          .lines = {line("ellipse", "06_9", "an ellipse 2:1, 128 nodes", ellipse,
+          .lines = {line("ellipse", "06_8", "an ellipse 2:1, 128 nodes", ellipse,
                          "the second derivative left out", no_second_derivative),
-                    line("star", "06_10", "a star of five arms, 400 nodes", star,
+                    line("star", "06_9", "a star of five arms, 400 nodes", star,
                          "the turn of the tangent left out", no_tangent),
-                    line("slender", "06_11", "the inside of an ellipse 10:1, 512 nodes",
+                    line("slender", "06_10", "the inside of an ellipse 10:1, 512 nodes",
                          slender_container, "derivatives by the parameter", by_the_parameter),
-                    line("circle", "06_12", "the inside of a circle, 96 nodes", round_container,
+                    line("circle", "06_11", "the inside of a circle, 96 nodes", round_container,
                          "pressure and vorticity of the other sign", other_sign)}};
 }
 

@@ -7,11 +7,13 @@ namespace stokesbook::verification::near_singular {
 /// @name Experiments of the study
 /// @{
 study::Experiment distances();
+study::Experiment false_successes();
 study::Experiment shapes();
 study::Experiment derivatives();
 study::Experiment convergence();
 study::Experiment upsampling();
 study::Experiment degrees();
+study::Experiment tolerances();
 study::Experiment tabulated();
 study::Experiment preimages();
 study::Experiment sides();

@@ -11,9 +11,10 @@ study::Study near_singular_study() {
   return {.number = "06",
           .name = "near_singular",
           .title = "Near-singular evaluation",
-          .experiments = {distances(), shapes(), derivatives(), convergence(), upsampling(),
-                          degrees(), tabulated(), preimages(), sides(), border(), pairs(),
-                          lobed_bodies(), beside_the_plain_rule(), work_precision()}};
+          .experiments = {distances(), false_successes(), shapes(), derivatives(), convergence(),
+                          upsampling(), degrees(), tolerances(), tabulated(), preimages(), sides(),
+                          border(), pairs(), lobed_bodies(), beside_the_plain_rule(),
+                          work_precision()}};
 }
 
 }  // namespace stokesbook
