@@ -22,6 +22,8 @@ study::Experiment pairs();
 study::Experiment lobed_bodies();
 study::Experiment beside_the_plain_rule();
 study::Experiment work_precision();
+study::Experiment preimage_order();
+study::Experiment gaps();
 /// @}
 
 }  // namespace stokesbook::verification::near_singular

@@ -26,7 +26,7 @@ double worst_error(const Solved& solved, const InterpolationSettings& settings) 
 
 Measure over_upsampling(double step, int degree) {
   return [=](Size) {
-    const Solved solved = solved_ellipse().on_nodes(512);
+    const Solved solved = solved_ellipse().on_nodes(384);
     std::vector<Measurement> measurements;
     for (int upsampling = 1; upsampling * step < 5.5; ++upsampling) {
       measurements.push_back({.x = static_cast<double>(upsampling),
@@ -201,7 +201,7 @@ Experiment tolerances() {
   return {.key = "tolerances",
           .title = "Interpolation for a tolerance, 256 nodes",
           .x = "tolerance e",
-          .error = "largest error of the velocity at any distance, relative to the density",
+          .error = "largest error at any distance, relative to the density",
           .lines = {tolerance_line("outside", "06_18", "outside an ellipse 2:1", ellipse),
                     tolerance_line("inside", "06_19", "inside an ellipse 2:1", container)}};
 }

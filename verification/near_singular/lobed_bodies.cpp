@@ -144,8 +144,8 @@ Measure over_nodes(Between between) {
 /// 64 nodes a body, spacings from nearly touching bodies to such as are far from each other.
 Measure over_plain_error(Between between) {
   return [=](Size size) {
-    std::vector<double> spacings{2.0, 1.5, 1.3, 1.22};
-    if (size == Size::full) spacings.insert(spacings.end(), {1.75, 1.4, 1.25, 1.21});
+    std::vector<double> spacings{2.0, 1.4, 1.3, 1.25, 1.22};
+    if (size == Size::full) spacings.insert(spacings.end(), {1.75, 1.5, 1.35, 1.21});
     std::vector<Measurement> measurements;
     for (const double spacing : spacings) {
       measurements.push_back(

@@ -14,7 +14,7 @@ study::Study near_singular_study() {
           .experiments = {distances(), false_successes(), shapes(), derivatives(), convergence(),
                           upsampling(), degrees(), tolerances(), tabulated(), preimages(), sides(),
                           border(), pairs(), lobed_bodies(), beside_the_plain_rule(),
-                          work_precision()}};
+                          work_precision(), preimage_order(), gaps()}};
 }
 
 }  // namespace stokesbook
