@@ -11,6 +11,7 @@ using Eigen::MatrixXcd;
 
 namespace {
 
+// [rows_pay]
 // Rows take N^2 operations a target once, the factored Cauchy scheme N^2 a curve in each of about
 // thirty applications: whatever N is, rows pay up to some number of targets. By ./stokes bench it is
 // 24 to 48.
@@ -20,6 +21,7 @@ bool rows_pay(const PlacedCurve& placed, Index near_targets) {
   }
   return near_targets <= 24;
 }
+// [rows_pay]
 
 ComplexVector turned(const ComplexVector& v, double angle) {
   return std::polar(1.0, angle) * v;
