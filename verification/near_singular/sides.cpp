@@ -55,9 +55,13 @@ int wrong_answers(const Curve& curve, const Shape& shape, double spacings, SideV
 Measure counts_of(const SetUp& set_up, SideValue value) {
   return [=](Size size) {
     const Curve curve = sample(set_up.shape, set_up.n, set_up.side);
-    const double factor = size == Size::full ? 10.0 : 100.0;
+    std::vector<double> distances{1e-11, 1e-9, 1e-7, 1e-5, 1e-3, 0.1, 3.0};
+    if (size == Size::full) {
+      distances.insert(distances.end(), {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0});
+      std::ranges::sort(distances);
+    }
     std::vector<Measurement> measurements;
-    for (double d = 1e-10; d < 2.0; d *= factor) {
+    for (const double d : distances) {
       measurements.push_back(
           {.x = d, .error = static_cast<double>(wrong_answers(curve, set_up.shape, d, value))});
     }
