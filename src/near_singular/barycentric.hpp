@@ -20,9 +20,12 @@ struct BarycentricFunctions {
                        const Eigen::Ref<const ComplexVector>& g,
                        const Eigen::Ref<const ComplexVector>& h);
 
-  Eigen::VectorXd fx, fy;  ///< f
-  Eigen::VectorXd gx, gy;  ///< g
-  Eigen::VectorXd hx, hy;  ///< h
+  Eigen::VectorXd fx,  ///< f
+      fy,              ///< f
+      gx,              ///< g
+      gy,              ///< g
+      hx,              ///< h
+      hy;              ///< h
 };
 
 /// What a barycentric evaluation finds at a target.
