@@ -64,16 +64,19 @@ struct Method {
 // [methods]
 /// Three ways to evaluate the double layer of one density.
 std::vector<Method> methods(const Curve& body, const ComplexVector& density) {
-  const StressletSum trapezoid({body});
+  const auto by_sum = [sum = StressletSum({body}), density](const ComplexVector& z) {
+    return sum(z, density);
+  };
   const InterpolationCurve interpolation(body, InterpolationSettings::for_tolerance(1e-6));
+  const auto by_interpolation = [interpolation,
+                                 data = interpolation.data(density)](const ComplexVector& z) {
+    return interpolation.velocity(data, 0, z);
+  };
   const CauchyCurve cauchy(body);
-  return {
-      {"trapezoid", [=](const ComplexVector& z) { return trapezoid(z, density); }},
-      {"interpolation", [=, data = interpolation.data(density)](
-                            const ComplexVector& z) { return interpolation.velocity(data, 0, z); }},
-      {"Cauchy", [=, data = cauchy.data(density)](const ComplexVector& z) {
-         return cauchy.velocity(data, 0, z);
-       }}};
+  const auto by_cauchy = [cauchy, data = cauchy.data(density)](const ComplexVector& z) {
+    return cauchy.velocity(data, 0, z);
+  };
+  return {{"trapezoid", by_sum}, {"interpolation", by_interpolation}, {"Cauchy", by_cauchy}};
 }
 // [methods]
 
