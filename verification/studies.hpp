@@ -11,6 +11,7 @@ study::Study double_layer_study();
 study::Study closure_study();
 study::Study null_space_study();
 study::Study krylov_study();
+study::Study near_singular_study();
 study::Study stress_study();
 study::Study suspension_study();
 /// @}

@@ -68,7 +68,7 @@ class StressletSum {
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          of the flow at the m targets, 1 / time
   /// @par Cost        m n kernel evaluations for m targets
-  /// @par Not for     targets nearer than about 6 node spacings: add NearDerivatives
+  /// @par Not for     targets nearer than about 6 node spacings: use double_layer_derivatives()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
                                            const ComplexVector& density) const;
 

@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
+// [cauchy_matrix]
 // Boundary values from the fluid of the Cauchy integral, C+[f] = V f with
 // (V f)_j = [s=+1] f_j + sum_{k/=j} (f_k - f_j) c_k / (t_k - t_j) + f'_j s h / (2 pi i), c_k = s
 // t'_k h / (2 pi i).
@@ -34,6 +35,7 @@ MatrixXcd cauchy_matrix(const Curve& curve) {
   }
   return matrix;
 }
+// [cauchy_matrix]
 
 // Drops the modes that hold nothing but rounding, which differentiation would amplify N times.
 ComplexVector without_rounding(const ComplexVector& f) {

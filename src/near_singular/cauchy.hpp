@@ -41,7 +41,8 @@ struct CauchyDerivativeData {
 /// and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$, and with
 /// \f$ g = d\chi/dt - \phi'\,d\bar t/dt \f$ along the curve
 /// \f[ \partial u/\partial\bar z = -\overline{\sum_j w_j[g_j + (\bar z - \bar t_j)\phi''_j]}. \f]
-/// @par Accuracy  1e-13 relative at any distance, once the density is resolved
+/// @par Accuracy  1e-13 relative at any distance, once the density is resolved: @ref claim_06_1,
+/// @ref claim_06_6; until then that of the density, @ref claim_06_12
 /// @par Not for   targets on the other side of the curve
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class CauchyCurve {
@@ -90,7 +91,8 @@ class CauchyCurve {
   /// @param  column   which density
   /// @param  targets  m points, in the curve's frame, length
   /// @return          m values in the curve's frame, 1 / time
-  /// @par Accuracy  1e-11 relative at any distance, once the density is resolved
+  /// @par Accuracy  1e-11 relative at any distance, once the density is resolved: @ref claim_06_8,
+  /// @ref claim_06_10
   /// @par Cost      as velocity()
   std::vector<FlowDerivatives> derivatives(const CauchyDerivativeData& data, Eigen::Index column,
                                            const ComplexVector& targets) const;
@@ -99,7 +101,8 @@ class CauchyCurve {
   ///
   /// @param  point  in the curve's frame, length
   /// @return        true in the fluid and on a node
-  /// @par Accuracy  the border is the curve, between nodes too, once its shape is resolved
+  /// @par Accuracy  the border is the curve, between nodes too, once its shape is resolved:
+  /// @ref claim_06_25; before, see @ref claim_06_28
   /// @par Cost      O(N)
   bool in_fluid(Complex point) const { return barycentric_.side(point) > 0.5; }
 

@@ -58,7 +58,9 @@ struct InterpolationData {
 ///
 /// Targets farther out than the first of these points take the fine rule itself. Everything is in
 /// the curve's own frame.
-/// @par Accuracy  that of InterpolationSettings; worst at half a spacing
+/// @par Accuracy  that of InterpolationSettings: @ref claim_06_13, @ref claim_06_17,
+/// @ref claim_06_18; worst at a third of a spacing, proportional to the distance below:
+/// @ref claim_06_2
 /// @par Not for   curves whose fluid is narrower than m beta h behind the closest point: the
 /// points would lie outside it
 /// @sa source: Ying, Biros, Zorin, J. Comput. Phys. 219 (2006), 247; Quaife, Biros, J. Comput.

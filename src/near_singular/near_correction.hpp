@@ -26,7 +26,8 @@ struct NearSettings {
 /// The near correction of a trapezoid sum: replaces it by a scheme of close evaluation at the
 /// targets where the rule is too coarse. Planned once per geometry, applied many times.
 ///
-/// @par Accuracy  that of the scheme, at any gap, once the density is resolved
+/// @par Accuracy  that of the scheme, at any gap, once the density is resolved: @ref claim_06_30,
+/// @ref claim_06_31; never worse than without: @ref claim_06_33
 /// @par Cost      factored, by the Cauchy scheme: 12 N^2 real multiplications a curve with near
 /// targets and 50 N operations a near target, O(1) memory a pair; explicit rows: 4 N real
 /// multiplications a near target, 24 N^2 once

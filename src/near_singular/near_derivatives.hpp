@@ -19,7 +19,7 @@ namespace stokesbook {
 /// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
 /// @return            m values, 1 / time
 /// @throws std::invalid_argument when a curve has another scheme
-/// @par Accuracy  1e-11 relative, once the densities are resolved
+/// @par Accuracy  1e-11 relative, once the densities are resolved: @ref claim_06_8
 /// @par Cost      m n kernel evaluations, O(N^2) a curve with near targets, 50 N operations a near
 /// target
 std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,

@@ -15,7 +15,7 @@ namespace stokesbook {
 /// @param  node    j, the nearest node for good accuracy
 /// @param  target  z, length
 /// @return         s, dimensionless
-/// @par Accuracy   second order in the distance over the radius of curvature
+/// @par Accuracy  second order in the distance over the radius of curvature: @ref claim_06_35
 Complex preimage(const Curve& curve, Eigen::Index node, Complex target);
 
 /// Finds the node nearest to a point.
@@ -29,8 +29,8 @@ Eigen::Index nearest_node(const Curve& curve, Complex target);
 /// Returns \f$ N|\mathrm{Im}\,s| \f$ below which the trapezoid rule misses a relative tolerance:
 /// \f$ \ln(200/\varepsilon) \f$.
 ///
-/// Measured on resolved circles, ellipses and stars: error <= 200 exp(-N |Im s|) down to rounding,
-/// typically 10 to 20 times less.
+/// On resolved circles, ellipses and stars the error is at most 200 exp(-N |Im s|) down to rounding,
+/// @ref claim_06_23, and typically 10 to 20 times less.
 /// @param  tolerance  relative to the density, > 0
 /// @return            bound of N |Im s|, dimensionless
 double near_cut(double tolerance);

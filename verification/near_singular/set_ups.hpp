@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "double_layer/kernels.hpp"
+#include "near_singular/cauchy.hpp"
+#include "support/dirichlet.hpp"
+#include "support/exact_flows.hpp"
+#include "support/vectors.hpp"
+#include "trapezoid/curve.hpp"
+#include "trapezoid/fourier.hpp"
+
+namespace stokesbook::verification::near_singular {
+
+/// A curve, and an exact flow whose density on it n nodes resolve to rounding.
+struct SetUp {
+  Shape shape;
+  Side side;
+  Eigen::Index n;
+  test::ExactFlow flow;
+};
+
+/// Flows with poles within a body, and outside a container.
+inline const test::ExactFlow inner_poles{
+    {{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
+inline const test::ExactFlow outer_poles{
+    {{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
+
+inline const SetUp ellipse{Ellipse{1.0, 0.5}, Side::fluid_outside, 128, inner_poles};
+inline const SetUp star{Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles};
+inline const SetUp slender_container{Ellipse{1.0, 0.1}, Side::fluid_inside, 512, outer_poles};
+inline const SetUp round_container{Circle{1.0}, Side::fluid_inside, 96, outer_poles};
+
+/// Nodes and density of a set-up, and points of the fluid.
+struct Solved {
+  explicit Solved(const SetUp& of)
+      : set_up(of),
+        curve(sample(of.shape, of.n, of.side)),
+        density(test::density_of(curve, of.flow.velocity(curve.x))),
+        scale(test::largest(of.flow.velocity(curve.x))) {}
+
+  /// The same density on other numbers of nodes, where it is resolved too.
+  Solved on_nodes(Eigen::Index n) const {
+    Solved other = *this;
+    other.set_up.n = n;
+    other.curve = sample(set_up.shape, n, set_up.side);
+    other.density = resample(density, n);
+    return other;
+  }
+
+  /// 122 points at a distance in spacings of the nodes next to them, two of them over nodes.
+  ComplexVector points_at(double spacings) const {
+    const double step = 2.0 * std::numbers::pi * spacings / static_cast<double>(curve.size());
+    return points_off(step * places().dx.cwiseAbs());
+  }
+  /// The same at a distance.
+  ComplexVector points_off(double distance) const {
+    return points_off(Eigen::VectorXd::Constant(places().size(), distance));
+  }
+
+  /// Largest error at points, relative to the largest velocity on the curve.
+  double error(const ComplexVector& velocity, const ComplexVector& points) const {
+    return test::largest(velocity - set_up.flow.velocity(points)) / scale;
+  }
+
+  SetUp set_up;
+  Curve curve;
+  ComplexVector density;
+  double scale;
+
+ private:
+  Curve places() const { return sample(set_up.shape, 122, set_up.side); }
+  ComplexVector points_off(const Eigen::VectorXd& distance) const {
+    return places().x - distance.cwiseProduct(normals(places()));
+  }
+};
+
+/// The ellipse, solved once.
+inline const Solved& solved_ellipse() {
+  static const Solved solved(ellipse);
+  return solved;
+}
+
+/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
+/// has.
+inline ComplexVector naive_rule(const Curve& curve, const ComplexVector& density,
+                                const ComplexVector& targets) {
+  const Eigen::VectorXd w = weights(curve);
+  const ComplexVector normal = normals(curve);
+  return targets.unaryExpr([&](Complex target) {
+    Complex velocity{};
+    for (Eigen::Index j = 0; j < curve.size(); ++j) {
+      velocity += w[j] * stresslet(target - curve.x[j], normal[j], density[j]);
+    }
+    return velocity;
+  });
+}
+
+/// What the sum W of the barycentric weights is divided by.
+using Divisor = Complex (*)(Complex sum);
+
+/// The Cauchy scheme with another divisor: the mistakes in it that are easily made.
+inline ComplexVector divided_by(Divisor divisor, const Curve& curve, const CauchyData& data,
+                                const ComplexVector& targets) {
+  const Complex factor = curve.sign() / (imaginary * static_cast<double>(curve.size()));
+  return targets.unaryExpr([&](Complex z) {
+    Complex sum{}, first{}, second{};
+    for (Eigen::Index j = 0; j < curve.size(); ++j) {
+      const Complex w = factor * curve.dx[j] / (curve.x[j] - z);
+      const Complex chi = std::conj(data.phi(j, 0) - data.limit(j, 0));
+      sum += w;
+      first += w * data.phi(j, 0);
+      second += w * (chi + std::conj(z - curve.x[j]) * data.dphi(j, 0));
+    }
+    return first / divisor(sum) - std::conj(second / divisor(sum));
+  });
+}
+
+}  // namespace stokesbook::verification::near_singular
