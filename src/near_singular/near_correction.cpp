@@ -13,8 +13,8 @@ namespace {
 
 // [rows_pay]
 // Rows take N^2 operations a target once, the factored Cauchy scheme N^2 a curve in each of about
-// thirty applications: whatever N is, rows pay up to some number of targets. By ./stokes bench it is
-// 24 to 48.
+// thirty applications: whatever N is, rows pay up to some number of targets. For 64 bodies it is 20
+// to 40 (./stokes bench), for fewer, whose rows stay in the cache, somewhat more.
 bool rows_pay(const PlacedCurve& placed, Index near_targets) {
   if (std::holds_alternative<std::shared_ptr<const InterpolationCurve>>(placed.scheme)) {
     return true;  // an evaluation costs as much as a row has entries, m sigma times

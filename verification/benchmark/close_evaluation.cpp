@@ -39,11 +39,11 @@ double time_interpolation(const Curve& curve, const ComplexVector& density,
   return nanoseconds([&] { return scheme.velocity(data, 0, targets); }, targets.size(), budget);
 }
 
-// Seconds for the plan of a correction and thirty applications, a curve: eight bodies of one shape,
-// which share the products of factored storage.
+// Seconds for the plan of a correction and thirty applications, a curve: 64 bodies of one shape,
+// which share the products of factored storage, and whose rows leave the cache.
 double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme, Index targets,
                                 NearStorage storage, double budget) {
-  constexpr Index bodies = 8;
+  constexpr Index bodies = 64;
   std::vector<PlacedCurve> placed;
   ComplexVector points(bodies * targets);
   const ComplexVector local = close_points(scheme->curve(), 2 * targets).head(targets);
@@ -62,31 +62,15 @@ double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme
   return least_seconds(work, budget) / static_cast<double>(bodies);
 }
 
-// Targets a curve up to which rows are the cheaper by measurement, and by the choice of
-// NearCorrection.
-struct BreakEven {
-  Index measured, chosen;
-};
-
-BreakEven break_even(Index n, double budget) {
-  const auto scheme = std::make_shared<const CauchyCurve>(ellipse(n));
-  const auto rows_pay = [&](Index targets) {
-    return time_thirty_applications(scheme, targets, NearStorage::explicit_rows, budget) <
-           time_thirty_applications(scheme, targets, NearStorage::factored, budget);
-  };
-  const auto rows_are_chosen = [&](Index targets) {
+// Targets a curve up to which NearCorrection keeps rows by itself.
+Index most_targets_with_rows(const std::shared_ptr<const CauchyCurve>& scheme) {
+  const auto are_kept = [&](Index targets) {
     const ComplexVector points = close_points(scheme->curve(), 2 * targets).head(targets);
     return NearCorrection({{scheme, {}, 0.0}}, points, Targets::points, {}).explicit_count() == 1;
   };
-  const auto last = [](const auto& pays) {
-    Index low = 0, high = 257;
-    while (high - low > 1) {
-      const Index middle = (low + high) / 2;
-      (pays(middle) ? low : high) = middle;
-    }
-    return low;
-  };
-  return {last(rows_pay), last(rows_are_chosen)};
+  Index targets = 2;
+  while (are_kept(targets)) targets += 2;
+  return targets - 2;
 }
 
 // With one thread, whatever the caller's number is.
@@ -133,15 +117,22 @@ Table time_close_evaluation(double budget) {
 }
 
 Table time_near_storage(double budget) {
-  Table table{"Near corrections: targets a curve up to which explicit rows are the cheaper",
-              {"nodes", "measured", "chosen"},
+  Table table{"Near corrections: time of explicit rows over factored, by targets a curve",
+              {"nodes", "8", "16", "24", "32", "48", "64", "kept up to"},
               {},
-              "  thirty applications and the plan, eight bodies of one shape, one thread"};
+              "  the plan and thirty applications, 64 bodies of one shape, one thread"};
   with_one_thread([&] {
     for (const Index n : {32, 64, 128, 256}) {
-      const BreakEven found = break_even(n, budget);
-      table.rows.push_back({static_cast<double>(n), static_cast<double>(found.measured),
-                            static_cast<double>(found.chosen)});
+      const auto scheme = std::make_shared<const CauchyCurve>(ellipse(n));
+      std::vector<double> row{static_cast<double>(n)};
+      for (const Index targets : {8, 16, 24, 32, 48, 64}) {
+        const auto seconds = [&](NearStorage storage) {
+          return time_thirty_applications(scheme, targets, storage, budget);
+        };
+        row.push_back(seconds(NearStorage::explicit_rows) / seconds(NearStorage::factored));
+      }
+      row.push_back(static_cast<double>(most_targets_with_rows(scheme)));
+      table.rows.push_back(row);
     }
   });
   return table;

@@ -38,7 +38,7 @@ std::vector<Table> run_benchmarks(bool quick) {
   add(time_direct_sum(peak, quick ? 2048 : 16384, budget));
   add(time_storage(0.5 * budget));
   add(time_close_evaluation(0.5 * budget));
-  add(time_near_storage(0.2 * budget));
+  add(time_near_storage(0.5 * budget));
   add(time_taylor_green(quick, budget));
   return tables;
 }
