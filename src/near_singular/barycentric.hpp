@@ -20,12 +20,12 @@ struct BarycentricFunctions {
                        const Eigen::Ref<const ComplexVector>& g,
                        const Eigen::Ref<const ComplexVector>& h);
 
-  Eigen::VectorXd fx,  ///< f, real parts
-      fy;              ///< f, imaginary parts
-  Eigen::VectorXd gx,  ///< g, real parts
-      gy;              ///< g, imaginary parts
-  Eigen::VectorXd hx,  ///< h, real parts
-      hy;              ///< h, imaginary parts
+  Eigen::VectorXd fx,  ///< f
+      fy,              ///< f
+      gx,              ///< g
+      gy,              ///< g
+      hx,              ///< h
+      hy;              ///< h
 };
 
 /// What a barycentric evaluation finds at a target.
@@ -38,7 +38,8 @@ struct BarycentricValues {
 /// \f[ w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
 /// At a node the weights are those of the node alone, so that the values there are the limits.
-/// @par Accuracy  rounding at any distance, once the functions are resolved
+/// @par Accuracy  rounding at any distance, once the functions are resolved: @ref claim_06_1,
+/// @ref claim_06_12; the side: @ref claim_06_28
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class Barycentric {
  public:
