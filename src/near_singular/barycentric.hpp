@@ -20,12 +20,12 @@ struct BarycentricFunctions {
                        const Eigen::Ref<const ComplexVector>& g,
                        const Eigen::Ref<const ComplexVector>& h);
 
-  Eigen::VectorXd fx,  ///< f, real parts
-      fy;              ///< f, imaginary parts
-  Eigen::VectorXd gx,  ///< g, real parts
-      gy;              ///< g, imaginary parts
-  Eigen::VectorXd hx,  ///< h, real parts
-      hy;              ///< h, imaginary parts
+  Eigen::VectorXd fx,  ///< f
+      fy,              ///< f
+      gx,              ///< g
+      gy,              ///< g
+      hx,              ///< h
+      hy;              ///< h
 };
 
 /// What a barycentric evaluation finds at a target.
