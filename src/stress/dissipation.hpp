@@ -22,8 +22,9 @@ namespace stokesbook {
 /// motions are rigid, @ref claim_07_19
 std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction);
 
-/// Computes the same power from motions and loads: with the rigid part U, omega of a component's
-/// velocity g,
+/// Computes the same power from motions and loads.
+///
+/// With the rigid part \f$ U + \omega(x-c)^\perp \f$ of a component's velocity g,
 /// \f[ \oint g\cdot\sigma n\,ds = U\cdot F + \omega L + \oint (g - U - \omega (x-c)^\perp)\cdot
 ///     \sigma n\,ds, \f]
 /// whose last term asks for the traction only where a wall does not move rigidly.

@@ -41,8 +41,10 @@ std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& target
   const double mu = problem_.viscosity;
   for (std::size_t k = 0; k < problem_.components.size(); ++k) {
     const Component& component = problem_.components[k];
-    if (component.kind == ComponentKind::enclosing_wall) continue;  // its layer holds the load
     const Load& load = completion_.loads[k];
+    const bool has_load = load.force != Complex{} || load.torque != 0.0;
+    // The layer of an enclosing wall holds the wall's load.
+    if (!has_load || component.kind == ComponentKind::enclosing_wall) continue;
     for (Index i = 0; i < targets.size(); ++i) {
       const Complex r = targets[i] - component.centre;
       FlowDerivatives& at = flow[static_cast<std::size_t>(i)];

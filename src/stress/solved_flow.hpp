@@ -11,7 +11,8 @@ namespace stokesbook {
 /// @addtogroup stress
 /// @{
 
-/// The flow of a solved boundary value problem, without its background:
+/// The flow of a solved boundary value problem, without its background.
+///
 /// \f[ u = D[(I-P)\eta] + \sum_k (S_kF_k + R_kL_k) + u_c. \f]
 /// The background is the caller's to add; derivatives superpose.
 /// @par Accuracy  derivatives 1e-11 relative at any distance from the boundary and on its nodes,

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(bodies_in_an_unbounded_fluid) {
   const ComplexVector traction = boundary_traction(problem, flow.derivatives(flow.nodes()));
   const std::vector<double> by_boundary = boundary_power(flow, traction);
   const std::vector<double> by_loads = power_of_loads(flow);
-  for (std::size_t k : {0, 1}) {
+  for (std::size_t k : {0U, 1U}) {
     BOOST_TEST(std::abs(by_boundary[k] - by_loads[k]) < 1e-12 * std::abs(sum(by_loads)));
   }
   BOOST_TEST(sum(by_loads) > 0.0);

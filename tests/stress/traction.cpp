@@ -1,15 +1,13 @@
 // Tractions integrate to forces and torques, those given and those solved for, whatever the
-// viscosity and the unit of length; surface values of reference NF; jumps across the boundary.
+// viscosity and the unit of length; tractions of disks and pressures between circles in closed form.
 #include "stress/traction.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <boost/test/unit_test.hpp>
 
-#include "stress/stress.hpp"
-#include "stress/stresslet.hpp"
-#include "support/closed_forms.hpp"
 #include "support/eccentric_annulus.hpp"
 #include "support/solved_flow.hpp"
 
@@ -45,6 +43,24 @@ BOOST_AUTO_TEST_CASE(one_body_in_an_unbounded_fluid) {
                             {},
                             scale};
       BOOST_TEST(load_error(test::solve_flow(problem), scale) < 1e-12);
+    }
+  }
+}
+
+// A disk pulled by F has the traction F / (2 pi a) everywhere; turned by L, L x^perp / (2 pi a^3).
+BOOST_AUTO_TEST_CASE(pulled_and_turned_disk) {
+  constexpr double pi = std::numbers::pi;
+  for (double radius : {0.7, 1e-3, 1e3}) {
+    const Load load{{1.0, 0.5}, 0.7 * radius};
+    const Complex centre = radius * Complex{0.3, -2.0};
+    const SolvedFlow flow =
+        test::solve_flow({{test::free_body(Circle{radius}, 64, {centre}, load)}, 1.3, {}, radius});
+    const ComplexVector found = boundary_traction(flow.problem(), flow.derivatives(flow.nodes()));
+    const double unit = 1.0 / (2.0 * pi * radius);
+    for (Index j = 0; j < found.size(); ++j) {
+      const Complex arm = flow.nodes()[j] - centre;
+      const Complex exact = unit * (load.force + load.torque * perp(arm) / (radius * radius));
+      BOOST_TEST(std::abs(found[j] - exact) < 1e-12 * unit);
     }
   }
 }

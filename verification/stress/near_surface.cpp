@@ -206,26 +206,26 @@ Experiment distances() {
 }
 
 Experiment spacings() {
-  return {
-      .key = "spacings",
-      .title = "Strain by the trapezoid rule over the distance in spacings",
-      .x = "distance in local spacings x",
-      .error = "error of the strain, relative to the largest",
-      .axes = Axes::semi_log,
-      .lines = {{.key = "body",
-                 .label = "outside an ellipse 2:1, N = 3200",
-                 .measure = errors_over_spacings(Ellipse{1.0, 0.5}, 3200, Side::fluid_outside, 1.0),
-                 .claim = Claim{.id = "07_13",
-                                .statement = "Each spacing is worth a factor e^{-2 pi}, as for "
-                                             "velocities, with one more power of the distance.",
-                                .law = Geometric{2.0 * pi, 0.03, 1.0},
-                                .window = {.from = 0.7, .floor = 1e-11},
-                                .reason = "the kernel's pole in t is of third order, one more "
-                                          "than the velocity's",
-                                .api = {"stokesbook::StressletSum::derivatives"}},
-                 .control = Control{
-                     "the kernel without 1/pi",
-                     errors_over_spacings(Ellipse{1.0, 0.5}, 3200, Side::fluid_outside, pi)}}}};
+  return {.key = "spacings",
+          .title = "Strain by the trapezoid rule over the distance in spacings",
+          .x = "distance in local spacings x",
+          .error = "error of the strain, relative to the largest",
+          .axes = Axes::semi_log,
+          .lines = {
+              {.key = "body",
+               .label = "outside an ellipse 2:1, N = 3200",
+               .measure = errors_over_spacings(Ellipse{1.0, 0.5}, 3200, Side::fluid_outside, 1.0),
+               .claim = Claim{.id = "07_13",
+                              .statement = "Each spacing is worth a factor e^{-2 pi}, as for "
+                                           "velocities; the error is N times as large.",
+                              .law = Geometric{2.0 * pi, 0.03, 1.0},
+                              .window = {.from = 0.7, .floor = 1e-11},
+                              .reason = "the kernel's pole in t is of third order, N^2 d e^{-d N}, "
+                                        "and d N = 2 pi x",
+                              .api = {"stokesbook::StressletSum::derivatives"}},
+               .control = Control{
+                   "the kernel without 1/pi",
+                   errors_over_spacings(Ellipse{1.0, 0.5}, 3200, Side::fluid_outside, pi)}}}};
 }
 
 }  // namespace stokesbook::verification::stress
