@@ -25,7 +25,7 @@ double near_cut(double tolerance) {
   return std::log(200.0 / tolerance);
 }
 
-bool is_near(const Curve& curve, Complex target, double tolerance) {
+double preimage_depth(const Curve& curve, Complex target) {
   Complex sum{};
   for (Index j = 0; j < curve.size(); j += 2) {
     sum += curve.dx[j] / (curve.x[j] - target);
@@ -34,7 +34,11 @@ bool is_near(const Curve& curve, Complex target, double tolerance) {
   // 1 inside the curve and 0 outside; where the rule errs so much that this is in doubt, either
   // error is at least 1/2. On a node it is no number.
   const double error = std::min(std::abs(value), std::abs(value - 1.0));
-  return !(error < std::exp(-0.5 * near_cut(tolerance)));
+  return error < 1.0 ? -2.0 * std::log(error) : 0.0;
+}
+
+bool is_near(const Curve& curve, Complex target, double tolerance) {
+  return preimage_depth(curve, target) <= near_cut(tolerance);
 }
 
 double near_reach(const Curve& curve, double tolerance) {
