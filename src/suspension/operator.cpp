@@ -49,18 +49,4 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
   return velocity;
 }
 
-ComplexVector SuspensionOperator::velocity(const ComplexVector& density,
-                                           const ComplexVector& points,
-                                           const std::vector<PlacedCurve>& placed,
-                                           double tolerance) const {
-  const ComplexVector rest = closure_.without_rigid_part(density);
-  ComplexVector velocity =
-      sum_(points, rest) + closure_.singular_velocity(closure_.complete(density), points);
-  if (!placed.empty()) {
-    velocity +=
-        NearCorrection(placed, points, Targets::points, {tolerance, NearStorage::factored})(rest);
-  }
-  return velocity;
-}
-
 }  // namespace stokesbook

@@ -35,22 +35,6 @@ class SuspensionOperator {
   /// @par Cost        n^2 kernel evaluations, and those of NearCorrection and Closure
   ComplexVector operator()(const ComplexVector& density) const;
 
-  /// Evaluates the fluid's velocity of a density, without the background.
-  ///
-  /// @param  density    at all n nodes, length / time
-  /// @param  points     m points in the fluid, length
-  /// @param  placed     components for near corrections; empty: none
-  /// @param  tolerance  of velocities relative to densities, for the near corrections
-  /// @return            m velocities, length / time
-  /// @par Cost          m n kernel evaluations; near corrections are planned anew
-  /// @par Not for       points near the boundary without placed components
-  ComplexVector velocity(const ComplexVector& density, const ComplexVector& points,
-                         const std::vector<PlacedCurve>& placed, double tolerance) const;
-
-  /// Returns the position of each component's first node.
-  /// @return one entry a component, and one more with the number of all nodes
-  const std::vector<Eigen::Index>& offsets() const { return offsets_; }
-
   /// Returns the closure of the problem.
   /// @return what ties motions and loads to the density
   const Closure& closure() const { return closure_; }

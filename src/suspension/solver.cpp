@@ -100,6 +100,7 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
       patience);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
+  refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
 }
 
@@ -265,12 +266,11 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
                                          const Solution& solution, const ComplexVector& points,
                                          double drive) const {
   const StokesProblem problem = this->problem(configuration, solution.references, drive);
-  const SuspensionOperator system(problem, {}, plan_);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
                                : placed(configuration, solution.references);
   ComplexVector velocity =
-      system.velocity(solution.density, points, near_curves, plan_.near_tolerance);
+      SolvedFlow(problem, near_curves, solution.density, plan_.near_tolerance).velocity(points);
   if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
   return velocity;
 }
