@@ -35,6 +35,10 @@ class SuspensionOperator {
   /// @par Cost        n^2 kernel evaluations, and those of NearCorrection and Closure
   ComplexVector operator()(const ComplexVector& density) const;
 
+  /// Returns the position of each component's first node.
+  /// @return one entry a component, and one more with the number of all nodes
+  const std::vector<Eigen::Index>& offsets() const { return offsets_; }
+
   /// Returns the closure of the problem.
   /// @return what ties motions and loads to the density
   const Closure& closure() const { return closure_; }
