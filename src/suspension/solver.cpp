@@ -67,6 +67,11 @@ void refuse(const std::string& message) {
   if (!message.empty()) throw NumericsRefused(message);
 }
 
+// A hundredth of what is planned, as far as rounding allows.
+double least_gmres_tolerance(const Plan& plan) {
+  return std::max(1e-14, 0.01 * plan.gmres_tolerance);
+}
+
 std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
   const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
   const std::vector<Index>& offsets = discrete.system.offsets();
@@ -173,23 +178,22 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
 }
 
 Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const References& references,
-                                    double drive) const {
+                                    double gmres_tolerance, double drive) const {
   Solution solution;
   solution.references = references;
   const ComplexVector rhs = discrete.system.closure().right_hand_side();
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   try {
-    solution.gmres = stokesbook::solve(discrete, rhs,
-                                       {plan_.gmres_tolerance, scene_.solver.gmres_max_iterations});
+    solution.gmres =
+        stokesbook::solve(discrete, rhs, {gmres_tolerance, scene_.solver.gmres_max_iterations});
   } catch (const std::domain_error& error) {
     throw NumericsRefused(error.what());
   }
   if (!solution.gmres.converged) {
-    throw NumericsRefused("GMRES stopped at a relative residual of " +
-                          short_number(solution.gmres.history.back()) + " after " +
-                          std::to_string(solution.gmres.iterations) + " iterations, asked " +
-                          short_number(plan_.gmres_tolerance) +
-                          ": raise solver.gmres_max_iterations or solver.tolerance");
+    throw NumericsRefused(
+        "GMRES stopped at a relative residual of " + short_number(solution.gmres.history.back()) +
+        " after " + std::to_string(solution.gmres.iterations) + " iterations, asked " +
+        short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
   }
   solution.density = deinterleaved(solution.gmres.solution);
   const Completion completion = discrete.system.closure().complete(solution.density);
@@ -209,28 +213,28 @@ Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const Refer
 
 SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configuration,
                                                     const std::vector<Gap>& gaps,
-                                                    const Resolutions& resolutions,
-                                                    double drive) const {
-  refuse(limit_refusal(scene_, resolutions, gaps));
-  const References references = this->references(resolutions);
+                                                    const Effort& effort, double drive) const {
+  refuse(limit_refusal(scene_, effort.resolutions, gaps));
+  const References references = this->references(effort.resolutions);
   refuse(geometry_refusal(scene_, gaps, configuration, references));
   refuse(data_refusal(scene_, problem(configuration, references, drive)));
   DiscreteProblem discrete = discretise(configuration, references, drive);
-  Solution solution = solve_at(discrete, references, drive);
+  Solution solution = solve_at(discrete, references, effort.gmres_tolerance, drive);
   solution.gaps = gaps;
   return {std::move(discrete), std::move(solution)};
 }
 
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
-  Resolutions resolutions = first_resolutions(configuration, gaps);
+  Effort effort{first_resolutions(configuration, gaps), plan_.gmres_tolerance};
   SolveCost cost;
   while (true) {
-    auto [discrete, solution] = attempt(configuration, gaps, resolutions, drive);
+    auto [discrete, solution] = attempt(configuration, gaps, effort, drive);
     cost.gmres_iterations += solution.gmres.iterations;
     cost.matvecs += solution.gmres.iterations + 1;
     if (solution.velocity_scale > 0.0) {
-      const DiscreteProblem fine = discretise(configuration, references(finer(resolutions)), drive);
+      const DiscreteProblem fine =
+          discretise(configuration, references(finer(effort.resolutions)), drive);
       const ErrorEstimate estimate =
           estimate_error(discrete, solution.density, fine, solution.velocity_scale);
       solution.error_estimate = estimate.error;
@@ -239,13 +243,25 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     solution.cost = cost;
     if (solution.error_estimate <= scene_.solver.tolerance) return solution;
     const std::vector<TailEstimate> tails = tails_of(discrete, solution);
-    const Resolutions next = raised(scene_, resolutions, tails, solution.error_estimate);
-    if (next == resolutions) {
+    const Effort next = greater(effort, tails, solution.error_estimate);
+    if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
       throw NumericsRefused(
-          accuracy_refusal(scene_, resolutions, tails, solution.error_estimate, gaps));
+          accuracy_refusal(scene_, effort.resolutions, tails, solution.error_estimate, gaps));
     }
-    resolutions = next;
+    effort = next;
   }
+}
+
+SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
+                                                   const std::vector<TailEstimate>& tails,
+                                                   double error) const {
+  const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  Effort next{raised(scene_, effort.resolutions, tails, error), effort.gmres_tolerance};
+  // The nodes do: the system is so ill-conditioned that its residual says little.
+  if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
+    next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
+  }
+  return next;
 }
 
 Solution SuspensionSolver::solve_nearby(const Configuration& configuration, const Solution& earlier,
@@ -256,7 +272,8 @@ Solution SuspensionSolver::solve_nearby(const Configuration& configuration, cons
     int& nodes = resolutions[k].n_nodes;
     nodes = std::max(nodes, earlier.references[k]->resolution.n_nodes);
   }
-  Solution solution = attempt(configuration, gaps, resolutions, drive).solution;
+  Solution solution =
+      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance}, drive).solution;
   solution.cost = {solution.gmres.iterations, solution.gmres.iterations + 1};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;

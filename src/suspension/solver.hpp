@@ -67,7 +67,7 @@ class SuspensionSolver {
   /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
   ///
   /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
-  /// estimate exceeds the tolerance.
+  /// estimate exceeds the tolerance. Where the nodes do and GMRES does not, it goes on.
   /// @param  configuration  where the components are
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @return                density, motions and loads of all components, and the error estimate
@@ -189,16 +189,21 @@ class SuspensionSolver {
                                 const std::vector<Gap>& gaps) const;
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
+  struct Effort {
+    Resolutions resolutions;
+    double gmres_tolerance;
+  };
   struct Attempt {
     DiscreteProblem discrete;
     Solution solution;
   };
   /// @endcond
   Attempt attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
-                  const Resolutions& resolutions, double drive) const;
+                  const Effort& effort, double drive) const;
+  Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
   Solution solve_at(const DiscreteProblem& discrete, const References& references,
-                    double drive) const;
+                    double gmres_tolerance, double drive) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;
 

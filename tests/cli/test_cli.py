@@ -184,20 +184,23 @@ class Records(Program):
         text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")
         text = text.replace("2.0, -0.4", "1.5, 0.0").replace('"shear"', '"extensional"')
         text = text.replace("rate = 1.0", "rate = -1.0")
-        self.run_scene("--out", "whole", "--set", "time.t_final=2.0", text=text)
+        self.run_scene("--out", "whole", "--set", "time.t_final=2.0", "--set", "solver.tolerance=1e-9",
+                       text=text)
         folder = self.folder / "whole"
         resolution = json.loads((folder / "run.json").read_text())["resolution"]
         self.assertGreater(resolution["most_nodes"][0], resolution["first_nodes"][0])
         steps = numpy.genfromtxt(folder / "steps.csv", names=True, delimiter=",")
-        self.assertTrue((steps["error_estimate"] <= 1e-5).all())
+        self.assertTrue((steps["error_estimate"] <= 1e-9).all())
         self.assertIn('n_nodes = "auto"', (folder / "scene.toml").read_text())
-        command = [PROGRAM, "run", self.scene(text), "--out", "killed", "--set", "time.t_final=2.0"]
+        command = [PROGRAM, "run", self.scene(text), "--out", "killed", "--set", "time.t_final=2.0",
+                   "--set", "solver.tolerance=1e-9"]
         process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL)
         while not (self.folder / "killed" / "checkpoint").exists():
             time.sleep(0.001)
         process.send_signal(signal.SIGKILL)
         process.wait()
-        self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--resume", text=text)
+        self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--set", "solver.tolerance=1e-9",
+                       "--resume", text=text)
         self.assertEqual(self.files("whole"), self.files("killed"))
 
     def test_fields_have_their_times_and_pictures(self):

@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(nearby_solves_keep_the_nodes) {
 }
 
 BOOST_AUTO_TEST_CASE(says_what_it_would_need) {
-  const Scene needle = scene({body(Ellipse{3.0, 0.01}, automatic_nodes, {})}, ShearFlow{1.0});
+  Scene needle = scene({body(Ellipse{2.0, 0.01}, automatic_nodes, {})}, ShearFlow{1.0});
+  needle.solver.tolerance = 1e-10;
   BOOST_CHECK_EXCEPTION(Solved{needle}, NumericsRefused,
                         mentions({"body 0", "would need n_nodes", "2048"}));
   BOOST_CHECK_EXCEPTION(Solved(automatic_pair(1e-3, 1e-14)), NumericsRefused,
