@@ -56,7 +56,7 @@ double preimage_depth(const Curve& curve, Complex target);
 /// @param  target     point of the fluid, length
 /// @param  tolerance  relative to the density, > 0
 /// @return            true when the rule is expected to miss the tolerance
-/// @par Accuracy      that of preimage_depth()
+/// @par Accuracy      that of preimage_depth(), @ref claim_06_23
 /// @par Cost          O(N)
 bool is_near(const Curve& curve, Complex target, double tolerance);
 

@@ -16,9 +16,16 @@ namespace {
 // Where densities are hardly resolved, the finer solution errs too.
 constexpr double safety = 2.0;
 
-// How closely to look at a residual, relative to itself, when it is `relative` to the data.
-double correction_tolerance(double relative) {
-  return std::clamp(100.0 * relative, 1e-5, 0.03);
+// How closely to look at a residual, relative to itself, when it is `relative` to the data: closely
+// enough for what is quadratic in it, and for what the iteration left, which an ill-conditioned
+// system hides in its softest modes.
+double correction_tolerance(double relative, double iteration) {
+  return std::clamp(std::min(100.0 * relative, 0.1 * iteration / relative), 1e-8, 0.03);
+}
+
+double relative_residual(const DiscreteProblem& discrete, const ComplexVector& density) {
+  const ComplexVector rhs = discrete.system.closure().right_hand_side();
+  return (rhs - discrete.system(density)).norm() / rhs.norm();
 }
 
 // Interpolates, component by component, from the nodes of one system to those of another.
@@ -67,14 +74,15 @@ ErrorEstimate estimate_error(const DiscreteProblem& coarse, const ComplexVector&
   const ComplexVector interpolated = transferred(density, coarse, fine);
   const ComplexVector rhs = closure.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);
-  const double tolerance = correction_tolerance(residual.norm() / rhs.norm());
+  const double tolerance =
+      correction_tolerance(residual.norm() / rhs.norm(), relative_residual(coarse, density));
   const GmresResult correction =
       solve(fine, residual, {tolerance, static_cast<int>(2 * residual.size())});
   const ComplexVector change = deinterleaved(correction.solution);
   const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
                                        closure.complete(interpolated + change), scale)
                            .value_or(change.cwiseAbs().maxCoeff() / scale);
-  return {safety * moved, correction.iterations + 2};
+  return {safety * moved, correction.iterations + 3};
 }
 
 }  // namespace stokesbook

@@ -35,9 +35,11 @@ struct ErrorEstimate {
 /// neither motions nor loads, twice the change of the density. The error of the iteration is part
 /// of the residual.
 ///
-/// The residual r is as large as the density's tail, motions err by its square only. So the
-/// correction is solved to a residual of \f$ 100\,|r|^2/|b| \f$: the less there is to find, the
-/// closer one has to look.
+/// The residual r is as large as the density's tail, motions err by its square only; and what the
+/// iteration left, a residual \f$ r_0 \f$, can be large in motions where the system is
+/// ill-conditioned. So the correction is solved to a residual of the lesser of
+/// \f$ 100\,|r|^2/|b| \f$ and \f$ 0.1\,|r_0| \f$: the less there is to find, the closer one has
+/// to look.
 /// @param  coarse   the system that was solved
 /// @param  density  its solution, at all coarse nodes, length / time
 /// @param  fine     the same problem at a quarter more nodes or so, each component's parameter the
@@ -47,8 +49,7 @@ struct ErrorEstimate {
 /// @throws std::domain_error as gmres() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of it, @ref claim_12_2
-/// @par Cost      one application of the fine operator, and half as many iterations of GMRES or so
-///                as the solution took
+/// @par Cost      about as many iterations of GMRES as the solution took, with a quarter more nodes
 ErrorEstimate estimate_error(const DiscreteProblem& coarse, const ComplexVector& density,
                              const DiscreteProblem& fine, double scale);
 

@@ -28,8 +28,8 @@ FieldGrid field_grid(const FieldSettings& settings);
 /// @param  drive          as in solve()
 /// @return                the field, not a number outside the fluid
 /// @throws std::invalid_argument when the scene asks for no fields
-/// @par Accuracy  velocity as SuspensionSolver::velocity(), all others as
-/// SuspensionSolver::derivatives()
+/// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
+/// @ref claim_06_8
 /// @par Cost      that of in_fluid(), and m n kernel evaluations for m points in the fluid and n
 /// nodes: once for the velocity, once for all others
 Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
