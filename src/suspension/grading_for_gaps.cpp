@@ -36,12 +36,12 @@ std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_d
     return a.depth != b.depth ? a.depth < b.depth : a.parameter < b.parameter;
   });
   std::vector<Cluster> clusters;
-  for (const auto& [parameter, depth] : gaps) {
-    if (depth >= resolved_depth) break;
+  for (const GapDemand& gap : gaps) {
+    if (gap.depth >= resolved_depth) break;
     const bool served = std::any_of(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
-      return std::abs(std::remainder(cluster.parameter - parameter, period)) < depth;
+      return std::abs(std::remainder(cluster.parameter - gap.parameter, period)) < gap.depth;
     });
-    if (!served) clusters.push_back({parameter, depth});
+    if (!served) clusters.push_back({gap.parameter, gap.depth});
   }
   return clusters;
 }
