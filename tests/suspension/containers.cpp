@@ -18,7 +18,7 @@ Load solved_inner_load(const EccentricAnnulus& annulus, double load_tolerance) {
               {outer_wall(Circle{annulus.outer_radius}, 0, outer, annulus.outer_centre)});
     // Rounding of densities 1e4 times the data leaves no residual of 1e-14; and no more is asked
     // of the solver, which estimates rounding errors too, than is checked.
-    both.solver.tolerance = std::max(1.5e-10, load_tolerance);
+    both.solver.tolerance = std::max(3e-10, load_tolerance);
     return Solved(resolved(both)).load(0);
   };
   const Load a = part(annulus.inner, TranslatingWall{annulus.outer.velocity});

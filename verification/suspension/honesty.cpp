@@ -31,14 +31,15 @@ double largest_tail(const Solved& solved) {
   return largest;
 }
 
-// More nodes than the solver would begin with for nearly all digits, crowded where gaps are narrow.
+// Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps are
+// narrow.
 Completion reference_of(Scene scene) {
   for (Body& body : scene.bodies) body.n_nodes = stokesbook::automatic_nodes;
   for (Wall& wall : scene.walls) wall.n_nodes = stokesbook::automatic_nodes;
   scene.solver.tolerance = 1e-12;
   const SuspensionSolver solver(scene);
   const Resolutions first = solver.first_resolutions(solver.initial_configuration());
-  return solved_at(solver, finer(first), 1e-14).completion;
+  return solved_at(solver, finer(finer(first)), 1e-14).completion;
 }
 
 Judged judge(std::mt19937_64& random, int most_nodes) {
@@ -83,7 +84,7 @@ const std::vector<Judged>& judged(Size size) {
   };
   static const std::vector<Judged> quick = judge_all(60, 160);
   if (size == Size::quick) return quick;
-  static const std::vector<Judged> full = judge_all(200, 160);
+  static const std::vector<Judged> full = judge_all(200, 600);
   return full;
 }
 
