@@ -14,6 +14,7 @@ study::Experiment convergence();
 study::Experiment upsampling();
 study::Experiment degrees();
 study::Experiment tolerances();
+study::Experiment sweep();
 study::Experiment tabulated();
 study::Experiment preimages();
 study::Experiment sides();

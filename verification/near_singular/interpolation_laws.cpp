@@ -12,6 +12,8 @@ using Eigen::Index;
 
 namespace {
 
+const SetUp elliptic_container{Ellipse{1.0, 0.5}, Side::fluid_inside, 128, outer_poles};
+
 /// Largest error over distances below a step of the polynomial.
 double worst_error(const Solved& solved, const InterpolationSettings& settings) {
   const InterpolationCurve curve(solved.curve, settings);
@@ -175,6 +177,41 @@ Line table_line(const std::string& key, const std::string& id, Index n,
           .control = Control{"half of the step", beside_table(n, entries, 0.55)}};
 }
 
+/// One entry of the specification's sweep of parameters, steps being a spacing. Inside, errors of the
+/// polynomial are another flow's; those of the fine rule are any flow's.
+struct SweepEntry {
+  int degree, upsampling;
+  double error;
+};
+
+Measure beside_sweep(const SetUp& set_up, Index n, const std::vector<SweepEntry>& entries,
+                     double step) {
+  return [=](Size) {
+    const Solved solved = Solved(set_up).on_nodes(n);
+    std::vector<Measurement> measurements;
+    for (const SweepEntry& entry : entries) {
+      measurements.push_back(
+          {.x = entry.error, .error = worst_error(solved, {entry.degree, step, entry.upsampling})});
+    }
+    return measurements;
+  };
+}
+
+Line sweep_line(const std::string& key, const std::string& id, const std::string& where,
+                const SetUp& set_up, Index n, const std::vector<SweepEntry>& entries) {
+  return {.key = key,
+          .label = std::to_string(n) + " nodes, " + where,
+          .measure = beside_sweep(set_up, n, entries, 1.0),
+          .claim =
+              Claim{.id = id,
+                    .statement = "Over degrees and fine nodes, " + std::to_string(n) + " nodes " +
+                                 where + " reach the errors of an independent code.",
+                    .law = ErrorBelowTolerance{3.0, 1.0 / 3.0},
+                    .reason = "the same shape and parameters, another flow with as deep poles",
+                    .api = {"stokesbook::InterpolationCurve", "stokesbook::InterpolationSettings"}},
+          .control = Control{"half of the step", beside_sweep(set_up, n, entries, 0.5)}};
+}
+
 }  // namespace
 
 Experiment upsampling() {
@@ -197,13 +234,44 @@ Experiment degrees() {
 }
 
 Experiment tolerances() {
-  const SetUp container{Ellipse{1.0, 0.5}, Side::fluid_inside, 128, outer_poles};
-  return {.key = "tolerances",
-          .title = "Interpolation for a tolerance, 256 nodes",
-          .x = "tolerance e",
-          .error = "largest error at any distance, relative to the density",
-          .lines = {tolerance_line("outside", "06_18", "outside an ellipse 2:1", ellipse),
-                    tolerance_line("inside", "06_19", "inside an ellipse 2:1", container)}};
+  return {
+      .key = "tolerances",
+      .title = "Interpolation for a tolerance, 256 nodes",
+      .x = "tolerance e",
+      .error = "largest error at any distance, relative to the density",
+      .lines = {tolerance_line("outside", "06_18", "outside an ellipse 2:1", ellipse),
+                tolerance_line("inside", "06_19", "inside an ellipse 2:1", elliptic_container)}};
+}
+
+Experiment sweep() {
+  return {.key = "sweep",
+          .title = "Degrees and fine nodes beside a prototype's table",
+          .x = "error of the prototype e",
+          .error = "largest error of the velocity closer than a step, relative",
+          .lines = {sweep_line("outside_128", "06_37", "outside", ellipse, 128,
+                               {{14, 2, 2e-4},
+                                {4, 6, 2e-5},
+                                {6, 6, 1e-6},
+                                {14, 3, 8e-7},
+                                {8, 6, 3e-7},
+                                {10, 6, 8e-8},
+                                {12, 6, 3e-8},
+                                {14, 6, 9e-9}}),
+                    sweep_line("outside_256", "06_38", "outside", ellipse, 256,
+                               {{14, 2, 1e-4},
+                                {4, 6, 6e-7},
+                                {14, 3, 5e-7},
+                                {6, 6, 3e-8},
+                                {8, 6, 2e-9},
+                                {14, 4, 2e-9},
+                                {10, 6, 3e-10},
+                                {12, 6, 4e-11},
+                                {14, 5, 7e-12},
+                                {14, 6, 6e-12}}),
+                    sweep_line("inside_128", "06_39", "inside", elliptic_container, 128,
+                               {{14, 2, 9e-5}, {14, 3, 3e-7}, {14, 4, 9e-10}}),
+                    sweep_line("inside_256", "06_40", "inside", elliptic_container, 256,
+                               {{14, 2, 1e-4}, {14, 3, 3e-7}, {14, 4, 8e-10}, {14, 5, 2e-12}})}};
 }
 
 Experiment tabulated() {

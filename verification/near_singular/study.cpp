@@ -12,8 +12,8 @@ study::Study near_singular_study() {
           .name = "near_singular",
           .title = "Near-singular evaluation",
           .experiments = {distances(), false_successes(), shapes(), derivatives(), convergence(),
-                          upsampling(), degrees(), tolerances(), tabulated(), preimages(), sides(),
-                          border(), pairs(), lobed_bodies(), beside_the_plain_rule(),
+                          upsampling(), degrees(), tolerances(), tabulated(), sweep(), preimages(),
+                          sides(), border(), pairs(), lobed_bodies(), beside_the_plain_rule(),
                           work_precision(), preimage_order(), gaps()}};
 }
 
