@@ -19,15 +19,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-ComplexVector all_nodes(const StokesProblem& problem) {
-  const std::vector<Index> offsets = node_offsets(problem);
-  ComplexVector nodes(offsets.back());
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    nodes.segment(offsets[k], offsets[k + 1] - offsets[k]) = problem.components[k].curve.x;
-  }
-  return nodes;
-}
-
 // A component's reference from the shelf, or the reason why it cannot be used.
 std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
                                       std::size_t component, const Resolution& resolution) {
@@ -139,7 +130,7 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration,
     problem.components.push_back(std::move(component));
   }
   if (!is_bounded(problem)) {
-    problem.background = drive * background_velocity(scene_.flow, all_nodes(problem));
+    problem.background = drive * background_velocity(scene_.flow, all_nodes(curves_of(problem)));
   }
   return problem;
 }

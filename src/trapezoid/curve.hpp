@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "trapezoid/plane.hpp"
@@ -54,6 +56,12 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side);
 /// @param  orientation  theta, radians, counter-clockwise
 /// @return              N nodes in the plane, with the same side
 Curve place(const Curve& reference, Complex position, double orientation);
+
+/// Collects the nodes of several curves, curve by curve.
+///
+/// @param  curves  n nodes in all
+/// @return         n points, length
+ComplexVector all_nodes(const std::vector<Curve>& curves);
 
 /// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ of the trapezoid rule in arclength.
 ///
