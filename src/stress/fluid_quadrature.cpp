@@ -44,15 +44,9 @@ double height(const SmoothCurve& curve, Complex z, double reach) {
   if (std::abs(to_node) > reach + spacing) {
     return std::copysign(std::abs(to_node), nodes.sign() * cross(nodes.dx[nearest], to_node));
   }
-  double t = step * static_cast<double>(nearest) + preimage(nodes, nearest, z).real();
-  TrigonometricPolynomial::Jet at = curve.at(t);
-  for (int k = 0; k < 20; ++k) {
-    const Complex r = at.value - z;
-    const double move = dot(r, at.first) / std::abs(std::norm(at.first) + dot(r, at.second));
-    t -= move;
-    at = curve.at(t);
-    if (std::abs(move) < 1e-12) break;
-  }
+  const double guess = step * static_cast<double>(nearest) + preimage(nodes, nearest, z).real();
+  const auto on_curve = [&curve](double t) { return curve.at(t); };
+  const TrigonometricPolynomial::Jet at = find_foot(on_curve, z, guess, step).at;
   return nodes.sign() * cross(at.first, z - at.value) / std::abs(at.first);
 }
 
