@@ -26,11 +26,6 @@ void require_in_range(const InterpolationSettings& settings) {
       std::to_string(settings.upsampling));
 }
 
-// The interpolating trigonometric polynomial between the nodes, sampled more densely.
-Curve refined(const Curve& curve, Index n) {
-  return {resample(curve.x, n), resample(curve.dx, n), resample(curve.ddx, n), curve.side};
-}
-
 // Fine node values of a vector that is 1 at one node, a column a node.
 MatrixXd refinement(Index n, Index fine) {
   MatrixXd matrix(fine, n);
@@ -69,7 +64,7 @@ InterpolationSettings InterpolationSettings::for_tolerance(double tolerance) {
 InterpolationCurve::InterpolationCurve(const Curve& reference,
                                        const InterpolationSettings& settings)
     : curve_(reference),
-      fine_curve_(refined(curve_, std::max(1, settings.upsampling) * curve_.size())),
+      fine_curve_(resample(curve_, std::max(1, settings.upsampling) * curve_.size())),
       settings_(settings),
       mean_spacing_(perimeter(curve_) / static_cast<double>(curve_.size())),
       shape_(curve_.x),

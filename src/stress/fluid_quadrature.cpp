@@ -71,7 +71,7 @@ class Rule {
 // Points of a finer rule along the curve: integrands are products of what its nodes resolve.
 void add_strip(Rule& rule, const Curve& curve, double width) {
   const Index m = 2 * curve.size();
-  const Curve fine{resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+  const Curve fine = resample(curve, m);
   const ComplexVector normal = normals(fine);
   const Eigen::VectorXd w = weights(fine), curvature = fine.sign() * curvatures(fine);
   const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)>

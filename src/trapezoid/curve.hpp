@@ -49,6 +49,17 @@ struct Curve {
 /// @par Not for   a NodalCurve at fewer nodes than it has points: its highest modes are dropped
 Curve sample(const Shape& shape, Eigen::Index n, Side side);
 
+/// Samples the trigonometric interpolants of a curve and its derivatives at m equidistant
+/// parameters.
+///
+/// @param  curve  N nodes
+/// @param  m      number of new nodes, even
+/// @return        m nodes with the same side, in the same parameter
+/// @throws std::invalid_argument when m is odd or < 2
+/// @par Accuracy  that of resample() for values
+/// @par Cost      O(N log N + m log m)
+Curve resample(const Curve& curve, Eigen::Index m);
+
 /// Moves a curve from its own frame: \f$ x \to c + e^{i\theta} x \f$.
 ///
 /// @param  reference    N nodes, in the curve's own frame

@@ -34,6 +34,10 @@ Curve sample_curve(const NodalCurve& shape, Index n, Side side) {
 
 }  // namespace
 
+Curve resample(const Curve& curve, Index m) {
+  return {resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+}
+
 Curve sample(const Shape& shape, Index n, Side side) {
   if (n < 4 || n % 2 != 0) {
     throw std::invalid_argument("a curve needs an even number of nodes >= 4, got " +
