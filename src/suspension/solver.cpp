@@ -35,22 +35,15 @@ std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
   }
 }
 
-// What a component asks for alone: the nodes it is given, or enough for its shape.
+// What a component asks for alone.
 Resolution own_resolution(const Scene& scene, std::size_t component) {
-  if (const int given = given_nodes(scene, component); given != automatic_nodes) return {given};
   const std::size_t bodies = scene.bodies.size();
   const auto nodes = [&](const auto& source) {
-    const Side side =
-        kind_of(source) == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-    return nodes_for_shape(source.shape, side, scene.solver.tolerance, 16);
+    return own_nodes(source, side_of(kind_of(source)), scene.solver.tolerance,
+                     component_name(scene, component));
   };
-  const int enough =
-      component < bodies ? nodes(scene.bodies[component]) : nodes(scene.walls[component - bodies]);
-  if (enough > 0) return {enough};
-  throw NumericsRefused(component_name(scene, component) +
-                        ": even 4096 nodes do not resolve its shape to solver.tolerance = " +
-                        short_number(scene.solver.tolerance) +
-                        ": smooth the curve or raise the tolerance");
+  return {component < bodies ? nodes(scene.bodies[component])
+                             : nodes(scene.walls[component - bodies])};
 }
 
 // A refusal's text, if there is any, ends the solve.
