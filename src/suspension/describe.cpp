@@ -34,13 +34,9 @@ std::string aligned(const std::string& topic, const std::string& text) {
   return topic + std::string(topic.size() < width ? width - topic.size() : 1, ' ') + text;
 }
 
-bool is_graded(const Resolution& resolution) {
-  return !resolution.grading.clusters.empty();
-}
-
 // To the reader: where nodes crowd, is another place on each body.
 bool alike(const Resolution& a, const Resolution& b) {
-  return a.n_nodes == b.n_nodes && is_graded(a) == is_graded(b);
+  return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
 }
 
 // One line for all components that share a shape and a resolution.
@@ -64,7 +60,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
         "components",
         std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
-            (is_graded(resolutions[k]) ? " that crowd at gaps" : "") +
+            (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
             (chosen ? " to begin with, chosen" : "; " + std::to_string(nodes) + " recommended") +
             " for shape and gaps"));
   }
