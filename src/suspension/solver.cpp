@@ -142,7 +142,12 @@ std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configura
 
 DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
                                              const References& references, double drive) const {
-  const StokesProblem problem = this->problem(configuration, references, drive);
+  return discretise(problem(configuration, references, drive), configuration, references);
+}
+
+DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const References& references) const {
   const auto near_curves =
       plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
@@ -155,8 +160,12 @@ DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
   return discrete;
 }
 
+std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
+  return find_gaps(configuration, references_, scene_.solver.tolerance);
+}
+
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
-  std::vector<Gap> gaps = find_gaps(configuration, references_, scene_.solver.tolerance);
+  std::vector<Gap> gaps = this->gaps(configuration);
   refuse(overlap_refusal(scene_, gaps, configuration));
   return gaps;
 }
@@ -201,8 +210,9 @@ SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configu
   refuse(limit_refusal(scene_, effort.resolutions, gaps));
   const References references = this->references(effort.resolutions);
   refuse(geometry_refusal(scene_, gaps, configuration, references));
-  refuse(data_refusal(scene_, problem(configuration, references, drive)));
-  DiscreteProblem discrete = discretise(configuration, references, drive);
+  const StokesProblem problem = this->problem(configuration, references, drive);
+  refuse(data_refusal(scene_, problem));
+  DiscreteProblem discrete = discretise(problem, configuration, references);
   Solution solution = solve_at(discrete, references, effort.gmres_tolerance, drive);
   solution.gaps = gaps;
   return {std::move(discrete), std::move(solution)};
@@ -303,12 +313,17 @@ std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& 
 }
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
+  return recommended_nodes(configuration, gaps(configuration));
+}
+
+std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
+                                                     const std::vector<Gap>& gaps) const {
   const double tolerance = scene_.solver.tolerance;
   std::vector<int> nodes;
   for (const auto& reference : references_) {
     nodes.push_back(nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16));
   }
-  for (const Gap& gap : find_gaps(configuration, references_, tolerance)) {
+  for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
     const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
     nodes[gap.a] = std::max(nodes[gap.a], stokesbook::recommended_nodes(decay.a, tolerance));
@@ -318,8 +333,7 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
 }
 
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
-  return first_resolutions(configuration,
-                           find_gaps(configuration, references_, scene_.solver.tolerance));
+  return first_resolutions(configuration, gaps(configuration));
 }
 
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
