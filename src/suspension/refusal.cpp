@@ -57,8 +57,7 @@ std::string shape_message(const Scene& scene, std::size_t component, const Refer
 std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothCurve& a,
                                const SmoothCurve& b) {
   const auto error = [](const Curve& curve, Complex target) {
-    const Complex s = preimage(curve, nearest_node(curve, target), target);
-    return 150.0 * std::exp(-static_cast<double>(curve.size()) * std::abs(s.imag()));
+    return std::exp(near_cut(1.0) - preimage_depth(curve, target));
   };
   const double worst =
       std::max(error(a.nodes, gap.points.point_b), error(b.nodes, gap.points.point_a));
