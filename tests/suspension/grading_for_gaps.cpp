@@ -63,13 +63,9 @@ class NearlyTouching {
       body.centre = positions_[k];
       problem.components.push_back(body);
     }
-    problem.background.resize(node_offsets(problem).back());
-    Index i = 0;
-    for (const Component& body : problem.components) {
-      for (const Complex& x : body.curve.x) {
-        problem.background[i++] = x.imag() + Complex{0.3, -0.4} * std::conj(x);
-      }
-    }
+    problem.background = all_nodes(curves_of(problem)).unaryExpr([](Complex x) {
+      return x.imag() + Complex{0.3, -0.4} * std::conj(x);
+    });
     Plan plan;
     plan.near_tolerance = 1e-13;
     const SuspensionOperator system(problem, placed, plan);

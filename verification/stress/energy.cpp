@@ -176,12 +176,6 @@ Measure power_differences(const Power& power) {
   });
 }
 
-std::vector<Curve> curves_of(const StokesProblem& problem) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  return curves;
-}
-
 /// A quadrature over the fluid and the flow's derivatives at its points.
 struct Sampled {
   FluidQuadrature rule;
