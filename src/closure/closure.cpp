@@ -157,8 +157,8 @@ Complex Closure::gauge_velocity(const std::vector<Load>& loads) const {
   return velocity / (4.0 * std::numbers::pi * problem_.viscosity);
 }
 
-ComplexVector Closure::singularities_at(const ComplexVector& targets,
-                                        const std::vector<Load>& loads) const {
+ComplexVector Closure::singular_velocity(const std::vector<Load>& loads,
+                                         const ComplexVector& targets) const {
   ComplexVector velocity = ComplexVector::Zero(targets.size());
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Load& load = loads[k];
@@ -173,9 +173,13 @@ ComplexVector Closure::singularities_at(const ComplexVector& targets,
   return velocity;
 }
 
-ComplexVector Closure::velocity(const ComplexVector& density) const {
+std::vector<Load> Closure::density_loads(const ComplexVector& density) const {
+  return prescribed_loads(rigid_parts(density), false);
+}
+
+ComplexVector Closure::smooth_velocity(const ComplexVector& density) const {
   const std::vector<RigidMotion> rigid = rigid_parts(density);
-  ComplexVector velocity = singularities_at(nodes_, prescribed_loads(rigid, false));
+  ComplexVector velocity = ComplexVector::Zero(density.size());
   if (free_uniform_velocity_) velocity.array() -= mean_prescribed(rigid);
   for (std::size_t k = 0; k < rigid.size(); ++k) {
     if (problem_.components[k].kind == ComponentKind::free_body) {
@@ -185,23 +189,33 @@ ComplexVector Closure::velocity(const ComplexVector& density) const {
   return velocity;
 }
 
-ComplexVector Closure::right_hand_side() const {
-  // The loads that do not depend on the density: those given, and their shares on prescribed
-  // components.
+ComplexVector Closure::velocity(const ComplexVector& density) const {
+  return smooth_velocity(density) + singular_velocity(density_loads(density), nodes_);
+}
+
+std::vector<Load> Closure::given_loads() const {
   std::vector<Load> loads = prescribed_loads(std::vector<RigidMotion>(modes_.size()), true);
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Component& component = problem_.components[k];
     if (component.kind == ComponentKind::free_body) loads[k] = {component.force, component.torque};
   }
-  ComplexVector rhs = -singularities_at(nodes_, loads);
-  if (problem_.background.size() > 0) rhs -= problem_.background;
-  for (std::size_t k = 0; k < loads.size(); ++k) {
+  return loads;
+}
+
+ComplexVector Closure::boundary_data() const {
+  ComplexVector data = ComplexVector::Zero(nodes_.size());
+  if (problem_.background.size() > 0) data -= problem_.background;
+  for (std::size_t k = 0; k < modes_.size(); ++k) {
     const Component& component = problem_.components[k];
     if (component.kind != ComponentKind::free_body) {
-      rhs.segment(offsets_[k], component.curve.size()) += component.velocity;
+      data.segment(offsets_[k], component.curve.size()) += component.velocity;
     }
   }
-  return rhs;
+  return data;
+}
+
+ComplexVector Closure::right_hand_side() const {
+  return boundary_data() - singular_velocity(given_loads(), nodes_);
 }
 
 Completion Closure::complete(const ComplexVector& density) const {
@@ -224,7 +238,7 @@ Completion Closure::complete(const ComplexVector& density) const {
 
 ComplexVector Closure::singular_velocity(const Completion& completion,
                                          const ComplexVector& targets) const {
-  const ComplexVector velocity = singularities_at(targets, completion.loads);
+  const ComplexVector velocity = singular_velocity(completion.loads, targets);
   const Complex uniform = completion.uniform_velocity - gauge_velocity(completion.loads);
   return (velocity.array() + uniform).matrix();
 }

@@ -86,10 +86,44 @@ class Closure {
   /// @return          velocities at all n nodes, length / time
   ComplexVector velocity(const ComplexVector& density) const;
 
+  /// Evaluates velocity() without its singularities, for operators that sum these themselves.
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          velocities at all n nodes, length / time
+  /// @par Cost        O(n)
+  ComplexVector smooth_velocity(const ComplexVector& density) const;
+
+  /// Extracts the loads of the singularities in velocity().
+  ///
+  /// @param  density  at all n nodes, length / time
+  /// @return          of every component; zero but for prescribed ones
+  /// @par Cost        O(n)
+  std::vector<Load> density_loads(const ComplexVector& density) const;
+
   /// Assembles the right-hand side of the system.
   ///
   /// @return velocities at all n nodes, length / time
   ComplexVector right_hand_side() const;
+
+  /// Assembles right_hand_side() without its singularities.
+  ///
+  /// @return \f$ g_k - u_\infty \f$ at all n nodes, length / time
+  ComplexVector boundary_data() const;
+
+  /// Returns the loads of the singularities in right_hand_side(): those given, and their shares on
+  /// prescribed components.
+  ///
+  /// @return of every component
+  std::vector<Load> given_loads() const;
+
+  /// Evaluates the Stokeslets and rotlets of some loads.
+  ///
+  /// @param  loads    of every component
+  /// @param  targets  m points, length
+  /// @return          m velocities, length / time
+  /// @par Cost        a Stokeslet and a rotlet a target and loaded component
+  ComplexVector singular_velocity(const std::vector<Load>& loads,
+                                  const ComplexVector& targets) const;
 
   /// Extracts motions and loads from a solution.
   ///
@@ -111,8 +145,6 @@ class Closure {
   Complex mean_prescribed(const std::vector<RigidMotion>& rigid) const;
   // What Stokeslets of different gauges leave at infinity when the forces balance; part of u_c.
   Complex gauge_velocity(const std::vector<Load>& loads) const;
-  ComplexVector singularities_at(const ComplexVector& targets,
-                                 const std::vector<Load>& loads) const;
 
   StokesProblem problem_;
   std::vector<Eigen::Index> offsets_;

@@ -169,7 +169,8 @@ struct Fill {
 /// How the sums over all nodes are evaluated.
 enum class Summation {
   automatic,  ///< the plan decides
-  direct      ///< every pair of nodes
+  direct,     ///< every pair of nodes
+  fmm         ///< the fast multipole method
 };
 
 /// How integrals are corrected where a target is near a curve.

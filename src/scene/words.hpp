@@ -47,7 +47,7 @@ inline constexpr Words<WallRole, 2> wall_roles{{
 inline constexpr Words<Summation, 3> summations{{
     {"auto", Summation::automatic},
     {"direct", Summation::direct},
-    {"fmm", not_yet},
+    {"fmm", Summation::fmm},
 }};
 
 /// Words of `near_singular` in [solver].

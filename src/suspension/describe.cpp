@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 
+#include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
 
 namespace stokesbook {
@@ -67,18 +68,30 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
   return lines;
 }
 
+std::string sum_text(const Plan& plan, Eigen::Index nodes) {
+  const bool asked = plan.summation != Summation::automatic;
+  switch (plan.sum_method(nodes)) {
+    case SumMethod::stored:
+      return "direct, stored matrix: few nodes, the matrix stays in the cache";
+    case SumMethod::streamed:
+      return "direct, streamed: evaluating the kernel beats reading a stored matrix";
+    case SumMethod::fast:
+      break;
+  }
+  const FmmSettings settings = FmmSettings::for_tolerance(plan.sum_tolerance);
+  return "fast multipole method of order " + std::to_string(settings.order) + ": " +
+         (asked ? "solver.summation"
+                : "more nodes than the " + std::to_string(break_even(settings)) + " of break-even");
+}
+
 // What the nodes make the system.
-std::vector<std::string> size_lines(const Resolutions& resolutions) {
+std::vector<std::string> size_lines(const Plan& plan, const Resolutions& resolutions) {
   long long nodes = 0;
   for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
-  const bool stored = StressletSum::automatic_storage(nodes) == KernelStorage::stored;
   return {aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
                                   " nodes; motions and loads are functionals of the density "
                                   "(reduced closure)"),
-          aligned("summation",
-                  stored ? "direct, stored matrix: few nodes, the matrix stays in the cache"
-                         : "direct, streamed: evaluating the kernel beats reading a stored "
-                           "matrix")};
+          aligned("summation", sum_text(plan, nodes))};
 }
 
 std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& gaps) {
@@ -115,7 +128,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
   const auto add = [&](std::vector<std::string> more) {
     std::ranges::move(more, std::back_inserter(lines));
   };
-  add(size_lines(resolutions));
+  add(size_lines(solver.plan(), resolutions));
   add(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)));
   add(gap_lines(solver.scene(), gaps));
   return lines;

@@ -24,7 +24,7 @@ double correction_tolerance(double relative, double iteration) {
 }
 
 double relative_residual(const DiscreteProblem& discrete, const ComplexVector& density) {
-  const ComplexVector rhs = discrete.system.closure().right_hand_side();
+  const ComplexVector rhs = discrete.system.right_hand_side();
   return (rhs - discrete.system(density)).norm() / rhs.norm();
 }
 
@@ -72,7 +72,7 @@ ErrorEstimate estimate_error(const DiscreteProblem& coarse, const ComplexVector&
                              const DiscreteProblem& fine, double scale) {
   const Closure& closure = fine.system.closure();
   const ComplexVector interpolated = transferred(density, coarse, fine);
-  const ComplexVector rhs = closure.right_hand_side();
+  const ComplexVector rhs = fine.system.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);
   const double tolerance =
       correction_tolerance(residual.norm() / rhs.norm(), relative_residual(coarse, density));

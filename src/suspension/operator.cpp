@@ -7,12 +7,30 @@ namespace stokesbook {
 
 using Eigen::Index;
 
+namespace {
+
+std::variant<StressletSum, FastSum> make_sum(const StokesProblem& problem,
+                                             const std::vector<Curve>& curves, const Plan& plan) {
+  const Index n = node_offsets(problem).back();
+  switch (plan.sum_method(n)) {
+    case SumMethod::stored:
+      return StressletSum(curves, KernelStorage::stored);
+    case SumMethod::streamed:
+      return StressletSum(curves, KernelStorage::streamed);
+    case SumMethod::fast:
+      break;
+  }
+  return FastSum(problem, plan.sum_tolerance);
+}
+
+}  // namespace
+
 SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
                                        const std::vector<PlacedCurve>& placed, const Plan& plan)
     : curves_(curves_of(problem)),
       offsets_(node_offsets(problem)),
       closure_(problem),
-      sum_(curves_, StressletSum::automatic_storage(offsets_.back())) {
+      sum_(make_sum(problem, curves_, plan)) {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
   }
@@ -24,7 +42,8 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
 
 ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
   const ComplexVector rest = closure_.without_rigid_part(density);
-  ComplexVector velocity = sum_(rest) - 0.5 * rest + closure_.velocity(density);
+  ComplexVector velocity = plain_velocity(rest, closure_.density_loads(density)) - 0.5 * rest +
+                           closure_.smooth_velocity(density);
   if (near_) velocity += (*near_)(rest);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     velocity.segment(offsets_[k], curves_[k].size()) +=
@@ -37,6 +56,20 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
         null_space_velocity(wall, rest.segment(first, wall.size()));
   }
   return velocity;
+}
+
+ComplexVector SuspensionOperator::right_hand_side() const {
+  const auto* fast = std::get_if<FastSum>(&sum_);
+  if (fast == nullptr) return closure_.right_hand_side();
+  return closure_.boundary_data() -
+         (*fast)(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
+}
+
+ComplexVector SuspensionOperator::plain_velocity(const ComplexVector& density,
+                                                 const std::vector<Load>& loads) const {
+  if (const auto* fast = std::get_if<FastSum>(&sum_)) return (*fast)(density, loads);
+  return std::get<StressletSum>(sum_)(density) +
+         closure_.singular_velocity(loads, all_nodes(curves_));
 }
 
 }  // namespace stokesbook

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "closure/closure.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/near_correction.hpp"
+#include "suspension/fast_sum.hpp"
 #include "suspension/plan.hpp"
 
 namespace stokesbook {
@@ -15,7 +17,7 @@ namespace stokesbook {
 
 /// The matrix-free operator of one configuration: density in, velocity at the nodes out.
 ///
-/// \f$ (-\frac12 + D)(I-P)\eta \f$ as sum, diagonal and near correction, plus what closure and
+/// \f$ (-\frac12 + D)(I-P)\eta \f$ as direct or fast sum, diagonal and near correction, plus what closure and
 /// null-space fix add.
 class SuspensionOperator {
  public:
@@ -32,8 +34,13 @@ class SuspensionOperator {
   ///
   /// @param  density  at all n nodes, length / time
   /// @return          velocities at all n nodes, length / time
-  /// @par Cost        n^2 kernel evaluations, and those of NearCorrection and Closure
+  /// @par Cost        n^2 kernel evaluations, or O(n) by FastSum; and those of NearCorrection
   ComplexVector operator()(const ComplexVector& density) const;
+
+  /// Assembles the right-hand side of the closure's system.
+  /// @return velocities at all n nodes, length / time
+  /// @par Cost  a singularity a node and loaded component, or O(n) by FastSum
+  ComplexVector right_hand_side() const;
 
   /// Returns the position of each component's first node.
   /// @return one entry a component, and one more with the number of all nodes
@@ -48,11 +55,14 @@ class SuspensionOperator {
   const std::optional<NearCorrection>& near_correction() const { return near_; }
 
  private:
+  // The trapezoid rule's layer and the singularities of loads.
+  ComplexVector plain_velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
+
   std::vector<Curve> curves_;
   std::vector<Eigen::Index> offsets_;
   std::optional<std::size_t> enclosing_wall_;
   Closure closure_;
-  StressletSum sum_;
+  std::variant<StressletSum, FastSum> sum_;
   std::optional<NearCorrection> near_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "double_layer/stresslet_sum.hpp"
+#include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
 #include "scene/words.hpp"
 #include "suspension/fields.hpp"
@@ -14,6 +16,9 @@ namespace {
 std::string count(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
+
+// Rounding of a fast sum, relative.
+constexpr double least_sum_tolerance = 1e-14;
 
 // What the scene is made of.
 struct Census {
@@ -91,6 +96,15 @@ Plan::Line fields_line(const FieldSettings& fields) {
 
 }  // namespace
 
+SumMethod Plan::sum_method(Eigen::Index nodes) const {
+  const bool asked = summation == Summation::fmm;
+  const bool pays = summation == Summation::automatic && sum_tolerance >= least_sum_tolerance &&
+                    nodes > break_even(FmmSettings::for_tolerance(sum_tolerance));
+  if (asked || pays) return SumMethod::fast;
+  return StressletSum::automatic_storage(nodes) == KernelStorage::stored ? SumMethod::stored
+                                                                         : SumMethod::streamed;
+}
+
 Plan make_plan(const Scene& scene) {
   const Census census = take_census(scene);
   const double tolerance = scene.solver.tolerance;
@@ -106,6 +120,8 @@ Plan make_plan(const Scene& scene) {
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
   plan.near_tolerance = std::max(1e-15, 0.01 * tolerance);
+  plan.summation = scene.solver.summation;
+  plan.sum_tolerance = 0.1 * plan.gmres_tolerance;
 
   plan.lines.push_back(problem_line(census, scene));
   plan.lines.push_back(far_field_line(census, scene));

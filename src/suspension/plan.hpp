@@ -3,12 +3,21 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "scene/scene.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// How the double layer's nodes are summed.
+enum class SumMethod {
+  stored,    ///< StressletSum with its kernel in a matrix
+  streamed,  ///< StressletSum that evaluates its kernel anew
+  fast       ///< FastSum
+};
 
 /// What a scene needs, decided from the scene alone; nothing that is not in the plan is built.
 struct Plan {
@@ -19,12 +28,20 @@ struct Plan {
         reason;         ///< why
   };
 
-  bool null_space_fix = false;   ///< a wall encloses the fluid
-  bool near_correction = false;  ///< components may come close
-  bool block_diagonal = false;   ///< precondition by the components' own blocks
-  double gmres_tolerance = 0.0;  ///< relative residual
-  double near_tolerance = 0.0;   ///< of the sums' quadrature, relative to the density
-  std::vector<Line> lines;       ///< all decisions, in the order in which they are told
+  bool null_space_fix = false;                 ///< a wall encloses the fluid
+  bool near_correction = false;                ///< components may come close
+  bool block_diagonal = false;                 ///< precondition by the components' own blocks
+  double gmres_tolerance = 0.0;                ///< relative residual
+  double near_tolerance = 0.0;                 ///< of the sums' quadrature, relative to the density
+  double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm
+  Summation summation = Summation::automatic;  ///< as the scene asks
+  std::vector<Line> lines;  ///< all decisions, in the order in which they are told
+
+  /// Chooses how a number of nodes is summed: what is fastest, unless the scene asks otherwise.
+  ///
+  /// @param  nodes  in all
+  /// @return        fast above break_even(), if the tolerance is not below what rounding allows
+  SumMethod sum_method(Eigen::Index nodes) const;
 };
 
 /// Decides what a scene needs.

@@ -174,7 +174,7 @@ Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const Refer
                                     double gmres_tolerance, double drive) const {
   Solution solution;
   solution.references = references;
-  const ComplexVector rhs = discrete.system.closure().right_hand_side();
+  const ComplexVector rhs = discrete.system.right_hand_side();
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   try {
     solution.gmres =

@@ -69,7 +69,7 @@ class NearlyTouching {
     Plan plan;
     plan.near_tolerance = 1e-13;
     const SuspensionOperator system(problem, placed, plan);
-    const ComplexVector rhs = system.closure().right_hand_side();
+    const ComplexVector rhs = system.right_hand_side();
     // GMRES would need as many iterations as these gaps have scales: hundreds.
     Eigen::MatrixXd matrix(2 * rhs.size(), 2 * rhs.size());
     for (Index column = 0; column < matrix.cols(); ++column) {

@@ -28,7 +28,7 @@ int iterations(const SuspensionSolver& solver, bool preconditioned) {
   for (const auto& reference : solver.references()) members.push_back({reference->inverse_block});
   LinearMap precondition;
   if (preconditioned) precondition = BlockDiagonalPreconditioner(members);
-  const ComplexVector rhs = system.closure().right_hand_side();
+  const ComplexVector rhs = system.right_hand_side();
   return gmres(as_linear_map(system), precondition, interleaved(rhs), {1e-12, 100}).iterations;
 }
 
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(is_the_dense_system) {
       Eigen::VectorXd::NullaryExpr(dense.rhs.size(), [&] { return uniform(random); });
   const Eigen::VectorXd difference = as_linear_map(system)(density) - dense.matrix * density;
   BOOST_TEST(difference.cwiseAbs().maxCoeff() < 1e-13);
-  const ComplexVector rhs = system.closure().right_hand_side();
+  const ComplexVector rhs = system.right_hand_side();
   BOOST_TEST((interleaved(rhs) - dense.rhs).cwiseAbs().maxCoeff() < 1e-15);
 }
 

@@ -107,7 +107,7 @@ Solved solved_at(const SuspensionSolver& solver, const Resolutions& resolutions,
                  double gmres_tolerance) {
   DiscreteProblem discrete =
       solver.discretise(solver.initial_configuration(), solver.references(resolutions));
-  const ComplexVector rhs = discrete.system.closure().right_hand_side();
+  const ComplexVector rhs = discrete.system.right_hand_side();
   GmresResult gmres = solve(discrete, rhs, {gmres_tolerance, 2000});
   const ComplexVector density = deinterleaved(gmres.solution);
   Completion completion = discrete.system.closure().complete(density);
