@@ -88,8 +88,10 @@ class Translations {
                Eigen::Ref<Expansion> sum) const;
 
  private:
+  double binomial(int n, int k) const;
+
   int order_;
-  Eigen::MatrixXd pascal_;   // binomial(l, m)
+  std::vector<double> pascal_;   // binomial(n, k), row n, column k, n <= p
   std::vector<double> convert_;  // binomial(k + l - 1, l), row l, column k - 1
 };
 
@@ -111,9 +113,10 @@ void add_outgoing(const Box& box, const SingularitySources& sources, Eigen::Ref<
 ///
 /// @param  box        of the expansion
 /// @param  expansion  4 x (p + 1)
-/// @param  z          point of the box, length
-/// @return            velocity, length / time
-Complex velocity(const Box& box, Eigen::Ref<const Expansion> expansion, Complex z);
+/// @param  points     of the tree, length
+/// @param  sum        velocities at all points, length / time, to which those of the box are added
+void add_velocity(const Box& box, Eigen::Ref<const Expansion> expansion,
+                  const ComplexVector& points, Eigen::Ref<ComplexVector> sum);
 
 /// Evaluates pressure, vorticity and strain of an incoming expansion.
 ///

@@ -15,8 +15,9 @@ using BoxPair = std::pair<Index, Index>;  // target, source
 bool well_separated(const Box& target, const Box& source) {
   constexpr double rho = 0.5;
   const double distance = std::abs(target.centre - source.centre);
-  return source.radius <= rho * (distance - target.radius) &&
-         target.radius <= rho * (distance - source.radius);
+  // Not for two points at the same place, whose radii and distance vanish.
+  return source.radius < rho * (distance - target.radius) &&
+         target.radius < rho * (distance - source.radius);
 }
 
 class Traversal {

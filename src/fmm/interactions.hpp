@@ -23,8 +23,8 @@ struct Interactions {
 
 /// Finds the interactions by a dual-tree traversal.
 ///
-/// Boxes are well separated when \f$ R_s \le \rho(|D| - R_t) \f$ and
-/// \f$ R_t \le \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$: every expansion then falls like
+/// Boxes are well separated when \f$ R_s < \rho(|D| - R_t) \f$ and
+/// \f$ R_t < \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$: every expansion then falls like
 /// \f$ 2^{-k} \f$. Pairs that are not are divided, the larger box first; two leaves are summed
 /// directly, and so are separated leaves whose pairs of points cost less than a translation.
 /// @param  targets       tree of the targets

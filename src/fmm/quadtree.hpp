@@ -18,6 +18,8 @@ struct Box {
   Eigen::Index first_child = 0, last_child = 0; ///< its children: boxes first to last - 1
   Complex centre;                               ///< of the points' bounding rectangle, length
   double radius = 0.0;                          ///< largest distance of a point from it, length
+  double scale = 0.0;                           ///< of expansions: the radius, or a little for
+                                                ///< coincident points; > 0, length
 
   /// Counts the points.
   /// @return number of points, >= 1
