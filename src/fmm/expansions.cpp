@@ -133,7 +133,7 @@ void Translations::incoming(const Box& from, Eigen::Ref<const Expansion> expansi
     moved = times(power, moved);
     power *= ratio;
     sum.col(m) += moved;
-    if (m > 0) sum.col(m - 1) += to_psi(m * std::conj(d) / to.scale, moved);
+    if (m > 0) sum.col(m - 1) += to_psi(static_cast<double>(m) * std::conj(d) / to.scale, moved);
   }
 }
 
@@ -150,7 +150,8 @@ void multiply(const double* h, int order, const Batch& x, Batch& y) {
   for (int first = 0; first <= order; first += 4) {
     std::array<std::array<Lanes, 4>, 4> sum{};
     std::array<const double*, 4> row{};
-    for (int i = 0; i < 4; ++i) row[static_cast<std::size_t>(i)] = h + std::min(first + i, order) * order;
+    for (int i = 0; i < 4; ++i)
+      row[static_cast<std::size_t>(i)] = h + std::min(first + i, order) * order;
     for (int k = 0; k < order; ++k) {
       const std::array<Lanes, 4>& column = x.rows[static_cast<std::size_t>(k)];
       for (std::size_t i = 0; i < 4; ++i) {

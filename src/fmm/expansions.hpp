@@ -36,9 +36,9 @@ struct StressletSources {
 
 /// Points with forces and torques, in the order of a tree.
 struct SingularitySources {
-  ComplexVector position;   ///< length
-  ComplexVector force;      ///< \f$ F/4\pi\mu \f$, length / time
-  Eigen::VectorXd torque;   ///< \f$ L/4\pi\mu \f$, length^2 / time
+  ComplexVector position;  ///< length
+  ComplexVector force;     ///< \f$ F/4\pi\mu \f$, length / time
+  Eigen::VectorXd torque;  ///< \f$ L/4\pi\mu \f$, length^2 / time
 };
 
 /// The translations of expansions of one order.

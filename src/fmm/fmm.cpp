@@ -4,6 +4,8 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "double_layer/stresslet_block.hpp"
 
@@ -164,6 +166,33 @@ ComplexVector StressletFmm::operator()(const ComplexVector& density) const {
     velocity[targets_.order()[i]] = sum[static_cast<Index>(i)];
   }
   return velocity;
+}
+
+std::vector<FlowDerivatives> StressletFmm::derivatives(const ComplexVector& density) const {
+  const Expansion far = incoming(outgoing(strengths(density)));
+  const ComplexVector eta = in_tree_order(density, sources_.order());
+  const Eigen::VectorXd ex = eta.real(), ey = eta.imag();
+  const Index columns = translations_.order() + 1;
+  const auto count = static_cast<Index>(targets_.boxes().size());
+  std::vector<FlowDerivatives> flow(targets_.order().size());
+#pragma omp parallel for schedule(dynamic, 4)
+  for (Index b = 0; b < count; ++b) {
+    const Box& box = targets_.boxes()[static_cast<std::size_t>(b)];
+    if (!box.is_leaf()) continue;
+    const std::span<const Index> near = list_of(interactions_.near, b);
+    for (Index i = box.first; i < box.last; ++i) {
+      const Complex z = targets_.points()[i];
+      FlowDerivatives sum = stokesbook::derivatives(box, of_box(far, b, columns), z);
+      for (std::size_t range = 0; range < near.size(); range += 2) {
+        const Index first = near[range];
+        add_derivatives({&x_[first], &y_[first], &nx_[first], &ny_[first], &ex[first], &ey[first],
+                         &least2_[first], near[range + 1] - first},
+                        z, sum);
+      }
+      flow[static_cast<std::size_t>(targets_.order()[static_cast<std::size_t>(i)])] = sum;
+    }
+  }
+  return flow;
 }
 
 }  // namespace stokesbook

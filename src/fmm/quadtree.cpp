@@ -36,8 +36,7 @@ Box Quadtree::enclose(Index first, Index last, Index parent) const {
   const Complex high{points.real().maxCoeff(), points.imag().maxCoeff()};
   Box box{first, last, parent, 0, 0, 0.5 * (low + high), 0.0, 0.0};
   box.radius = std::sqrt((points.array() - box.centre).abs2().maxCoeff());
-  const double least =
-      parent < 0 ? 1.0 : 1e-8 * boxes_[static_cast<std::size_t>(parent)].scale;
+  const double least = parent < 0 ? 1.0 : 1e-8 * boxes_[static_cast<std::size_t>(parent)].scale;
   box.scale = box.radius > 0.0 ? box.radius : least;
   return box;
 }

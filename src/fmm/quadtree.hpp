@@ -13,13 +13,13 @@ namespace stokesbook {
 
 /// A box of a quadtree: points that are consecutive in the tree's order, and the disk about them.
 struct Box {
-  Eigen::Index first = 0, last = 0;             ///< its points: first to last - 1
-  Eigen::Index parent = -1;                     ///< index of the parent; -1 for the root
-  Eigen::Index first_child = 0, last_child = 0; ///< its children: boxes first to last - 1
-  Complex centre;                               ///< of the points' bounding rectangle, length
-  double radius = 0.0;                          ///< largest distance of a point from it, length
-  double scale = 0.0;                           ///< of expansions: the radius, or a little for
-                                                ///< coincident points; > 0, length
+  Eigen::Index first = 0, last = 0;              ///< its points: first to last - 1
+  Eigen::Index parent = -1;                      ///< index of the parent; -1 for the root
+  Eigen::Index first_child = 0, last_child = 0;  ///< its children: boxes first to last - 1
+  Complex centre;                                ///< of the points' bounding rectangle, length
+  double radius = 0.0;                           ///< largest distance of a point from it, length
+  double scale = 0.0;                            ///< of expansions: the radius, or a little for
+                                                 ///< coincident points; > 0, length
 
   /// Counts the points.
   /// @return number of points, >= 1
