@@ -1,56 +1,69 @@
 #include "double_layer/stresslet_block.hpp"
 
+#include "double_layer/lanes.hpp"
+
 namespace stokesbook {
 
 using Eigen::Index;
 
 namespace {
 
-// Adds the velocities at two targets, which share the division that limits the loop.
-void add_velocities(const StressletBlock& s, Complex target_0, Complex target_1, Complex& sum_0,
-                    Complex& sum_1) {
-  const double x0 = target_0.real(), y0 = target_0.imag();
-  const double x1 = target_1.real(), y1 = target_1.imag();
-  // Copies that no store can alias: through the struct the compiler would gather.
-  const double *x = s.x, *y = s.y, *nx = s.nx, *ny = s.ny, *ex = s.ex, *ey = s.ey;
-  const double* least2 = s.least2;
-  const Index size = s.size;
-  double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;
-#pragma omp simd reduction(+ : u0, v0, u1, v1)
-  for (Index j = 0; j < size; ++j) {
-    const double dx0 = x0 - x[j], dy0 = y0 - y[j];
-    const double dx1 = x1 - x[j], dy1 = y1 - y[j];
-    const double distance2_0 = dx0 * dx0 + dy0 * dy0;
-    const double distance2_1 = dx1 * dx1 + dy1 * dy1;
-    const double rho2_0 = distance2_0 > least2[j] ? distance2_0 : least2[j];
-    const double rho2_1 = distance2_1 > least2[j] ? distance2_1 : least2[j];
-    const double inverse = 1.0 / (rho2_0 * rho2_1);
-    const double inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
-    const double c0 =
-        (dx0 * nx[j] + dy0 * ny[j]) * (dx0 * ex[j] + dy0 * ey[j]) * (inverse_0 * inverse_0);
-    const double c1 =
-        (dx1 * nx[j] + dy1 * ny[j]) * (dx1 * ex[j] + dy1 * ey[j]) * (inverse_1 * inverse_1);
-    u0 += c0 * dx0;
-    v0 += c0 * dy0;
-    u1 += c1 * dx1;
-    v1 += c1 * dy1;
+Lanes larger(const Lanes& a, const Lanes& b) {
+  return a > b ? a : b;
+}
+
+// Two registers of targets, which share the division that limits the loop and the loads of a node.
+template <int fields>
+void add_two_registers(const StressletBlock& block, const double* target_x, const double* target_y,
+                       int offset, std::array<VectorGroup, fields>& sum) {
+  const Lanes x0 = load(target_x), x1 = load(target_x + lane_count);
+  const Lanes y0 = load(target_y), y1 = load(target_y + lane_count);
+  Lanes u0[fields]{}, v0[fields]{}, u1[fields]{}, v1[fields]{};
+  for (Index j = 0; j < block.size; ++j) {
+    const Lanes dx0 = x0 - block.x[j], dy0 = y0 - block.y[j];
+    const Lanes dx1 = x1 - block.x[j], dy1 = y1 - block.y[j];
+    const Lanes least2 = Lanes{} + block.least2[j];
+    const Lanes rho2_0 = larger(dx0 * dx0 + dy0 * dy0, least2);
+    const Lanes rho2_1 = larger(dx1 * dx1 + dy1 * dy1, least2);
+    const Lanes inverse = 1.0 / (rho2_0 * rho2_1);
+    const Lanes inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
+    const Lanes c0 = (dx0 * block.nx[j] + dy0 * block.ny[j]) * (inverse_0 * inverse_0);
+    const Lanes c1 = (dx1 * block.nx[j] + dy1 * block.ny[j]) * (inverse_1 * inverse_1);
+    for (int field = 0; field < fields; ++field) {
+      const double ex = block.ex[j + field * block.stride], ey = block.ey[j + field * block.stride];
+      const Lanes along_0 = c0 * (dx0 * ex + dy0 * ey), along_1 = c1 * (dx1 * ex + dy1 * ey);
+      u0[field] += along_0 * dx0;
+      v0[field] += along_0 * dy0;
+      u1[field] += along_1 * dx1;
+      v1[field] += along_1 * dy1;
+    }
   }
-  sum_0 += Complex{u0, v0};
-  sum_1 += Complex{u1, v1};
+  for (int field = 0; field < fields; ++field) {
+    const auto f = static_cast<std::size_t>(field);
+    double *u = &sum[f].x[0] + offset, *v = &sum[f].y[0] + offset;
+    store(load(u) + u0[field], u);
+    store(load(v) + v0[field], v);
+    store(load(u + lane_count) + u1[field], u + lane_count);
+    store(load(v + lane_count) + v1[field], v + lane_count);
+  }
 }
 
 }  // namespace
 
-void add_velocities(const StressletBlock& block, const ComplexVector& targets, Index first,
-                    Index last, ComplexVector& sum) {
-  for (Index i = first; i + 1 < last; i += 2) {
-    add_velocities(block, targets[i], targets[i + 1], sum[i], sum[i + 1]);
-  }
-  if ((last - first) % 2 != 0) {
-    Complex unused{};
-    add_velocities(block, targets[last - 1], targets[last - 1], sum[last - 1], unused);
+template <int fields>
+void add_velocities(const StressletBlock& block, const VectorGroup& targets,
+                    std::array<VectorGroup, fields>& sum) {
+  for (int offset = 0; offset < VectorGroup::size; offset += 2 * lane_count) {
+    add_two_registers<fields>(block, &targets.x[0] + offset, &targets.y[0] + offset, offset, sum);
   }
 }
+
+template void add_velocities<1>(const StressletBlock&, const VectorGroup&,
+                                std::array<VectorGroup, 1>&);
+template void add_velocities<2>(const StressletBlock&, const VectorGroup&,
+                                std::array<VectorGroup, 2>&);
+template void add_velocities<4>(const StressletBlock&, const VectorGroup&,
+                                std::array<VectorGroup, 4>&);
 
 void add_derivatives(const StressletBlock& block, Complex target, FlowDerivatives& sum) {
   const double zx = target.real(), zy = target.imag();

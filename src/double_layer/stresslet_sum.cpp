@@ -1,6 +1,7 @@
 #include "double_layer/stresslet_sum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "double_layer/double_layer.hpp"
@@ -12,11 +13,20 @@ using Eigen::Index;
 
 namespace {
 
-// Sources that fit the first-level cache while a block of targets passes over them.
+// Sources that are summed before they join the others' sum: rounding grows with the square roots of
+// their number and of the number of blocks.
 constexpr Index block_size = 512;
 
-// Targets a thread takes at a time.
-constexpr Index chunk_size = 64;
+// Targets from the first on; the last of all is repeated where they do not fill the group.
+VectorGroup group_of(const ComplexVector& targets, Index first) {
+  VectorGroup group;
+  for (Index i = 0; i < VectorGroup::size; ++i) {
+    const Complex target = targets[std::min(first + i, targets.size() - 1)];
+    group.x[static_cast<std::size_t>(i)] = target.real();
+    group.y[static_cast<std::size_t>(i)] = target.imag();
+  }
+  return group;
+}
 
 }  // namespace
 
@@ -74,16 +84,21 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
                                        const ComplexVector& density) const {
   const Eigen::VectorXd ex = density.real(), ey = density.imag();
   const Index m = targets.size(), n = size();
-  ComplexVector velocity = ComplexVector::Zero(m);
+  ComplexVector velocity(m);
   // A thread owns its targets and sums their sources in order: the same bits for any number of
   // threads.
 #pragma omp parallel for schedule(static)
-  for (Index chunk = 0; chunk < m; chunk += chunk_size) {
-    const Index last = std::min(chunk + chunk_size, m);
+  for (Index group = 0; group < m; group += VectorGroup::size) {
+    const VectorGroup points = group_of(targets, group);
+    std::array<VectorGroup, 1> sum{};
     for (Index first = 0; first < n; first += block_size) {
-      add_velocities({&x_[first], &y_[first], &nx_[first], &ny_[first], &ex[first], &ey[first],
-                      &least2_[first], std::min(block_size, n - first)},
-                     targets, chunk, last, velocity);
+      add_velocities<1>({&x_[first], &y_[first], &nx_[first], &ny_[first], &least2_[first],
+                         std::min(block_size, n - first), &ex[first], &ey[first]},
+                        points, sum);
+    }
+    for (Index i = group; i < std::min(group + VectorGroup::size, m); ++i) {
+      const auto lane = static_cast<std::size_t>(i - group);
+      velocity[i] = {sum[0].x[lane], sum[0].y[lane]};
     }
   }
   return velocity;
@@ -96,8 +111,8 @@ std::vector<FlowDerivatives> StressletSum::derivatives(const ComplexVector& targ
   std::vector<FlowDerivatives> flow(static_cast<std::size_t>(m));
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < m; ++i) {
-    add_derivatives({x_.data(), y_.data(), nx_.data(), ny_.data(), ex.data(), ey.data(),
-                     least2_.data(), size()},
+    add_derivatives({x_.data(), y_.data(), nx_.data(), ny_.data(), least2_.data(), size(),
+                     ex.data(), ey.data()},
                     targets[i], flow[static_cast<std::size_t>(i)]);
   }
   return flow;
