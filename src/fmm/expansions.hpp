@@ -1,11 +1,10 @@
 #pragma once
 
-#include <span>
-#include <vector>
+#include <array>
 
 #include <Eigen/Core>
 
-#include "double_layer/flow_derivatives.hpp"
+#include "double_layer/stresslet_block.hpp"
 #include "fmm/quadtree.hpp"
 
 namespace stokesbook {
@@ -27,104 +26,83 @@ using Expansion = Eigen::Array<double, 4, Eigen::Dynamic>;
 /// A column of an Expansion.
 using Coefficients = Eigen::Array4d;
 
-/// Nodes of a double layer with their strengths, in the order of a tree.
-struct StressletSources {
-  Eigen::VectorXd x, y;    ///< position, length
-  Eigen::VectorXd ax, ay;  ///< \f$ a = n\eta w/4\pi \f$, length^2 / time
-  Eigen::VectorXd b;       ///< \f$ b = 2(n\cdot\eta)w/4\pi \f$, length^2 / time
-};
-
-/// Points with forces and torques, in the order of a tree.
-struct SingularitySources {
-  ComplexVector position;  ///< length
-  ComplexVector force;     ///< \f$ F/4\pi\mu \f$, length / time
-  Eigen::VectorXd torque;  ///< \f$ L/4\pi\mu \f$, length^2 / time
-};
-
-/// The translations of expansions of one order.
-///
-/// Every translation is a matrix of binomial coefficients, the same for all, between two diagonal
-/// scalings by powers of the distance.
-class Translations {
+/// Expansions of all boxes of a tree, for one or several fields.
+class Expansions {
  public:
-  /// Tabulates the binomial coefficients.
-  /// @param  order  p, highest power, 1 to 60
-  explicit Translations(int order);
-
-  /// Returns the order.
-  /// @return p
-  int order() const { return order_; }
-
-  /// Adds an outgoing expansion, moved to another centre.
+  /// Reserves their memory.
   ///
-  /// @param  from       box of the expansion
-  /// @param  expansion  4 x (p + 1)
-  /// @param  to         box that contains it
-  /// @param  sum        4 x (p + 1), of that box, to which is added
-  /// @par Cost          2 p^2 real multiplications
-  void outgoing(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                Eigen::Ref<Expansion> sum) const;
+  /// @param  boxes   number of boxes
+  /// @param  fields  number of fields
+  /// @param  order   p, highest power
+  Expansions(Eigen::Index boxes, Eigen::Index fields, int order)
+      : fields_(fields), columns_(order + 1), all_(4, boxes * fields * columns_) {}
 
-  /// Adds an incoming expansion, moved to another centre.
-  ///
-  /// @param  from       box of the expansion
-  /// @param  expansion  4 x (p + 1)
-  /// @param  to         box that it contains
-  /// @param  sum        4 x (p + 1), of that box, to which is added
-  /// @par Cost          2 p^2 real multiplications
-  void incoming(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                Eigen::Ref<Expansion> sum) const;
+  /// Views one expansion.
+  /// @param  box    its index
+  /// @param  field  its index
+  /// @return        4 x (p + 1)
+  auto operator()(Eigen::Index box, Eigen::Index field) {
+    return all_.middleCols((box * fields_ + field) * columns_, columns_);
+  }
+  /// @copydoc operator()(Eigen::Index, Eigen::Index)
+  auto operator()(Eigen::Index box, Eigen::Index field) const {
+    return all_.middleCols((box * fields_ + field) * columns_, columns_);
+  }
 
-  /// Adds the incoming expansion of many boxes' outgoing ones.
-  ///
-  /// @param  sources    all boxes of the sources' tree
-  /// @param  outgoing   4 x (p + 1) a box
-  /// @param  list       indices of well separated boxes
-  /// @param  target     box of the targets
-  /// @param  sum        4 x (p + 1), to which is added
-  /// @par Cost          4 p^2 real multiplications a source box, eight boxes at a time
-  void convert(const std::vector<Box>& sources, const Expansion& outgoing,
-               std::span<const Eigen::Index> list, const Box& target,
-               Eigen::Ref<Expansion> sum) const;
+  /// Sets the expansions of all fields of a box to zero.
+  /// @param  box  its index
+  void clear(Eigen::Index box) {
+    all_.middleCols(box * fields_ * columns_, fields_ * columns_).setZero();
+  }
 
  private:
-  double binomial(int n, int k) const;
-
-  int order_;
-  std::vector<double> pascal_;   // binomial(n, k), row n, column k, n <= p
-  std::vector<double> convert_;  // binomial(k + l - 1, l), row l, column k - 1
+  Eigen::Index fields_, columns_;
+  Expansion all_;
 };
 
 /// Adds the outgoing expansion of double-layer nodes.
 ///
-/// @param  box      their box
-/// @param  sources  all, in the tree's order
-/// @param  sum      4 x (p + 1), to which is added
-void add_outgoing(const Box& box, const StressletSources& sources, Eigen::Ref<Expansion> sum);
+/// \f$ A_k = \frac{1}{R}\sum a W^{k-1} \f$,
+/// \f$ B_k = -\frac{1}{R}\sum (b W^{k-1} - (k-1) a\bar W W^{k-2}) \f$ with \f$ W = (y-c)/R \f$,
+/// \f$ a = \frac{w}{4\pi}n\eta \f$, \f$ b = \frac{w}{2\pi}n\cdot\eta \f$.
+/// @param  box    their box
+/// @param  nodes  of the box, of which the first field is taken
+/// @param  sum    4 x (p + 1), to which is added
+void add_outgoing(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
 
-/// Adds the outgoing expansion of forces and torques.
+/// A point that pushes and turns the fluid.
+struct PointForce {
+  Complex position;  ///< length
+  Complex force;     ///< F over the viscosity, length / time
+  double torque;     ///< L over the viscosity, length^2 / time
+};
+
+/// Adds the outgoing expansion of a point force with its torque, stokeslet() of gauge 1 and
+/// rotlet().
 ///
-/// @param  box      their box
-/// @param  sources  all, in the tree's order
-/// @param  sum      4 x (p + 1), to which is added
-void add_outgoing(const Box& box, const SingularitySources& sources, Eigen::Ref<Expansion> sum);
+/// With \f$ f = F/4\pi\mu \f$: \f$ A_0 = -\frac f2 \f$, \f$ A_k = \frac{f W^k}{2k} \f$,
+/// \f$ B_0 = \frac{\bar f}{2} \f$, \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
+/// @param  box    of the point
+/// @param  point  position and strengths
+/// @param  sum    4 x (p + 1), to which is added
+void add_outgoing(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
 
-/// Evaluates the velocity of an incoming expansion.
+/// Adds the velocities of an incoming expansion.
 ///
 /// @param  box        of the expansion
 /// @param  expansion  4 x (p + 1)
-/// @param  points     of the tree, length
-/// @param  sum        velocities at all points, length / time, to which those of the box are added
-void add_velocity(const Box& box, Eigen::Ref<const Expansion> expansion,
-                  const ComplexVector& points, Eigen::Ref<ComplexVector> sum);
+/// @param  targets    points of the box, length
+/// @param  sum        velocities at the targets, length / time, to which is added
+void add_velocities(const Box& box, Eigen::Ref<const Expansion> expansion,
+                    const VectorGroup& targets, VectorGroup& sum);
 
 /// Evaluates pressure, vorticity and strain of an incoming expansion.
 ///
 /// @param  box        of the expansion
 /// @param  expansion  4 x (p + 1)
-/// @param  z          point of the box, length
+/// @param  target     point of the box, length
 /// @return            derivatives, 1 / time
-FlowDerivatives derivatives(const Box& box, Eigen::Ref<const Expansion> expansion, Complex z);
+FlowDerivatives derivatives(const Box& box, Eigen::Ref<const Expansion> expansion, Complex target);
 
 /// @}
 

@@ -17,9 +17,8 @@ struct Box {
   Eigen::Index parent = -1;                      ///< index of the parent; -1 for the root
   Eigen::Index first_child = 0, last_child = 0;  ///< its children: boxes first to last - 1
   Complex centre;                                ///< of the points' bounding rectangle, length
-  double radius = 0.0;                           ///< largest distance of a point from it, length
-  double scale = 0.0;                            ///< of expansions: the radius, or a little for
-                                                 ///< coincident points; > 0, length
+  double radius = 0.0;  ///< of the disk about the centre that holds every point with its margin;
+                        ///< at least 1e-100, so that its powers can be divided by, length
 
   /// Counts the points.
   /// @return number of points, >= 1
@@ -36,11 +35,14 @@ class Quadtree {
  public:
   /// Divides the points.
   ///
-  /// @param  points     n points, length
+  /// @param  points     n finite points, length
+  /// @param  margins    of each point the radius that its box's disk must hold about it, >= 0,
+  ///                    length; none for zeros
   /// @param  leaf_size  most points of a box that is not divided, >= 1; coincident points stay
   ///                    together whatever their number
-  /// @par Cost          O(n log n)
-  Quadtree(const ComplexVector& points, Eigen::Index leaf_size);
+  /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
+  /// @par Cost          O(n log n); results do not depend on the number of threads
+  Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
   /// Returns the boxes, level by level, the root first.
   /// @return at least one box unless there are no points
@@ -54,18 +56,29 @@ class Quadtree {
   /// @return n indices into the points given
   const std::vector<Eigen::Index>& order() const { return order_; }
 
-  /// Returns the points in the tree's order.
-  /// @return n points, length
-  const ComplexVector& points() const { return points_; }
+  /// Returns the first coordinates of the points in the tree's order.
+  /// @return n numbers, length
+  const Eigen::VectorXd& x() const { return x_; }
+
+  /// Returns the second coordinates of the points in the tree's order.
+  /// @return n numbers, length
+  const Eigen::VectorXd& y() const { return y_; }
+
+  /// Counts the points.
+  /// @return n
+  Eigen::Index size() const { return x_.size(); }
 
  private:
-  void divide(Eigen::Index box);
-  Box enclose(Eigen::Index first, Eigen::Index last, Eigen::Index parent) const;
+  struct Division;
+  Division divide(const Box& box, Quadtree& scratch);
+  void enclose(Box& box) const;
+
+  Quadtree() = default;
 
   std::vector<Eigen::Index> order_;
-  ComplexVector points_;
+  Eigen::VectorXd x_, y_, margins_;
   std::vector<Box> boxes_;
-  std::vector<Eigen::Index> levels_;
+  std::vector<Eigen::Index> levels_ = {0};
 };
 
 /// @}
