@@ -1,9 +1,11 @@
 #include "double_layer/stresslet_sum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "double_layer/double_layer.hpp"
+#include "double_layer/stresslet_block.hpp"
 
 namespace stokesbook {
 
@@ -11,49 +13,19 @@ using Eigen::Index;
 
 namespace {
 
-// Sources that fit the first-level cache while a block of targets passes over them.
+// Sources that are summed before they join the others' sum: rounding grows with the square roots of
+// their number and of the number of blocks.
 constexpr Index block_size = 512;
 
-// Targets a thread takes at a time.
-constexpr Index chunk_size = 64;
-
-struct SourceBlock {
-  const double *x, *y, *nx, *ny, *ex, *ey, *least2;
-  Index size;
-};
-
-// Adds the block's velocities at two targets; the two share one division, which is what limits the
-// loop.
-void add_velocities(const SourceBlock& s, Complex target_0, Complex target_1, Complex& sum_0,
-                    Complex& sum_1) {
-  const double x0 = target_0.real(), y0 = target_0.imag();
-  const double x1 = target_1.real(), y1 = target_1.imag();
-  // Copies that no store can alias: through the struct the compiler would gather.
-  const double *x = s.x, *y = s.y, *nx = s.nx, *ny = s.ny, *ex = s.ex, *ey = s.ey;
-  const double* least2 = s.least2;
-  const Index size = s.size;
-  double u0 = 0.0, v0 = 0.0, u1 = 0.0, v1 = 0.0;
-#pragma omp simd reduction(+ : u0, v0, u1, v1)
-  for (Index j = 0; j < size; ++j) {
-    const double dx0 = x0 - x[j], dy0 = y0 - y[j];
-    const double dx1 = x1 - x[j], dy1 = y1 - y[j];
-    const double distance2_0 = dx0 * dx0 + dy0 * dy0;
-    const double distance2_1 = dx1 * dx1 + dy1 * dy1;
-    const double rho2_0 = distance2_0 > least2[j] ? distance2_0 : least2[j];
-    const double rho2_1 = distance2_1 > least2[j] ? distance2_1 : least2[j];
-    const double inverse = 1.0 / (rho2_0 * rho2_1);
-    const double inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
-    const double c0 =
-        (dx0 * nx[j] + dy0 * ny[j]) * (dx0 * ex[j] + dy0 * ey[j]) * (inverse_0 * inverse_0);
-    const double c1 =
-        (dx1 * nx[j] + dy1 * ny[j]) * (dx1 * ex[j] + dy1 * ey[j]) * (inverse_1 * inverse_1);
-    u0 += c0 * dx0;
-    v0 += c0 * dy0;
-    u1 += c1 * dx1;
-    v1 += c1 * dy1;
+// Targets from the first on; the last of all is repeated where they do not fill the group.
+VectorGroup group_of(const ComplexVector& targets, Index first) {
+  VectorGroup group;
+  for (Index i = 0; i < VectorGroup::size; ++i) {
+    const Complex target = targets[std::min(first + i, targets.size() - 1)];
+    group.x[static_cast<std::size_t>(i)] = target.real();
+    group.y[static_cast<std::size_t>(i)] = target.imag();
   }
-  sum_0 += Complex{u0, v0};
-  sum_1 += Complex{u1, v1};
+  return group;
 }
 
 }  // namespace
@@ -112,23 +84,21 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
                                        const ComplexVector& density) const {
   const Eigen::VectorXd ex = density.real(), ey = density.imag();
   const Index m = targets.size(), n = size();
-  ComplexVector velocity = ComplexVector::Zero(m);
+  ComplexVector velocity(m);
   // A thread owns its targets and sums their sources in order: the same bits for any number of
   // threads.
 #pragma omp parallel for schedule(static)
-  for (Index chunk = 0; chunk < m; chunk += chunk_size) {
-    const Index last = std::min(chunk + chunk_size, m);
+  for (Index group = 0; group < m; group += VectorGroup::size) {
+    const VectorGroup points = group_of(targets, group);
+    std::array<VectorGroup, 1> sum{};
     for (Index first = 0; first < n; first += block_size) {
-      const SourceBlock sources{
-          &x_[first], &y_[first], &nx_[first],     &ny_[first],
-          &ex[first], &ey[first], &least2_[first], std::min(block_size, n - first)};
-      for (Index i = chunk; i + 1 < last; i += 2) {
-        add_velocities(sources, targets[i], targets[i + 1], velocity[i], velocity[i + 1]);
-      }
-      if ((last - chunk) % 2 != 0) {
-        Complex unused{};
-        add_velocities(sources, targets[last - 1], targets[last - 1], velocity[last - 1], unused);
-      }
+      add_velocities<1>({&x_[first], &y_[first], &nx_[first], &ny_[first], &least2_[first],
+                         std::min(block_size, n - first), &ex[first], &ey[first]},
+                        points, sum);
+    }
+    for (Index i = group; i < std::min(group + VectorGroup::size, m); ++i) {
+      const auto lane = static_cast<std::size_t>(i - group);
+      velocity[i] = {sum[0].x[lane], sum[0].y[lane]};
     }
   }
   return velocity;
@@ -136,38 +106,14 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
 
 std::vector<FlowDerivatives> StressletSum::derivatives(const ComplexVector& targets,
                                                        const ComplexVector& density) const {
-  // With a = n eta and b = n.eta, weights included, and c = 1 / conj(r): a / r^2 = a conj(c)^2, and
-  // the strain is -c^2 (b + conj(a) r c).
-  const Eigen::ArrayXd ax = nx_.array() * density.real().array() -
-                            ny_.array() * density.imag().array(),
-                       ay = nx_.array() * density.imag().array() +
-                            ny_.array() * density.real().array(),
-                       b = nx_.array() * density.real().array() +
-                           ny_.array() * density.imag().array();
-  const Index m = targets.size(), n = size();
+  const Eigen::VectorXd ex = density.real(), ey = density.imag();
+  const Index m = targets.size();
   std::vector<FlowDerivatives> flow(static_cast<std::size_t>(m));
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < m; ++i) {
-    const double zx = targets[i].real(), zy = targets[i].imag();
-    const double *x = x_.data(), *y = y_.data(), *least2 = least2_.data();
-    const double *source_x = ax.data(), *source_y = ay.data(), *source_b = b.data();
-    double pressure = 0.0, vorticity = 0.0, strain_x = 0.0, strain_y = 0.0;
-#pragma omp simd reduction(+ : pressure, vorticity, strain_x, strain_y)
-    for (Index j = 0; j < n; ++j) {
-      const double dx = zx - x[j], dy = zy - y[j];
-      const double distance2 = dx * dx + dy * dy;
-      const double inverse = 1.0 / (distance2 > least2[j] ? distance2 : least2[j]);
-      const double cx = dx * inverse, cy = dy * inverse;
-      const double c2x = cx * cx - cy * cy, c2y = 2.0 * cx * cy;
-      pressure += source_x[j] * c2x + source_y[j] * c2y;
-      vorticity += source_x[j] * c2y - source_y[j] * c2x;
-      const double rcx = dx * cx - dy * cy, rcy = dx * cy + dy * cx;
-      const double gx = source_b[j] + source_x[j] * rcx + source_y[j] * rcy;
-      const double gy = source_x[j] * rcy - source_y[j] * rcx;
-      strain_x -= c2x * gx - c2y * gy;
-      strain_y -= c2x * gy + c2y * gx;
-    }
-    flow[static_cast<std::size_t>(i)] = {pressure, vorticity, {strain_x, strain_y}};
+    add_derivatives({x_.data(), y_.data(), nx_.data(), ny_.data(), least2_.data(), size(),
+                     ex.data(), ey.data()},
+                    targets[i], flow[static_cast<std::size_t>(i)]);
   }
   return flow;
 }

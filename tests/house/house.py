@@ -18,7 +18,7 @@ MAY_USE = {
     "krylov": ONE_TO_THREE | {"null_space"},
     "near_singular": {"trapezoid", "double_layer"},
     "stress": ONE_TO_THREE | {"near_singular"},
-    "fmm": {"double_layer"},
+    "fmm": {"trapezoid", "double_layer"},
     "time_stepping": set(),
     "stiv": {"trapezoid"},
     "lcp": set(),

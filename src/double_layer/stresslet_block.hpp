@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "double_layer/flow_derivatives.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup double_layer
+/// @{
+
+/// Consecutive nodes with the densities of one or several fields, for the innermost loops of
+/// StressletSum and of faster sums that take their near fields from it.
+struct StressletBlock {
+  const double *x, *y;    ///< nodes, length
+  const double *nx, *ny;  ///< normal times weight over pi, length
+  const double* least2;  ///< squared half weights, by which squared distances are bounded, length^2
+  Eigen::Index size;     ///< number of nodes
+  const double *ex, *ey;    ///< densities of the first field, length / time
+  Eigen::Index stride = 0;  ///< from a field's densities to the next field's
+};
+
+/// Sixteen points or vectors of the plane, their components apart: what a kernel works on at once.
+struct VectorGroup {
+  static constexpr int size = 16;               ///< number of vectors
+  alignas(64) std::array<double, size> x = {},  ///< first components
+      y = {};                                   ///< second components
+};
+
+/// Adds the velocities of a block at a group of targets, with the bounded kernel of StressletSum.
+///
+/// @tparam fields   number of densities: 1, 2 or 4
+/// @param  block    nodes
+/// @param  targets  length
+/// @param  sum      velocities of each field at the targets, length / time, to which is added
+/// @par Cost        a kernel evaluation a pair, of which fields share two thirds
+template <int fields>
+void add_velocities(const StressletBlock& block, const VectorGroup& targets,
+                    std::array<VectorGroup, fields>& sum);
+
+/// Adds pressure, vorticity and strain of a block at a target, with the bounded kernel.
+///
+/// @param  block   nodes, of which the first field is taken
+/// @param  target  length
+/// @param  sum     1 / time, to which is added
+/// @par Cost       a kernel evaluation a node
+void add_derivatives(const StressletBlock& block, Complex target, FlowDerivatives& sum);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+#include "double_layer/stresslet_block.hpp"
+#include "fmm/quadtree.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup fmm
+/// @{
+
+/// Coefficients of a pair of Goursat functions about the centre c of a box, for k = 0 ... p a
+/// column each: real and imaginary part of \f$ \phi \f$'s and of \f$ \psi_c \f$'s coefficient,
+/// where \f$ u = \phi - (z-c)\overline{\phi'} - \overline{\psi_c} \f$,
+/// \f$ \psi_c = \psi + \bar c\phi' \f$.
+///
+/// Outgoing, with \f$ \zeta = z-c \f$ and the box's radius R:
+/// \f$ \phi = A_0\log\zeta + \sum_{k\ge1} A_k(R/\zeta)^k \f$, and \f$ \psi_c \f$ likewise with
+/// \f$ B_k \f$ but for a constant \f$ -B_0 \f$. Incoming:
+/// \f$ \phi = \sum_{l\ge0}\lambda_l(\zeta/R)^l \f$, and \f$ \psi_c \f$ likewise with \f$ \mu_l \f$.
+using Expansion = Eigen::Array<double, 4, Eigen::Dynamic>;
+
+/// A column of an Expansion.
+using Coefficients = Eigen::Array4d;
+
+/// Expansions of all boxes of a tree, for one or several fields.
+class Expansions {
+ public:
+  /// Reserves their memory.
+  ///
+  /// @param  boxes   number of boxes
+  /// @param  fields  number of fields
+  /// @param  order   p, highest power
+  Expansions(Eigen::Index boxes, Eigen::Index fields, int order)
+      : fields_(fields), columns_(order + 1), all_(4, boxes * fields * columns_) {}
+
+  /// Views one expansion.
+  /// @param  box    its index
+  /// @param  field  its index
+  /// @return        4 x (p + 1)
+  auto operator()(Eigen::Index box, Eigen::Index field) {
+    return all_.middleCols((box * fields_ + field) * columns_, columns_);
+  }
+  /// @copydoc operator()(Eigen::Index, Eigen::Index)
+  auto operator()(Eigen::Index box, Eigen::Index field) const {
+    return all_.middleCols((box * fields_ + field) * columns_, columns_);
+  }
+
+  /// Sets the expansions of all fields of a box to zero.
+  /// @param  box  its index
+  void clear(Eigen::Index box) {
+    all_.middleCols(box * fields_ * columns_, fields_ * columns_).setZero();
+  }
+
+ private:
+  Eigen::Index fields_, columns_;
+  Expansion all_;
+};
+
+/// Adds the outgoing expansion of double-layer nodes.
+///
+/// \f$ A_k = \frac{1}{R}\sum a W^{k-1} \f$,
+/// \f$ B_k = -\frac{1}{R}\sum (b W^{k-1} - (k-1) a\bar W W^{k-2}) \f$ with \f$ W = (y-c)/R \f$,
+/// \f$ a = \frac{w}{4\pi}n\eta \f$, \f$ b = \frac{w}{2\pi}n\cdot\eta \f$.
+/// @param  box    their box
+/// @param  nodes  of the box, of which the first field is taken
+/// @param  sum    4 x (p + 1), to which is added
+void add_outgoing(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
+
+/// A point that pushes and turns the fluid.
+struct PointForce {
+  Complex position;  ///< length
+  Complex force;     ///< F over the viscosity, length / time
+  double torque;     ///< L over the viscosity, length^2 / time
+};
+
+/// Adds the outgoing expansion of a point force with its torque, stokeslet() of gauge 1 and
+/// rotlet().
+///
+/// With \f$ f = F/4\pi\mu \f$: \f$ A_0 = -\frac f2 \f$, \f$ A_k = \frac{f W^k}{2k} \f$,
+/// \f$ B_0 = \frac{\bar f}{2} \f$, \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
+/// @param  box    of the point
+/// @param  point  position and strengths
+/// @param  sum    4 x (p + 1), to which is added
+void add_outgoing(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
+
+/// Adds the velocities of an incoming expansion.
+///
+/// @param  box        of the expansion
+/// @param  expansion  4 x (p + 1)
+/// @param  targets    points of the box, length
+/// @param  sum        velocities at the targets, length / time, to which is added
+void add_velocities(const Box& box, Eigen::Ref<const Expansion> expansion,
+                    const VectorGroup& targets, VectorGroup& sum);
+
+/// Evaluates pressure, vorticity and strain of an incoming expansion.
+///
+/// @param  box        of the expansion
+/// @param  expansion  4 x (p + 1)
+/// @param  target     point of the box, length
+/// @return            derivatives, 1 / time
+FlowDerivatives derivatives(const Box& box, Eigen::Ref<const Expansion> expansion, Complex target);
+
+/// @}
+
+}  // namespace stokesbook

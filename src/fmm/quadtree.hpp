@@ -1,0 +1,86 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "trapezoid/plane.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup fmm
+/// @{
+
+/// A box of a quadtree: points that are consecutive in the tree's order, and the disk about them.
+struct Box {
+  Eigen::Index first = 0, last = 0;              ///< its points: first to last - 1
+  Eigen::Index parent = -1;                      ///< index of the parent; -1 for the root
+  Eigen::Index first_child = 0, last_child = 0;  ///< its children: boxes first to last - 1
+  Complex centre;                                ///< of the points' bounding rectangle, length
+  double radius = 0.0;  ///< of the disk about the centre that holds every point with its margin;
+                        ///< at least 1e-100, so that its powers can be divided by, length
+
+  /// Counts the points.
+  /// @return number of points, >= 1
+  Eigen::Index size() const { return last - first; }
+
+  /// Tells whether the box is not divided.
+  /// @return true when it has no children
+  bool is_leaf() const { return first_child == last_child; }
+};
+
+/// An adaptive quadtree: boxes with too many points are divided at the middle of their points'
+/// bounding rectangle, empty children are left out.
+class Quadtree {
+ public:
+  /// Divides the points.
+  ///
+  /// @param  points     n finite points, length
+  /// @param  margins    of each point the radius that its box's disk must hold about it, >= 0,
+  ///                    length; none for zeros
+  /// @param  leaf_size  most points of a box that is not divided, >= 1; coincident points stay
+  ///                    together whatever their number
+  /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
+  /// @par Cost          O(n log n); results do not depend on the number of threads
+  Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
+
+  /// Returns the boxes, level by level, the root first.
+  /// @return at least one box unless there are no points
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+  /// Returns where each level begins in boxes(), and where the last one ends.
+  /// @return number of levels + 1 indices
+  const std::vector<Eigen::Index>& levels() const { return levels_; }
+
+  /// Returns which point stands where in the tree's order.
+  /// @return n indices into the points given
+  const std::vector<Eigen::Index>& order() const { return order_; }
+
+  /// Returns the first coordinates of the points in the tree's order.
+  /// @return n numbers, length
+  const Eigen::VectorXd& x() const { return x_; }
+
+  /// Returns the second coordinates of the points in the tree's order.
+  /// @return n numbers, length
+  const Eigen::VectorXd& y() const { return y_; }
+
+  /// Counts the points.
+  /// @return n
+  Eigen::Index size() const { return x_.size(); }
+
+ private:
+  struct Division;
+  Division divide(const Box& box, Quadtree& scratch);
+  void enclose(Box& box) const;
+
+  Quadtree() = default;
+
+  std::vector<Eigen::Index> order_;
+  Eigen::VectorXd x_, y_, margins_;
+  std::vector<Box> boxes_;
+  std::vector<Eigen::Index> levels_ = {0};
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,266 @@
+#include "fmm/translations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "double_layer/lanes.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr std::size_t most_columns = Translations::most_order + 1;
+
+// A complex number times the coefficients of both functions.
+Coefficients times(Complex factor, const Coefficients& c) {
+  const double x = factor.real(), y = factor.imag();
+  return {x * c[0] - y * c[1], x * c[1] + y * c[0], x * c[2] - y * c[3], x * c[3] + y * c[2]};
+}
+
+// A complex number times the coefficient of phi, to be added to that of psi.
+Coefficients to_psi(Complex factor, const Coefficients& c) {
+  const double x = factor.real(), y = factor.imag();
+  return {0.0, 0.0, x * c[0] - y * c[1], x * c[1] + y * c[0]};
+}
+
+// Below this share of the smaller box's radius a shift's powers would be unbalanced.
+constexpr double least_shift = 0.02;
+
+using Table = std::array<Coefficients, most_columns>;
+
+}  // namespace
+
+Translations::Translations(int order) : order_(order) {
+  if (order < 1 || order > most_order) {
+    throw std::invalid_argument("the order of an expansion must be from 1 to " +
+                                std::to_string(most_order) + ", got " + std::to_string(order));
+  }
+  const int columns = order + 1;
+  pascal_.assign(static_cast<std::size_t>(columns * columns), 0.0);
+  convert_ = pascal_;
+  const auto at = [columns](std::vector<double>& matrix, int row, int column) -> double& {
+    return matrix[static_cast<std::size_t>(row * columns + column)];
+  };
+  for (int n = 0; n <= order; ++n) {
+    for (int k = 0; k <= n; ++k) {
+      at(pascal_, n, k) = k == 0 || k == n ? 1.0 : binomial(n - 1, k - 1) + binomial(n - 1, k);
+    }
+  }
+  // binomial(k + l - 1, l) by rows: 1 for l = 0, and sums of neighbours.
+  for (int l = 0; l <= order; ++l) {
+    at(convert_, l, 0) = l == 0 ? 0.0 : -1.0 / l;
+    for (int k = 1; k <= order; ++k) {
+      at(convert_, l, k) = l == 0 || k == 1 ? 1.0 : at(convert_, l - 1, k) + at(convert_, l, k - 1);
+    }
+  }
+}
+
+double Translations::binomial(int n, int k) const {
+  return pascal_[static_cast<std::size_t>(n * (order_ + 1) + k)];
+}
+
+void Translations::outgoing(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+                            Eigen::Ref<Expansion> sum) const {
+  const Complex d = from.centre - to.centre;
+  const bool balanced = std::abs(d) > least_shift * from.radius;
+  const Complex step = d / to.radius;
+  // Scaled by (R_1 / d)^k, or by (R_1 / R_2)^k where d is too small to divide by.
+  const Complex ratio = balanced ? from.radius / d : Complex{from.radius / to.radius};
+  Table scaled;
+  Complex power = 1.0;
+  for (int k = 1; k <= order_; ++k) {
+    power *= ratio;
+    scaled[static_cast<std::size_t>(k)] = times(power, expansion.col(k));
+  }
+  const Coefficients logarithm = expansion.col(0);
+  sum.col(0) += logarithm;
+  Coefficients previous = -logarithm;  // l A_l of the l before
+  power = 1.0;
+  for (int l = 1; l <= order_; ++l) {
+    power *= step;
+    Coefficients moved = Coefficients::Zero();
+    if (balanced) {
+      for (int k = 1; k <= l; ++k) {
+        moved += binomial(l - 1, k - 1) * scaled[static_cast<std::size_t>(k)];
+      }
+      moved = times(power, moved - logarithm / l);
+    } else {
+      Complex shift = 1.0;
+      for (int k = l; k >= 1; --k, shift *= step) {
+        moved += binomial(l - 1, k - 1) * times(shift, scaled[static_cast<std::size_t>(k)]);
+      }
+      moved -= times(power, logarithm / l);
+    }
+    sum.col(l) += moved + to_psi(std::conj(step), previous);
+    previous = l * moved;
+  }
+}
+
+void Translations::incoming(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+                            Eigen::Ref<Expansion> sum) const {
+  const Complex d = to.centre - from.centre;
+  const bool balanced = std::abs(d) > least_shift * to.radius;
+  const Complex step = d / from.radius;
+  const Complex ratio = balanced ? to.radius / d : Complex{to.radius / from.radius};
+  Table scaled;
+  Complex power = 1.0;
+  for (int l = 0; l <= order_; ++l) {
+    scaled[static_cast<std::size_t>(l)] =
+        balanced ? times(power, expansion.col(l)) : Coefficients(expansion.col(l));
+    power *= step;
+  }
+  power = 1.0;
+  for (int m = 0; m <= order_; ++m) {
+    Coefficients moved = Coefficients::Zero();
+    if (balanced) {
+      for (int l = m; l <= order_; ++l) {
+        moved += binomial(l, m) * scaled[static_cast<std::size_t>(l)];
+      }
+    } else {
+      Complex shift = 1.0;
+      for (int l = m; l <= order_; ++l, shift *= step) {
+        moved += binomial(l, m) * times(shift, scaled[static_cast<std::size_t>(l)]);
+      }
+    }
+    moved = times(power, moved);
+    power *= ratio;
+    sum.col(m) += moved;
+    if (m > 0) sum.col(m - 1) += to_psi(static_cast<double>(m) * std::conj(d) / to.radius, moved);
+  }
+}
+
+namespace {
+
+// Both functions' real and imaginary parts, a register of boxes each, and a row a power.
+using Parts = std::array<Lanes, 4>;
+constexpr int rows_at_once = lane_count == 8 ? 4 : 2;  // as their sums fit the registers
+using Rows = std::array<Parts, most_columns + rows_at_once>;
+
+// Y = H X.
+void multiply(const double* h, int columns, const Rows& x, Rows& y) {
+  for (int first = 0; first < columns; first += rows_at_once) {
+    std::array<Parts, rows_at_once> sum{};
+    std::array<const double*, rows_at_once> row{};
+    for (int i = 0; i < rows_at_once; ++i) {
+      row[static_cast<std::size_t>(i)] = h + std::min(first + i, columns - 1) * columns;
+    }
+    for (int k = 0; k < columns; ++k) {
+      const Parts& column = x[static_cast<std::size_t>(k)];
+      for (std::size_t i = 0; i < rows_at_once; ++i) {
+        const double factor = row[i][k];
+        for (std::size_t part = 0; part < 4; ++part) sum[i][part] += factor * column[part];
+      }
+    }
+    for (std::size_t i = 0; i < rows_at_once; ++i) y[static_cast<std::size_t>(first) + i] = sum[i];
+  }
+}
+
+struct ComplexLanes {
+  Lanes x, y;
+
+  void operator*=(const ComplexLanes& other) {
+    const Lanes real = x * other.x - y * other.y;
+    y = x * other.y + y * other.x;
+    x = real;
+  }
+  Parts times(const Parts& c) const {
+    return {x * c[0] - y * c[1], x * c[1] + y * c[0], x * c[2] - y * c[3], x * c[3] + y * c[2]};
+  }
+};
+
+// The source boxes of a register; lanes beyond the list repeat its last box, and count nothing.
+struct Batch {
+  Batch(const std::vector<Box>& boxes, const Expansions& outgoing, std::span<const Index> list,
+        Index field, const Box& target) {
+    for (int s = 0; s < lane_count; ++s) {
+      const auto lane = static_cast<std::size_t>(s);
+      const Index box = list[std::min(lane, list.size() - 1)];
+      const Box& source = boxes[static_cast<std::size_t>(box)];
+      from[lane] = outgoing(box, field).data();
+      on[s] = lane < list.size() ? 1.0 : 0.0;
+      distance.x[s] = target.centre.real() - source.centre.real();
+      distance.y[s] = target.centre.imag() - source.centre.imag();
+      radius[s] = source.radius;
+    }
+    const Lanes inverse2 = 1.0 / (distance.x * distance.x + distance.y * distance.y);
+    inverse = {distance.x * inverse2, -(distance.y * inverse2)};
+  }
+
+  // Coefficients of power k of all lanes.
+  Parts gather(int k) const {
+    Parts c;
+    for (std::size_t part = 0; part < 4; ++part) {
+      for (int s = 0; s < lane_count; ++s) {
+        c[part][s] = from[static_cast<std::size_t>(s)][static_cast<std::size_t>(4 * k) + part];
+      }
+      c[part] *= on;
+    }
+    return c;
+  }
+
+  std::array<const double*, lane_count> from{};
+  Lanes on{}, radius{};
+  ComplexLanes distance{}, inverse{};
+};
+
+double sum_of(const Lanes& lanes) {
+  double sum = 0.0;
+  for (int s = 0; s < lane_count; ++s) sum += lanes[s];
+  return sum;
+}
+
+}  // namespace
+
+void Translations::convert(const std::vector<Box>& boxes, const Expansions& outgoing,
+                           std::span<const Index> list, Index field, const Box& target,
+                           Eigen::Ref<Expansion> sum) const {
+  if (list.empty()) return;
+  const int columns = order_ + 1;
+  Rows x, y, total;
+  std::fill_n(total.begin(), columns, Parts{});
+  for (std::size_t first = 0; first < list.size(); first += lane_count) {
+    const Batch batch(boxes, outgoing,
+                      list.subspan(first, std::min<std::size_t>(lane_count, list.size() - first)),
+                      field, target);
+    const Parts logarithm = batch.gather(0);
+    x[0] = logarithm;
+    const ComplexLanes outward{batch.radius * batch.inverse.x, batch.radius * batch.inverse.y};
+    ComplexLanes power = outward;
+    for (int k = 1; k <= order_; ++k, power *= outward) {
+      x[static_cast<std::size_t>(k)] = power.times(batch.gather(k));
+    }
+    multiply(convert_.data(), columns, x, y);
+    const ComplexLanes inward{-target.radius * batch.inverse.x, -target.radius * batch.inverse.y};
+    const ComplexLanes conjugate{batch.distance.x / target.radius,
+                                 -(batch.distance.y / target.radius)};
+    for (std::size_t part = 0; part < 4; ++part) total[0][part] += y[0][part];
+    power = inward;
+    for (int l = 1; l <= order_; ++l, power *= inward) {
+      const Parts moved = power.times(y[static_cast<std::size_t>(l)]);
+      Parts& row = total[static_cast<std::size_t>(l)];
+      for (std::size_t part = 0; part < 4; ++part) row[part] += moved[part];
+      Parts& before = total[static_cast<std::size_t>(l) - 1];
+      const auto factor = static_cast<double>(l);
+      before[2] += factor * (conjugate.x * moved[0] - conjugate.y * moved[1]);
+      before[3] += factor * (conjugate.x * moved[1] + conjugate.y * moved[0]);
+    }
+    for (int s = 0; s < lane_count; ++s) {
+      const Complex a{logarithm[0][s], logarithm[1][s]}, b{logarithm[2][s], logarithm[3][s]};
+      if (a == 0.0 && b == 0.0) continue;
+      const Complex log = std::log(Complex{batch.distance.x[s], batch.distance.y[s]});
+      const Complex phi = a * log, psi = b * log - b;
+      sum.col(0) += Coefficients{phi.real(), phi.imag(), psi.real(), psi.imag()};
+    }
+  }
+  for (int l = 0; l < columns; ++l) {
+    const Parts& row = total[static_cast<std::size_t>(l)];
+    sum.col(l) += Coefficients{sum_of(row[0]), sum_of(row[1]), sum_of(row[2]), sum_of(row[3])};
+  }
+}
+
+}  // namespace stokesbook
