@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "near_singular/placed.hpp"
+#include "support/smooth_curve.hpp"
 #include "trapezoid/grading.hpp"
 
 using namespace stokesbook;
@@ -182,9 +182,7 @@ BOOST_AUTO_TEST_CASE(graded_circles_have_their_gap_to_rounding) {
     for (double place : {0.0, 0.4 * width, 2.0}) {
       const auto circle = [&](Complex position, double orientation) {
         const Curve reference = sample(Circle{1.0}, 96, Side::fluid_outside, {{{place, width}}});
-        return SmoothCurve{stokesbook::place(reference, position, orientation),
-                           std::make_shared<TrigonometricPolynomial>(reference.x), position,
-                           orientation};
+        return smooth_curve(reference, position, orientation);
       };
       const Complex along = std::polar(1.0, 0.35);
       const SmoothCurve a = circle(0.0, 0.35);

@@ -5,6 +5,7 @@
 #include "experiments.hpp"
 #include "near_singular/near_correction.hpp"
 #include "set_ups.hpp"
+#include "support/plain_rule.hpp"
 
 namespace stokesbook::verification::near_singular {
 
@@ -116,9 +117,9 @@ ComplexVector unbounded(const Pair& pair) {
     const CauchyCurve cauchy(reference);
     const ComplexVector correction =
         cauchy.velocity(cauchy.data(pair.local_density(source)), 0, local) -
-        naive_rule(reference, pair.local_density(source), local);
+        test::plain_rule(reference, pair.local_density(source), local);
     velocity.segment(target == 0 ? 0 : 96, x.size()) +=
-        naive_rule(pair.curves()[source], density, x) -
+        test::plain_rule(pair.curves()[source], density, x) -
         StressletSum({pair.curves()[source]})(x, density) + pair.frame(source) * correction;
   }
   return velocity;
