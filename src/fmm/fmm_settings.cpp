@@ -12,9 +12,10 @@ FmmSettings FmmSettings::for_tolerance(double tolerance) {
     throw std::invalid_argument("the tolerance of an FMM must be > 0, got " +
                                 std::to_string(tolerance));
   }
-  const double digits = -std::log10(std::clamp(tolerance, 1e-14, 1.0));
-  const int order = std::max(3, static_cast<int>(std::ceil(3.03 * digits - 2.6)));
-  return {order, 2 * order + 15};
+  constexpr double rounding = 1e-14;
+  const double digits = -std::log10(std::clamp(tolerance, rounding, 1.0));
+  const int order = std::max(3, static_cast<int>(std::ceil(3.03 * digits - 0.6)));
+  return {order, 2 * order + 32};
 }
 
 Eigen::Index break_even(const FmmSettings& settings) {

@@ -12,9 +12,16 @@ struct FmmSettings {
   int order = 0;               ///< p, highest power of the expansions, 1 to 60
   Eigen::Index leaf_size = 0;  ///< most points of a box that is not divided, >= 1
 
-  /// Chooses order and leaf size for a tolerance.
+  /// Chooses order and leaf size for a tolerance \f$ \varepsilon \f$:
+  /// \f$ p = \lceil 3.03\log_{10}(1/\varepsilon) - 0.6 \rceil \f$, leaves of 2 p + 32 points.
   ///
-  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0
+  /// One translation leaves out \f$ p\,2^{-p} \f$ of a velocity at worst, a sum of many much less;
+  /// what all leave out falls like \f$ 10^{-p/3.03} \f$. The constant holds for what was measured:
+  /// random points, points on a line, in clusters, crowding; many ellipses and one slender one, at
+  /// which it is met most narrowly; densities smooth, wavy and random; up to 1e5 nodes.
+  /// Not for most points at one place, where errors add: \f$ p\,2^{-p} \le \varepsilon \f$ there.
+  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; rounding leaves
+  ///                    about 1e-14, for which orders stop to grow
   /// @return            settings
   /// @throws std::invalid_argument when the tolerance is not > 0
   static FmmSettings for_tolerance(double tolerance);

@@ -1,0 +1,119 @@
+// The tolerance is met on every kind of set: against the direct sum and the kernels themselves.
+#include <string>
+
+#include <boost/test/unit_test.hpp>
+
+#include "double_layer/kernels.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "fmm/fmm.hpp"
+#include "fmm/sets.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::random_vector;
+using test::relative_error;
+
+namespace {
+
+constexpr double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12};
+
+// At the nodes themselves, and derivatives at points elsewhere.
+void check_tolerances(const std::vector<Curve>& curves, const ComplexVector& density) {
+  const StressletSum sum(curves);
+  const ComplexVector exact = sum(density), nodes = test::all_nodes(curves);
+  const ComplexVector elsewhere = nodes.head(500) + 0.1 * random_vector(500, 4);
+  const auto exact_derivatives = sum.derivatives(elsewhere, density);
+  for (const double tolerance : tolerances) {
+    const FmmSettings settings = FmmSettings::for_tolerance(tolerance);
+    BOOST_TEST(relative_error(Fmm(curves, {}, settings).velocity(density), exact) < tolerance);
+    const Fmm at_points(curves, {}, elsewhere, settings);
+    BOOST_TEST(relative_error(at_points.velocity(density), sum(elsewhere, density)) <
+               10.0 * tolerance);
+    BOOST_TEST(relative_error(at_points.derivatives(density), exact_derivatives) <
+               100.0 * tolerance);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sets_of_points) {
+  for (const test::PointSet& set : test::point_sets(5000)) {
+    if (set.name == std::string("coincident")) continue;  // ill_cases.cpp
+    BOOST_TEST_CONTEXT(set.name) {
+      check_tolerances({test::cloud(set.points, 1e-9)}, random_vector(5000, 3));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ellipses) {
+  const std::vector<Curve> curves = test::ellipses(8, 128);
+  check_tolerances(curves, random_vector(8 * 8 * 128, 3));
+  ComplexVector smooth(8 * 8 * 128);
+  for (Index i = 0; i < smooth.size(); ++i) {
+    const double t = 2.0 * std::numbers::pi * static_cast<double>(i) / 128.0;
+    smooth[i] = {std::cos(t) + 0.3, std::sin(2.0 * t + 1.0) + 0.1 * std::cos(t / 128.0)};
+  }
+  check_tolerances(curves, smooth);
+}
+
+// Few boxes, whose errors are alike: the case that asks for the highest order.
+BOOST_AUTO_TEST_CASE(one_slender_body) {
+  const std::vector<Curve> curves = {sample(Ellipse{1.0, 0.01}, 4096, Side::fluid_outside)};
+  ComplexVector wavy(4096);
+  for (Index i = 0; i < 4096; ++i) {
+    const double t = 80.0 * std::numbers::pi * static_cast<double>(i) / 4096.0;
+    wavy[i] = {std::cos(t) + 0.2, std::sin(2.0 * t + 1.0)};
+  }
+  check_tolerances(curves, wavy);
+  check_tolerances(curves, random_vector(4096, 3));
+}
+
+// Nodes, forces and torques together, several fields at once.
+BOOST_AUTO_TEST_CASE(nodes_and_points) {
+  const std::vector<Curve> curves = test::ellipses(4, 64);
+  const Index n = 16 * 64, m = 3000;
+  const ComplexVector points = (5.0 * random_vector(m, 1).array() + Complex{4.0, 4.0}).matrix();
+  Eigen::MatrixXcd density(n, 7), force(m, 7);
+  Eigen::MatrixXd torque(m, 7);
+  for (unsigned field = 0; field < 7; ++field) {
+    density.col(field) = random_vector(n, 10 + field);
+    force.col(field) = 1e-3 * random_vector(m, 20 + field);
+    torque.col(field) = 1e-3 * random_vector(m, 30 + field).real();
+  }
+  const ComplexVector targets = (6.0 * random_vector(400, 2).array() + Complex{4.0, 4.0}).matrix();
+  const StressletSum sum(curves);
+  for (const double tolerance : tolerances) {
+    const Fmm at_targets(curves, points, targets, FmmSettings::for_tolerance(tolerance));
+    FmmWorkspace work = at_targets.workspace(7);
+    const FmmStrengths strengths(density, force, torque);
+    const Eigen::MatrixXcd velocity = at_targets.velocity(strengths, work);
+    const std::vector<FlowDerivatives> derivatives = at_targets.derivatives(strengths, work);
+    for (Index field = 0; field < 7; ++field) {
+      ComplexVector exact = sum(targets, density.col(field));
+      std::vector<FlowDerivatives> flow = sum.derivatives(targets, density.col(field));
+      for (Index i = 0; i < targets.size(); ++i) {
+        for (Index j = 0; j < m; ++j) {
+          const Complex r = targets[i] - points[j];
+          exact[i] += stokeslet(r, force(j, field), 1.0, 1.0) + rotlet(r, torque(j, field), 1.0);
+          flow[static_cast<std::size_t>(i)] += stokeslet_derivatives(r, force(j, field), 1.0);
+          flow[static_cast<std::size_t>(i)] += rotlet_derivatives(r, torque(j, field), 1.0);
+        }
+      }
+      BOOST_TEST(relative_error(velocity.col(field), exact) < tolerance);
+      const auto first = derivatives.begin() + field * targets.size();
+      BOOST_TEST(relative_error({first, first + targets.size()}, flow) < 100.0 * tolerance);
+    }
+  }
+}
+
+// Fields that are summed at once are those that are summed alone.
+BOOST_AUTO_TEST_CASE(fields_do_not_mix) {
+  const std::vector<Curve> curves = test::ellipses(3, 64);
+  Eigen::MatrixXcd density(9 * 64, 7);
+  for (unsigned field = 0; field < 7; ++field) density.col(field) = random_vector(9 * 64, field);
+  const Fmm fmm(curves, {}, {8, 20});
+  const Eigen::MatrixXcd together = fmm.velocity(density);
+  for (Index field = 0; field < 7; ++field) {
+    BOOST_TEST(relative_error(together.col(field), fmm.velocity(density.col(field))) < 1e-14);
+  }
+}

@@ -1,0 +1,233 @@
+// Each step from sources to velocities, alone, against the kernels: expansions about the sources,
+// moved, converted, moved again, evaluated.
+#include "fmm/translations.hpp"
+
+#include <stdexcept>
+
+#include <boost/test/unit_test.hpp>
+
+#include "double_layer/kernels.hpp"
+#include "fmm/sets.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using test::random_vector;
+
+namespace {
+
+constexpr int order = 40;  // what is left out is below rounding in all of these
+constexpr double rounding = 2e-14;
+
+Box disk(Complex centre, double radius) {
+  Box box;
+  box.centre = centre;
+  box.radius = radius;
+  return box;
+}
+
+Expansion zero() {
+  return Expansion::Zero(4, order + 1);
+}
+
+// Some nodes and a point force in a disk, and their exact flow.
+struct Sources {
+  explicit Sources(const Box& disk, unsigned seed = 1) : box(disk) {
+    const ComplexVector random = random_vector(12, seed), n = random_vector(12, seed + 1),
+                        e = random_vector(12, seed + 2);
+    const ComplexVector places = (box.centre + 0.7 * box.radius * random.array()).matrix();
+    x = places.real();
+    y = places.imag();
+    nx = n.real();
+    ny = n.imag();
+    ex = e.real();
+    ey = e.imag();
+    least2 = Eigen::VectorXd::Zero(12);
+    point = {box.centre + 0.7 * box.radius * random_vector(1, seed + 3)[0], {0.3, -0.8}, 1.7};
+  }
+
+  StressletBlock block() const {
+    return {x.data(),      y.data(), nx.data(), ny.data(),
+            least2.data(), x.size(), ex.data(), ey.data()};
+  }
+
+  Expansion outgoing() const {
+    Expansion sum = zero();
+    add_outgoing(box, block(), sum);
+    add_outgoing(box, point, sum);
+    return sum;
+  }
+
+  Complex velocity(Complex z) const {
+    Complex u = stokeslet(z - point.position, point.force, 1.0, 1.0) +
+                rotlet(z - point.position, point.torque, 1.0);
+    for (Index j = 0; j < x.size(); ++j) {
+      u += std::numbers::pi * stresslet(z - Complex{x[j], y[j]}, {nx[j], ny[j]}, {ex[j], ey[j]});
+    }
+    return u;
+  }
+
+  FlowDerivatives flow(Complex z) const {
+    FlowDerivatives sum = stokeslet_derivatives(z - point.position, point.force, 1.0);
+    sum += rotlet_derivatives(z - point.position, point.torque, 1.0);
+    for (Index j = 0; j < x.size(); ++j) {
+      sum += stresslet_derivatives(z - Complex{x[j], y[j]}, {nx[j], ny[j]},
+                                   std::numbers::pi * Complex{ex[j], ey[j]});
+    }
+    return sum;
+  }
+
+  Box box;
+  Eigen::VectorXd x, y, nx, ny, ex, ey, least2;
+  PointForce point;
+};
+
+// The definition of an outgoing expansion.
+Complex outgoing_velocity(const Box& box, const Expansion& expansion, Complex z) {
+  const Complex zeta = z - box.centre;
+  const Complex a{expansion(0, 0), expansion(1, 0)}, b{expansion(2, 0), expansion(3, 0)};
+  Complex phi = a * std::log(zeta), slope = a / zeta, psi = b * std::log(zeta) - b;
+  for (Index k = 1; k < expansion.cols(); ++k) {
+    const Complex power = std::pow(box.radius / zeta, static_cast<double>(k));
+    phi += power * Complex{expansion(0, k), expansion(1, k)};
+    slope -= static_cast<double>(k) / zeta * power * Complex{expansion(0, k), expansion(1, k)};
+    psi += power * Complex{expansion(2, k), expansion(3, k)};
+  }
+  return phi - zeta * std::conj(slope) - std::conj(psi);
+}
+
+Complex incoming_velocity(const Box& box, const Expansion& expansion, Complex z) {
+  VectorGroup targets, sum;
+  targets.x.fill(z.real());
+  targets.y.fill(z.imag());
+  add_velocities(box, expansion, targets, sum);
+  BOOST_TEST((sum.x[0] == sum.x[15] && sum.y[0] == sum.y[15]));
+  return {sum.x[0], sum.y[0]};
+}
+
+// Points of a disk.
+ComplexVector points_of(const Box& box) {
+  return (box.centre + box.radius / std::numbers::sqrt2 * random_vector(20, 6).array()).matrix();
+}
+
+void check(Complex found, Complex exact) {
+  BOOST_TEST(std::abs(found - exact) < rounding * (1.0 + std::abs(exact)));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(sources_to_outgoing) {
+  const Sources sources(disk({0.3, -0.2}, 0.9));
+  for (const Complex z : points_of(disk({9.0, 4.0}, 2.0))) {
+    check(outgoing_velocity(sources.box, sources.outgoing(), z), sources.velocity(z));
+  }
+}
+
+// By shifts of any length, none included.
+BOOST_AUTO_TEST_CASE(outgoing_to_outgoing) {
+  const Translations translations(order);
+  for (const double shift : {0.0, 1e-9, 0.01, 0.03, 0.6, 1.5}) {
+    const Sources sources(disk({0.3, -0.2}, 0.7));
+    const Box parent = disk(sources.box.centre + std::polar(shift, 2.0), 0.7 + shift);
+    Expansion sum = zero();
+    translations.outgoing(sources.box, sources.outgoing(), parent, sum);
+    for (const Complex z : points_of(disk({20.0, 4.0}, 2.0))) {
+      check(outgoing_velocity(parent, sum, z), sources.velocity(z));
+    }
+  }
+}
+
+// Any number of boxes, at once, with the logarithms on either side of their cut.
+BOOST_AUTO_TEST_CASE(outgoing_to_incoming) {
+  const Translations translations(order);
+  const Box target = disk({0.1, 0.2}, 0.8);
+  for (const std::size_t count : {1, 2, 7, 8, 9, 19}) {
+    std::vector<Sources> sources;
+    std::vector<Box> boxes;
+    std::vector<Index> list;
+    Expansions outgoing(static_cast<Index>(count), 2, order);
+    for (std::size_t s = 0; s < count; ++s) {
+      const double angle = 1.0 + static_cast<double>(s);
+      sources.emplace_back(disk(std::polar(7.0, angle), 0.5), static_cast<unsigned>(s));
+      boxes.push_back(sources.back().box);
+      outgoing.clear(static_cast<Index>(s));
+      outgoing(static_cast<Index>(s), 1) = sources.back().outgoing();
+      list.push_back(static_cast<Index>(count - 1 - s));
+    }
+    Expansion sum = zero();
+    translations.convert(boxes, outgoing, list, 1, target, sum);
+    for (const Complex z : points_of(target)) {
+      Complex exact{};
+      for (const Sources& some : sources) exact += some.velocity(z);
+      check(incoming_velocity(target, sum, z), exact);
+    }
+  }
+}
+
+namespace {
+
+struct Incoming {
+  Incoming() : sources(disk({-5.0, 6.0}, 0.9)), box(disk({0.1, 0.2}, 1.2)), expansion(zero()) {
+    Expansions outgoing(1, 1, order);
+    outgoing(0, 0) = sources.outgoing();
+    const std::vector<Index> list{0};
+    Translations(order).convert({sources.box}, outgoing, list, 0, box, expansion);
+  }
+
+  Sources sources;
+  Box box;
+  Expansion expansion;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(incoming_to_incoming) {
+  const Incoming incoming;
+  for (const double shift : {0.0, 1e-9, 0.003, 0.03, 0.6}) {
+    const Box child = disk(incoming.box.centre + std::polar(shift, -2.0), 0.5);
+    Expansion sum = zero();
+    Translations(order).incoming(incoming.box, incoming.expansion, child, sum);
+    for (const Complex z : points_of(child)) {
+      check(incoming_velocity(child, sum, z), incoming.sources.velocity(z));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(incoming_to_derivatives) {
+  const Incoming incoming;
+  for (const Complex z : points_of(incoming.box)) {
+    const FlowDerivatives found = derivatives(incoming.box, incoming.expansion, z),
+                          exact = incoming.sources.flow(z);
+    BOOST_TEST(std::abs(found.pressure - exact.pressure) < rounding);
+    BOOST_TEST(std::abs(found.vorticity - exact.vorticity) < rounding);
+    BOOST_TEST(std::abs(found.strain - exact.strain) < rounding);
+  }
+}
+
+// With rho = 1/2, and the double pole of the stresslet, at most p / 2^p of the largest velocity.
+BOOST_AUTO_TEST_CASE(what_is_left_out) {
+  const Sources sources(disk({0.0, 0.0}, 1.0));
+  const Box target = disk({3.0, 0.0}, 1.0);
+  double largest = 0.0;
+  for (const Complex z : points_of(target)) {
+    largest = std::max(largest, std::abs(sources.velocity(z)));
+  }
+  for (const int p : {4, 8, 16, 32}) {
+    const Translations translations(p);
+    Expansions outgoing(1, 1, p);
+    outgoing(0, 0) = sources.outgoing().leftCols(p + 1);
+    Expansion sum = Expansion::Zero(4, p + 1);
+    translations.convert({sources.box}, outgoing, std::vector<Index>{0}, 0, target, sum);
+    double error = 0.0;
+    for (const Complex z : points_of(target)) {
+      error = std::max(error, std::abs(incoming_velocity(target, sum, z) - sources.velocity(z)));
+    }
+    BOOST_TEST(error < p * std::pow(0.5, p) * largest);
+    BOOST_TEST(error > 1e-6 * std::pow(0.5, p) * largest);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(orders_out_of_range_are_refused) {
+  BOOST_CHECK_THROW(Translations(0), std::invalid_argument);
+  BOOST_CHECK_THROW(Translations(61), std::invalid_argument);
+  BOOST_TEST(Translations(60).order() == 60);
+}
