@@ -87,6 +87,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
   DenseSystem system{MatrixXd::Zero(2 * n + 3 * inner, 2 * n + 3 * inner),
                      VectorXd::Zero(2 * n + 3 * inner)};
   system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem);
+  const std::vector<double> gauges = stokeslet_gauges(problem);
   Index border = 2 * n;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
@@ -97,8 +98,8 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     if (component.kind == ComponentKind::enclosing_wall) continue;
     const BorderScales scales = border_scales(component, form, problem.viscosity);
     // The draft has no gauge: its Stokeslet is -log(rho).
-    const double gauge = form == ClosureForm::draft_bordered ? problem.gauge_length.value_or(1.0)
-                                                             : stokeslet_gauge(problem, k);
+    const double gauge =
+        form == ClosureForm::draft_bordered ? problem.gauge_length.value_or(1.0) : gauges[k];
     const VectorXd w = weights(component.curve);
     for (int mode = 0; mode < 3; ++mode, ++border) {
       const ComplexVector rigid = rigid_mode(component, mode);

@@ -70,27 +70,31 @@ bool has_net_force(const StokesProblem& problem) {
 
 }  // namespace
 
-double stokeslet_gauge(const StokesProblem& problem, std::size_t k) {
-  if (!is_bounded(problem) && problem.gauge_length) return *problem.gauge_length;
+std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
   const std::vector<Component>& components = problem.components;
-  std::size_t owner = k;
-  if (components[k].kind == ComponentKind::free_body) {
-    owner = 0;
-    while (components[owner].kind != ComponentKind::free_body) ++owner;
+  if (!is_bounded(problem) && problem.gauge_length) {
+    return std::vector<double>(components.size(), *problem.gauge_length);
   }
-  const RigidModes modes(components[owner].curve, components[owner].centre);
-  return std::sqrt(std::numbers::e) * modes.gyration_radius();
+  std::vector<double> gauges;
+  std::optional<double> shared;  // by all free bodies
+  for (const Component& component : components) {
+    const RigidModes modes(component.curve, component.centre);
+    const double own = std::sqrt(std::numbers::e) * modes.gyration_radius();
+    const bool free = component.kind == ComponentKind::free_body;
+    if (free && !shared) shared = own;
+    gauges.push_back(free ? *shared : own);
+  }
+  return gauges;
 }
 
 Closure::Closure(const StokesProblem& problem)
-    : problem_(problem), offsets_(node_offsets(problem)) {
+    : problem_(problem), offsets_(node_offsets(problem)), gauges_(stokeslet_gauges(problem)) {
   const bool bounded = is_bounded(problem);
   nodes_.resize(offsets_.back());
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     nodes_.segment(offsets_[k], component.curve.size()) = component.curve.x;
     modes_.emplace_back();
-    gauges_.push_back(stokeslet_gauge(problem, k));
     if (component.kind == ComponentKind::enclosing_wall) continue;
     modes_.back().emplace(component.curve, component.centre);
     prescribed_count_ += is_prescribed(component) ? 1 : 0;

@@ -32,17 +32,16 @@ struct Completion {
 /// @return             the same with the wall's load; unchanged where no wall encloses the fluid
 Completion with_balance(const StokesProblem& problem, Completion completion);
 
-/// Chooses the gauge length of a component's Stokeslet: the problem's, where an unbounded fluid has
-/// one.
+/// Chooses the gauge length of each component's Stokeslet: the problem's, where an unbounded fluid
+/// has one.
 ///
 /// Else \f$ \ell = \sqrt e\, a \f$, which makes the own block of a prescribed circle equal
 /// {-1, -1/2}; it cancels in a bounded fluid, and where a uniform velocity is free. All free bodies
 /// share the first one's: where their forces balance, one gauge cancels and several would leave a
 /// uniform flow.
 /// @param  problem  its components
-/// @param  k        the component
-/// @return          length
-double stokeslet_gauge(const StokesProblem& problem, std::size_t k);
+/// @return          one length a component
+std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 
 /// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
 ///

@@ -1,12 +1,36 @@
 #include "near_singular/near_targets.hpp"
 
+#include <algorithm>
+
 #include "near_singular/near_test.hpp"
+#include "near_singular/rectangle_index.hpp"
 
 namespace stokesbook {
 
 using Eigen::Index;
 
 namespace {
+
+// Where runs of targets begin, and the end of the last: the nodes of each curve, or points that
+// follow each other, as they do on a grid.
+std::vector<Index> runs_of(const std::vector<PlacedCurve>& curves, const ComplexVector& targets,
+                           Targets kind) {
+  if (kind == Targets::own_nodes) return node_offsets(curves);
+  constexpr Index points_in_a_run = 32;
+  std::vector<Index> runs{0};
+  while (runs.back() < targets.size()) {
+    runs.push_back(std::min(runs.back() + points_in_a_run, targets.size()));
+  }
+  return runs;
+}
+
+std::vector<Rectangle> rectangles_of(const ComplexVector& targets, const std::vector<Index>& runs) {
+  std::vector<Rectangle> rectangles;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
+    rectangles.push_back(bounding_rectangle(targets.segment(runs[k], runs[k + 1] - runs[k])));
+  }
+  return rectangles;
+}
 
 // Appends the targets from first to last - 1 that are near a curve.
 class Finder {
@@ -17,6 +41,9 @@ class Finder {
         turn_(std::polar(1.0, -placed.orientation)),
         tolerance_(tolerance),
         reach_(bounding_radius(curve_, 0.0) + near_reach(curve_, tolerance)) {}
+
+  // Nothing is near beyond.
+  Rectangle surroundings() const { return square_about(position_, reach_); }
 
   void look_at(const ComplexVector& targets, Index first, Index last) {
     for (Index i = first; i < last; ++i) {
@@ -54,16 +81,15 @@ std::vector<Index> node_offsets(const std::vector<PlacedCurve>& curves) {
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance) {
-  const std::vector<Index> offsets = node_offsets(curves);
+  const std::vector<Index> runs = runs_of(curves, targets, kind);
+  const RectangleIndex index(rectangles_of(targets, runs));
   std::vector<NearTargets> near(curves.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Finder finder(curves[k], tolerance);
-    if (kind == Targets::own_nodes) {
-      finder.look_at(targets, 0, offsets[k]);
-      finder.look_at(targets, offsets[k + 1], targets.size());
-    } else {
-      finder.look_at(targets, 0, targets.size());
+    for (const std::size_t run : index.meeting(finder.surroundings())) {
+      const bool own = kind == Targets::own_nodes && run == k;
+      if (!own) finder.look_at(targets, runs[run], runs[run + 1]);
     }
     near[k] = finder.found();
   }

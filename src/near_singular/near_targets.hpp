@@ -49,7 +49,9 @@ struct NearTargets {
 /// @param  kind       what the targets are
 /// @param  tolerance  of is_near(), > 0
 /// @return            one entry a curve
-/// @par Cost          a bounding-circle test a target and curve, O(N) for a target inside it
+/// @throws std::invalid_argument when a target is not finite
+/// @par Cost          a search in a RectangleIndex a curve, O(N) for a target inside its circle of
+/// reach; for points that neighbour each other in their order, as on a grid
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance);

@@ -35,7 +35,8 @@ FastSum::FastSum(const StokesProblem& problem, double tolerance)
       viscosity_(problem.viscosity),
       fmm_(curves_of(problem), centres(problem, loaded_), FmmSettings::for_tolerance(tolerance)),
       workspace_(fmm_.workspace()) {
-  for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(stokeslet_gauge(problem, k)));
+  const std::vector<double> gauges = stokeslet_gauges(problem);
+  for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(gauges[k]));
 }
 
 ComplexVector FastSum::operator()(const ComplexVector& density,

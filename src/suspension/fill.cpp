@@ -1,10 +1,12 @@
 #include "suspension/fill.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
+#include "near_singular/rectangle_index.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/node_choice.hpp"
@@ -37,16 +39,38 @@ Obstacle make_obstacle(const BodyOrWall& component, double tolerance, const std:
                        {component.position, component.orientation});
 }
 
-bool keeps_clearance(const Obstacle& body, const std::vector<Obstacle>& obstacles,
-                     double clearance) {
-  for (const Obstacle& obstacle : obstacles) {
-    const double distance = std::abs(body.curve.position - obstacle.curve.position);
-    const bool encloses = obstacle.curve.nodes.side == Side::fluid_inside;
-    if (!encloses && distance > body.radius + obstacle.radius + clearance) continue;
-    if (closest_points(body.curve, obstacle.curve).gap < std::max(clearance, 1e-300)) return false;
+// What has been placed so far.
+class Obstacles {
+ public:
+  void add(Obstacle obstacle) {
+    if (obstacle.curve.nodes.side == Side::fluid_inside) {
+      enclosing_.push_back(std::move(obstacle));
+    } else {
+      circles_.insert(square_about(obstacle.curve.position, obstacle.radius));
+      others_.push_back(std::move(obstacle));
+    }
   }
-  return true;
-}
+
+  // Whether a body keeps its clearance from all of them.
+  bool leave_room_for(const Obstacle& body, double clearance) const {
+    const auto is_clear_of = [&](const Obstacle& obstacle) {
+      return closest_points(body.curve, obstacle.curve).gap >= std::max(clearance, 1e-300);
+    };
+    for (const std::size_t k :
+         circles_.meeting(square_about(body.curve.position, body.radius + clearance))) {
+      const Obstacle& other = others_[k];
+      const double distance = std::abs(body.curve.position - other.curve.position);
+      if (distance > body.radius + other.radius + clearance) continue;
+      if (!is_clear_of(other)) return false;
+    }
+    // An enclosing wall need not be convex: its bounding circle says nothing.
+    return std::ranges::all_of(enclosing_, is_clear_of);
+  }
+
+ private:
+  std::vector<Obstacle> enclosing_, others_;
+  RectangleIndex circles_;  // of the others
+};
 
 // The standard's distributions differ between libraries; this one does not.
 double uniform(std::mt19937_64& random, double low, double high) {
@@ -58,10 +82,10 @@ struct Region {
   double area;
 };
 
-Region fluid_region(const std::vector<Obstacle>& obstacles) {
+Region fluid_region(const std::vector<Obstacle>& walls) {
   Region region{{}, 0.0};
-  for (const Obstacle& obstacle : obstacles) {
-    const Curve& curve = obstacle.curve.nodes;
+  for (const Obstacle& wall : walls) {
+    const Curve& curve = wall.curve.nodes;
     region.area += curve.sign() * area(curve);
     if (curve.side != Side::fluid_inside) continue;
     region.box = {curve.x.real().minCoeff(), curve.x.imag().minCoeff(), curve.x.real().maxCoeff(),
@@ -82,16 +106,19 @@ Scene with_fills_placed(const Scene& scene) {
   filled.fills.clear();
   if (scene.fills.empty()) return filled;
   const double tolerance = scene.solver.tolerance;
-  std::vector<Obstacle> obstacles;
-  const auto add_all = [&](const auto& components, std::size_t first) {
-    for (std::size_t k = 0; k < components.size(); ++k) {
-      const std::string name = component_name(scene, first + k);
-      obstacles.push_back(make_obstacle(components[k], tolerance, name));
-    }
+  const auto obstacle = [&](const auto& components, std::size_t k, std::size_t first) {
+    return make_obstacle(components[k], tolerance, component_name(scene, first + k));
   };
-  add_all(scene.walls, scene.bodies.size());
-  const Region fluid = fluid_region(obstacles);
-  add_all(scene.bodies, 0);
+  std::vector<Obstacle> walls;
+  for (std::size_t k = 0; k < scene.walls.size(); ++k) {
+    walls.push_back(obstacle(scene.walls, k, scene.bodies.size()));
+  }
+  const Region fluid = fluid_region(walls);
+  Obstacles obstacles;
+  for (Obstacle& wall : walls) obstacles.add(std::move(wall));
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    obstacles.add(obstacle(scene.bodies, k, 0));
+  }
 
   std::mt19937_64 random(scene.seed);
   for (const Fill& fill : scene.fills) {
@@ -113,8 +140,8 @@ Scene with_fills_placed(const Scene& scene) {
       const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
       Obstacle body = make_obstacle(reference, shape, {position, orientation});
       if (fill.box && !in_box(body.curve.nodes, box)) continue;
-      if (!keeps_clearance(body, obstacles, fill.clearance)) continue;
-      obstacles.push_back(std::move(body));
+      if (!obstacles.leave_room_for(body, fill.clearance)) continue;
+      obstacles.add(std::move(body));
       filled.bodies.push_back(
           {fill.shape, position, orientation, {}, 0.0, false, {}, 0.0, fill.n_nodes});
       ++placed;

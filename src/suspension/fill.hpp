@@ -14,7 +14,7 @@ namespace stokesbook {
 /// @return        the scene with their bodies after its own, and without fills
 /// @throws std::invalid_argument when a body finds no place in 20000 attempts (random sequential
 ///                addition jams above an area fraction of about 0.5)
-/// @par Cost      a bounding-circle test an obstacle in each attempt, closest_points() where two
+/// @par Cost      a search in a RectangleIndex an attempt, closest_points() where two bounding
 ///                circles meet
 Scene with_fills_placed(const Scene& scene);
 

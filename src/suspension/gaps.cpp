@@ -2,41 +2,123 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "near_singular/near_test.hpp"
+#include "near_singular/rectangle_index.hpp"
 
 namespace stokesbook {
 
 namespace {
 
+using Pair = std::pair<std::size_t, std::size_t>;  // the lesser component first
+
+bool encloses(const Reference& reference) {
+  return reference.curve.side == Side::fluid_inside;
+}
+
+// Squares about the components' bounding circles; an enclosing wall is a neighbour of all.
+std::vector<Rectangle> rectangles_of(const Configuration& configuration,
+                                     const References& references) {
+  std::vector<Rectangle> rectangles;
+  ComplexVector corners(2 * static_cast<Eigen::Index>(references.size()));
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    rectangles.push_back(
+        square_about(configuration[k].position, bounding_radius(references[k]->curve, 0.0)));
+    corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles[k].lower,
+        rectangles[k].upper;
+  }
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    if (encloses(*references[k])) rectangles[k] = bounding_rectangle(corners);
+  }
+  return rectangles;
+}
+
 // Bounding circles of all components and the reach of their trapezoid rules.
 class BroadPhase {
  public:
   BroadPhase(const Configuration& configuration, const References& references, double tolerance)
-      : configuration_(configuration) {
+      : configuration_(configuration),
+        references_(references),
+        rectangles_(rectangles_of(configuration, references)),
+        index_(rectangles_) {
     for (const auto& reference : references) {
       radius_.push_back(bounding_radius(reference->curve, 0.0));
       reach_.push_back(near_reach(reference->curve, tolerance));
-      encloses_.push_back(reference->curve.side == Side::fluid_inside);
     }
   }
 
   // Lower bound of a gap; an enclosing wall need not be convex, its bounding circle says nothing.
-  double least_gap(std::size_t a, std::size_t b) const {
-    if (encloses_[a] || encloses_[b]) return 0.0;
+  double least_gap(const Pair& pair) const {
+    const auto [a, b] = pair;
+    if (encloses(*references_[a]) || encloses(*references_[b])) return 0.0;
     return std::abs(configuration_[a].position - configuration_[b].position) - radius_[a] -
            radius_[b];
   }
 
-  bool in_reach(std::size_t a, std::size_t b) const {
-    return least_gap(a, b) < std::max(reach_[a], reach_[b]);
+  bool in_reach(const Pair& pair) const {
+    return least_gap(pair) < std::max(reach_[pair.first], reach_[pair.second]);
   }
 
+  std::vector<Pair> pairs_in_reach() const { return pairs_within(reach_); }
+
+  // Pairs out of reach whose gap may be less than a distance, the least lower bounds first.
+  std::vector<Pair> pairs_beyond_reach(double distance) const {
+    std::vector<Pair> pairs = pairs_within(std::vector<double>(reach_.size(), distance));
+    std::erase_if(pairs, [&](const Pair& pair) { return in_reach(pair); });
+    std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) { return least_gap(pair); });
+    return pairs;
+  }
+
+  double smallest_reach() const { return std::ranges::min(reach_); }
+
  private:
+  // Pairs nearer than the distance that goes with either component, ascending.
+  std::vector<Pair> pairs_within(const std::vector<double>& distance) const {
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < distance.size(); ++a) {
+      for (const std::size_t b : index_.meeting(widened(rectangles_[a], distance[a]))) {
+        const Pair pair = std::minmax(a, b);
+        const double gap = least_gap(pair);
+        // Where either finds the other, the lesser counts the pair.
+        if (b != a && gap < distance[a] && (a < b || gap >= distance[b])) pairs.push_back(pair);
+      }
+    }
+    std::ranges::sort(pairs);
+    return pairs;
+  }
+
   const Configuration& configuration_;
+  const References& references_;
+  std::vector<Rectangle> rectangles_;
+  RectangleIndex index_;
   std::vector<double> radius_, reach_;
-  std::vector<bool> encloses_;
 };
+
+bool is_narrower(const Gap& p, const Gap& q) {
+  return p.points.gap < q.points.gap;
+}
+
+// The closest of the pairs out of reach, where it is closer than a bound.
+std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
+                                        const std::vector<SmoothCurve>& curves, double bound) {
+  std::optional<Gap> closest;
+  // Further and further, as among distant bodies no bound is known.
+  for (double within = std::min(bound, broad.smallest_reach());;
+       within = std::min(bound, 2.0 * within)) {
+    for (const Pair& pair : broad.pairs_beyond_reach(within)) {
+      if (broad.least_gap(pair) >= bound) break;
+      const Gap gap{pair.first, pair.second,
+                    closest_points(curves[pair.first], curves[pair.second])};
+      if (gap.points.gap >= bound) continue;
+      closest = gap;
+      bound = gap.points.gap;
+    }
+    if (within >= bound) return closest;
+  }
+}
 
 }  // namespace
 
@@ -59,32 +141,26 @@ SmoothCurve smooth_curve(const Reference& reference, const Placement& placement)
 
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
                            double tolerance) {
+  if (configuration.size() < 2) return {};
   const BroadPhase broad(configuration, references, tolerance);
-  const std::size_t count = configuration.size();
   std::vector<SmoothCurve> curves;
-  std::vector<Gap> gaps;
-  for (std::size_t a = 0; a < count; ++a) {
-    curves.push_back(smooth_curve(*references[a], configuration[a]));
-    for (std::size_t b = a + 1; b < count; ++b) {
-      if (broad.in_reach(a, b)) gaps.push_back({a, b, {}});
-    }
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    curves.push_back(smooth_curve(*references[k], configuration[k]));
   }
+  std::vector<Gap> gaps;
+  for (const auto& [a, b] : broad.pairs_in_reach()) gaps.push_back({a, b, {}});
   const auto close_pairs = static_cast<std::ptrdiff_t>(gaps.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::ptrdiff_t i = 0; i < close_pairs; ++i) {
     Gap& gap = gaps[static_cast<std::size_t>(i)];
     gap.points = closest_points(curves[gap.a], curves[gap.b]);
   }
-  const auto by_gap = [](const Gap& p, const Gap& q) { return p.points.gap < q.points.gap; };
-  std::sort(gaps.begin(), gaps.end(), by_gap);
+  std::ranges::stable_sort(gaps, is_narrower);
   // A pair out of reach matters only where it is the closest of all.
-  for (std::size_t a = 0; a < count; ++a) {
-    for (std::size_t b = a + 1; b < count; ++b) {
-      const bool may_be_closest = gaps.empty() || broad.least_gap(a, b) < gaps.front().points.gap;
-      if (broad.in_reach(a, b) || !may_be_closest) continue;
-      const Gap gap{a, b, closest_points(curves[a], curves[b])};
-      if (gaps.empty() || by_gap(gap, gaps.front())) gaps.insert(gaps.begin(), gap);
-    }
+  const double bound =
+      gaps.empty() ? std::numeric_limits<double>::infinity() : gaps.front().points.gap;
+  if (const std::optional<Gap> closest = closest_beyond_reach(broad, curves, bound)) {
+    gaps.insert(gaps.begin(), *closest);
   }
   return gaps;
 }

@@ -34,7 +34,7 @@ int given_nodes(const Scene& scene, std::size_t component);
 /// @param  references     of each component
 /// @param  tolerance      of velocities, > 0; sets the reach
 /// @return                in ascending order of the gap; empty for a single component
-/// @par Cost           a bounding-circle test a pair of components, N_a N_b distances a close pair
+/// @par Cost           a search in a RectangleIndex a component, N_a N_b distances a close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
                            double tolerance);
 
