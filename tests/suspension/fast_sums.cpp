@@ -1,0 +1,96 @@
+// The fast sum is the direct one to its tolerance: in the operator and its right-hand side for every
+// kind of problem and in units of any size, and in the motions and loads of every scene that ships.
+
+#include <filesystem>
+
+#include "scene/parse.hpp"
+#include "suspension/error_estimate.hpp"
+#include "suspension/fill.hpp"
+#include "suspension/random_scenes.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+SuspensionOperator operator_by(Summation summation, const SuspensionSolver& solver,
+                               double tolerance) {
+  Plan plan = solver.plan();
+  plan.summation = summation;
+  plan.sum_tolerance = tolerance;
+  return {solver.problem(solver.initial_configuration(), solver.references()), {}, plan};
+}
+
+double relative_difference(const ComplexVector& a, const ComplexVector& b) {
+  return (a - b).norm() / b.norm();
+}
+
+void check_operators(const Scene& scene) {
+  const SuspensionSolver solver(scene);
+  for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+    const SuspensionOperator direct = operator_by(Summation::direct, solver, tolerance);
+    const SuspensionOperator fast = operator_by(Summation::fmm, solver, tolerance);
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    const ComplexVector density =
+        ComplexVector::NullaryExpr(direct.offsets().back(), [&](Eigen::Index) {
+          return Complex{normal(random), normal(random)};
+        });
+    BOOST_TEST_CONTEXT("tolerance " << tolerance) {
+      BOOST_TEST(relative_difference(fast(density), direct(density)) < tolerance);
+      BOOST_TEST(relative_difference(fast.right_hand_side(), direct.right_hand_side()) < tolerance);
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(fast_sums)
+
+BOOST_AUTO_TEST_CASE(operators) {
+  Eigen::Matrix2d shear;
+  shear << 0, 1, 0, 0;
+  for (const double length : {1e-6, 1.0, 1e6}) {
+    BOOST_TEST_CONTEXT("length " << length) {
+      const Scene loaded = mixed_bodies(3, length, LinearFlow{shear});
+      check_operators(loaded);
+      check_operators(with_gauge(loaded, 30.0 * length));
+      Scene held = loaded;  // forces that balance by a free uniform velocity
+      for (const std::size_t k : {0U, 2U}) {
+        held.bodies[k] = held_body(held.bodies[k].shape, held.bodies[k].n_nodes,
+                                   held.bodies[k].position, 0.0, {{0.3 * length, length}, 0.7});
+      }
+      held.viscosity = 1.7;
+      check_operators(held);
+      check_operators(contained_bodies(4, length));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(scenes_that_ship) {
+  for (const auto& entry : std::filesystem::directory_iterator(STOKESBOOK_SCENES)) {
+    if (entry.path().extension() != ".toml") continue;
+    BOOST_TEST_CONTEXT(entry.path().filename()) {
+      const auto solved_by = [&](Summation summation) {
+        Scene scene = with_fills_placed(read_scene(entry.path()));
+        scene.solver.summation = summation;
+        return Solved(scene);
+      };
+      const Solved direct = solved_by(Summation::direct), fast = solved_by(Summation::fmm);
+      const StokesProblem problem =
+          direct.solver.problem(direct.configuration, direct.solution.references);
+      const auto completion = [](const Solution& solution) {
+        return Completion{solution.motions, solution.loads, solution.uniform_velocity};
+      };
+      const std::optional<double> change =
+          relative_change(problem, completion(fast.solution), completion(direct.solution),
+                          direct.solution.velocity_scale);
+      BOOST_REQUIRE(change.has_value());
+      BOOST_TEST(*change < direct.solver.scene().solver.tolerance);
+      // Few nodes are one box, and the same sum.
+      if (direct.solution.density.size() > 1000) BOOST_TEST(*change > 0.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test
