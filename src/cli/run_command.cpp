@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include <omp.h>
+#include <sys/resource.h>
 
 #include "cli/build_info.hpp"
 #include "cli/progress.hpp"
+#include "record/number_text.hpp"
 #include "record/record_error.hpp"
 #include "record/run_directory.hpp"
 #include "scene/error.hpp"
@@ -95,6 +97,13 @@ OpenedRun open_directory(const std::filesystem::path& out, const RunContents& co
       {}};
 }
 
+// Largest resident set so far, in bytes; getrusage() counts in units of 1024.
+long long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024LL * usage.ru_maxrss;
+}
+
 void print_motions(const Frame& frame) {
   std::printf("%6s %24s %24s %24s\n", "body", "ux", "uy", "omega");
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
@@ -153,6 +162,7 @@ int run_scene(const RunOptions& options) {
     info.message = message;
     info.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    info.peak_memory = peak_memory();
     directory.write_text("run.json", to_json(info));
   };
   try {
@@ -163,9 +173,12 @@ int run_scene(const RunOptions& options) {
   }
   finish(exit_done, "done");
   if (!options.quiet) {
-    std::printf("%lld steps, %lld solves, %lld GMRES iterations, %.1f s; results in %s\n",
-                info.totals.steps, info.totals.solves, info.totals.gmres_iterations,
-                info.wall_seconds, out.c_str());
+    std::printf(
+        "%lld steps, %lld solves, %lld GMRES iterations, error estimate %s, %.1f s, %lld MB; "
+        "results in %s\n",
+        info.totals.steps, info.totals.solves, info.totals.gmres_iterations,
+        short_number(info.resolution.error_estimate).c_str(), info.wall_seconds,
+        info.peak_memory / 1'000'000, out.c_str());
   }
   return exit_done;
 }

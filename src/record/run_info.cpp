@@ -23,6 +23,7 @@ std::string to_json(const RunInfo& info) {
         {"most_nodes", info.resolution.most_nodes},
         {"error_estimate", info.resolution.error_estimate}}},
       {"wall_seconds", info.wall_seconds},
+      {"peak_memory", info.peak_memory},
       {"exit_status", info.exit_status},
       {"message", info.message},
   };

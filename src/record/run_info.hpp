@@ -35,6 +35,7 @@ struct RunInfo {
   RunTotals totals;               ///< what it has cost
   RunResolution resolution;       ///< how well it was resolved
   double wall_seconds = 0.0;      ///< how long it took
+  long long peak_memory = 0;      ///< largest resident set, bytes
   int exit_status = 0;            ///< of the program
   std::string message;            ///< how the run ended, for people
 };

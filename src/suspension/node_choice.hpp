@@ -14,8 +14,9 @@ namespace stokesbook {
 /// Most nodes that are chosen for one component: matrices of its reference take 0.4 GB.
 inline constexpr int most_nodes_of_a_component = 2048;
 
-/// Most nodes that are chosen in all: an application of the operator takes some 2 s a core.
-inline constexpr int most_nodes_in_all = 65536;
+/// Most nodes that are chosen in all: an application of the operator takes some seconds a core, a
+/// solve some 2 GB.
+inline constexpr int most_nodes_in_all = 1 << 20;
 
 /// Most nodes that a shape alone is tried with.
 inline constexpr int most_nodes_for_shape = 4096;

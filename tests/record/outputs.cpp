@@ -39,6 +39,7 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                                       .totals = {1, 2, 3, 4000000000},
                                       .resolution = {{32, 64}, {48, 64}, 2.5e-9},
                                       .wall_seconds = 1.5,
+                                      .peak_memory = 5000000000,
                                       .exit_status = 2,
                                       .message = "overlap in caf\xe9"}));
   const std::string command =

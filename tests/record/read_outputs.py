@@ -201,7 +201,8 @@ def check_run_info(path):
         "machine": "x86\\64", "threads": 2, "plan": ["no walls: no N_0", "direct sum"],
         "totals": {"steps": 1, "solves": 2, "gmres_iterations": 3, "matvecs": 4000000000},
         "resolution": {"first_nodes": [32, 64], "most_nodes": [48, 64], "error_estimate": 2.5e-9},
-        "wall_seconds": 1.5, "exit_status": 2, "message": "overlap in caf\ufffd"}
+        "wall_seconds": 1.5, "peak_memory": 5000000000, "exit_status": 2,
+        "message": "overlap in caf\ufffd"}
 
 
 def main():
