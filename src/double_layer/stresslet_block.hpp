@@ -1,15 +1,32 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "double_layer/flow_derivatives.hpp"
+#include "trapezoid/curve.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup double_layer
 /// @{
+
+/// The nodes of several curves as the kernel reads them, one after another.
+struct StressletNodes {
+  /// Copies the curves' nodes.
+  /// @param  curves  n nodes in all
+  explicit StressletNodes(const std::vector<Curve>& curves);
+
+  /// Counts the nodes.
+  /// @return n
+  Eigen::Index size() const { return x.size(); }
+
+  Eigen::VectorXd x, y;    ///< nodes, length
+  Eigen::VectorXd nx, ny;  ///< normal times weight over pi, length
+  Eigen::VectorXd least2;  ///< squared half weights, length^2
+};
 
 /// Consecutive nodes with the densities of one or several fields, for the innermost loops of
 /// StressletSum and of faster sums that take their near fields from it.
