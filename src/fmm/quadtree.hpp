@@ -13,10 +13,12 @@ namespace stokesbook {
 
 /// A box of a quadtree: points that are consecutive in the tree's order, and the disk about them.
 struct Box {
-  Eigen::Index first = 0, last = 0;              ///< its points: first to last - 1
-  Eigen::Index parent = -1;                      ///< index of the parent; -1 for the root
-  Eigen::Index first_child = 0, last_child = 0;  ///< its children: boxes first to last - 1
-  Complex centre;                                ///< of the points' bounding rectangle, length
+  Eigen::Index first = 0;        ///< first of its points
+  Eigen::Index last = 0;         ///< one beyond the last of them
+  Eigen::Index parent = -1;      ///< index of the parent; -1 for the root
+  Eigen::Index first_child = 0;  ///< index of the first child
+  Eigen::Index last_child = 0;   ///< one beyond that of the last child
+  Complex centre;                ///< of the points' bounding rectangle, length
   double radius = 0.0;  ///< of the disk about the centre that holds every point with its margin;
                         ///< at least 1e-100, so that its powers can be divided by, length
 
