@@ -19,6 +19,9 @@ Index direct_pairs(int order) {
   return order * order / 2;
 }
 
+// Boxes of a level that are done before other threads have come.
+constexpr Index few_boxes = 64;
+
 Index box_count(const Quadtree& tree) {
   return static_cast<Index>(tree.boxes().size());
 }
@@ -210,7 +213,7 @@ void Fmm::sum_outgoing(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = sources_.boxes();
   const std::vector<Index>& levels = sources_.levels();
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       const Range sources{box.first, box.last};
@@ -246,7 +249,7 @@ void Fmm::sum_incoming(FmmWorkspace& work) const {
     }
   }
   for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       for (Index field = 0; field < fields; ++field) {

@@ -43,7 +43,7 @@ class Quadtree {
   /// @param  leaf_size  most points of a box that is not divided, >= 1; coincident points stay
   ///                    together whatever their number
   /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
-  /// @par Cost          O(n log n); results do not depend on the number of threads
+  /// @par Cost          O(n log n)
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
   /// Returns the boxes, level by level, the root first.
@@ -71,11 +71,9 @@ class Quadtree {
   Eigen::Index size() const { return x_.size(); }
 
  private:
-  struct Division;
-  Division divide(const Box& box, Quadtree& scratch);
-  void enclose(Box& box) const;
-
-  Quadtree() = default;
+  struct Scratch;
+  void divide(Eigen::Index parent, Scratch& scratch);
+  Box enclose(Eigen::Index first, Eigen::Index last, Eigen::Index parent) const;
 
   std::vector<Eigen::Index> order_;
   Eigen::VectorXd x_, y_, margins_;
