@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
@@ -320,9 +321,14 @@ std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& 
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
   const double tolerance = scene_.solver.tolerance;
+  std::map<const Reference*, int> shape_nodes;
   std::vector<int> nodes;
   for (const auto& reference : references_) {
-    nodes.push_back(nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16));
+    const auto [entry, is_new] = shape_nodes.try_emplace(reference.get());
+    if (is_new) {
+      entry->second = nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16);
+    }
+    nodes.push_back(entry->second);
   }
   for (const Gap& gap : find_gaps(configuration, references_, tolerance)) {
     if (gap.points.gap <= 0.0) continue;
