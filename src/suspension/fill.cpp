@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -39,6 +40,15 @@ Obstacle make_obstacle(const BodyOrWall& component, double tolerance, const std:
                        {component.position, component.orientation});
 }
 
+// Distance of the nearest nodes, no less than the gap and far cheaper.
+double node_distance(const Curve& a, const Curve& b) {
+  double least2 = std::numeric_limits<double>::infinity();
+  for (const Complex& node : a.x) {
+    least2 = std::min(least2, (b.x.array() - node).abs2().minCoeff());
+  }
+  return std::sqrt(least2);
+}
+
 // What has been placed so far.
 class Obstacles {
  public:
@@ -54,7 +64,8 @@ class Obstacles {
   // Whether a body keeps its clearance from all of them.
   bool leave_room_for(const Obstacle& body, double clearance) const {
     const auto is_clear_of = [&](const Obstacle& obstacle) {
-      return closest_points(body.curve, obstacle.curve).gap >= std::max(clearance, 1e-300);
+      return node_distance(body.curve.nodes, obstacle.curve.nodes) >= clearance &&
+             closest_points(body.curve, obstacle.curve).gap >= std::max(clearance, 1e-300);
     };
     for (const std::size_t k :
          circles_.meeting(square_about(body.curve.position, body.radius + clearance))) {

@@ -20,7 +20,7 @@ namespace stokesbook {
 /// @return                one a point: 1 in the fluid, else 0
 /// @par Accuracy  the border is the boundary up to 1e-12 of a component's size, between nodes too,
 /// once shapes are resolved: @ref claim_06_25
-/// @par Cost      a bounding-circle test a point and component, O(N) for a point inside it
+/// @par Cost      a search in a RectangleIndex a point, O(N) for a point inside a bounding circle
 std::vector<std::uint8_t> in_fluid(const Configuration& configuration, const References& references,
                                    const ComplexVector& points);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
@@ -319,9 +320,14 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
                                                      const std::vector<Gap>& gaps) const {
   const double tolerance = scene_.solver.tolerance;
+  std::map<const Reference*, int> shape_nodes;
   std::vector<int> nodes;
   for (const auto& reference : references_) {
-    nodes.push_back(nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16));
+    const auto [entry, is_new] = shape_nodes.try_emplace(reference.get());
+    if (is_new) {
+      entry->second = nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16);
+    }
+    nodes.push_back(entry->second);
   }
   for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;

@@ -153,7 +153,7 @@ class SuspensionSolver {
   /// @param  configuration  where the components are
   /// @return                multiples of 16, one a component; 0 where no number up to 4096 resolves
   ///                        a shape, and no gap asks for more
-  /// @par Cost      that of nodes_for_shape() a component, and of find_gaps()
+  /// @par Cost      that of nodes_for_shape() a distinct reference, and of find_gaps()
   std::vector<int> recommended_nodes(const Configuration& configuration) const;
 
   /// Recommends nodes as above where gaps are known.

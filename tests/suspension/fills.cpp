@@ -1,6 +1,9 @@
 // Random fills place what they are asked for, apart by their clearance, the same for the same seed.
 
+#include <algorithm>
+#include <array>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 
 #include <boost/test/unit_test.hpp>
@@ -27,7 +30,71 @@ Scene filled_cell(std::uint64_t seed) {
   return scene;
 }
 
+// Fills a region of the plane as with_fills_placed() does, but measures every gap in every attempt.
+std::vector<Body> placed_by_all_pairs(const Scene& scene, const std::array<double, 4>& box,
+                                      long count) {
+  const Fill& fill = scene.fills[0];
+  std::mt19937_64 random(scene.seed);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
+  const auto smooth = [](const auto& component, Side side) {
+    const Curve reference = sample(component.shape, component.n_nodes, side);
+    return SmoothCurve{place(reference, component.position, component.orientation),
+                       std::make_shared<TrigonometricPolynomial>(reference.x), component.position,
+                       component.orientation};
+  };
+  std::vector<SmoothCurve> obstacles;
+  for (const Wall& wall : scene.walls) {
+    obstacles.push_back(
+        smooth(wall, wall.role == WallRole::outer ? Side::fluid_inside : Side::fluid_outside));
+  }
+  for (const Body& body : scene.bodies) obstacles.push_back(smooth(body, Side::fluid_outside));
+  std::vector<Body> placed;
+  while (std::ssize(placed) < count) {
+    const Complex position{uniform(box[0], box[2]), uniform(box[1], box[3])};
+    Body body = body_at(fill.shape, position, fill.n_nodes);
+    body.orientation = uniform(0.0, 2.0 * std::numbers::pi);
+    const SmoothCurve curve = smooth(body, Side::fluid_outside);
+    const Eigen::ArrayXd x = curve.nodes.x.real(), y = curve.nodes.x.imag();
+    const bool in_box = (x >= box[0] && y >= box[1] && x <= box[2] && y <= box[3]).all();
+    if (fill.box && !in_box) continue;
+    if (std::ranges::any_of(obstacles, [&](const SmoothCurve& obstacle) {
+          return closest_points(curve, obstacle).gap < fill.clearance;
+        })) {
+      continue;
+    }
+    obstacles.push_back(curve);
+    placed.push_back(body);
+  }
+  return placed;
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(bodies_are_placed_where_a_test_of_all_pairs_leaves_room) {
+  Scene cell = filled_cell(6);
+  // Concave: its arms reach into the bounding circles of bodies that keep their clearance.
+  cell.walls[0].shape = Star{5.0, 0.3, 3};
+  cell.walls[0].n_nodes = 128;
+  Scene plane;
+  plane.seed = 7;
+  plane.bodies = {body_at(Ellipse{2.0, 0.5}, {0.0, 0.0}, 64)};
+  plane.fills = {filled_cell(0).fills[0]};
+  plane.fills[0].area_fraction.reset();
+  plane.fills[0].count = 40;
+  plane.fills[0].box = {-4.0, -3.0, 4.0, 3.0};
+  const Curve container = sample(cell.walls[0].shape, 128, Side::fluid_inside);
+  const auto test = [](const Scene& scene, const std::array<double, 4>& box) {
+    const std::vector<Body> bodies = with_fills_placed(scene).bodies;
+    const std::vector<Body> placed(bodies.begin() + std::ssize(scene.bodies), bodies.end());
+    BOOST_TEST(placed.size() > 30U);
+    BOOST_TEST((placed == placed_by_all_pairs(scene, box, std::ssize(placed))));
+  };
+  test(plane, *plane.fills[0].box);
+  test(cell, {container.x.real().minCoeff(), container.x.imag().minCoeff(),
+              container.x.real().maxCoeff(), container.x.imag().maxCoeff()});
+}
 
 BOOST_AUTO_TEST_CASE(the_area_fraction_is_met) {
   const Scene scene = with_fills_placed(filled_cell(1));

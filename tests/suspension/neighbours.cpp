@@ -1,0 +1,169 @@
+// Searches for neighbours find what tests of all pairs find: gaps, the closest pair where none is
+// in reach, and the points that lie in the fluid.
+
+#include <random>
+
+#include <omp.h>
+
+#include "near_singular/barycentric.hpp"
+#include "near_singular/near_test.hpp"
+#include "suspension/gaps.hpp"
+#include "suspension/scenes.hpp"
+#include "suspension/side_test.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+// A lattice with a few places left empty; bodies are of several shapes, and some of them touch.
+Scene random_bodies(unsigned seed, double spacing) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const std::vector<Shape> shapes{Circle{0.3}, Ellipse{0.5, 0.1}, Star{0.4, 0.2, 3}};
+  Scene result;
+  for (int i = -4; i <= 4; ++i) {
+    for (int j = -4; j <= 4; ++j) {
+      if (random() % 5 == 0) continue;
+      const Complex place =
+          spacing * (Complex(i, j) + 0.2 * Complex{uniform(random), uniform(random)});
+      result.bodies.push_back(body(shapes[random() % 3], 32, place, 3.0 * uniform(random)));
+    }
+  }
+  return result;
+}
+
+// The container is not convex: bodies lie between its arms, and on both sides of it.
+Scene contained(Scene scene) {
+  scene.walls = {outer_wall(Star{4.0, 0.3, 5}, 128, {}, {0.2, 0.1}, 0.3),
+                 inner_wall(Ellipse{1.0, 0.4}, 64, {}, {7.0, 0.5})};
+  return scene;
+}
+
+struct Placed {
+  explicit Placed(const Scene& scene)
+      : solver(scene),
+        references(solver.references()),
+        configuration(solver.initial_configuration()) {}
+
+  Gap gap(std::size_t a, std::size_t b) const {
+    return {a, b,
+            closest_points(smooth_curve(*references[a], configuration[a]),
+                           smooth_curve(*references[b], configuration[b]))};
+  }
+
+  bool in_reach(std::size_t a, std::size_t b, double tolerance) const {
+    const Curve &p = references[a]->curve, &q = references[b]->curve;
+    if (p.side == Side::fluid_inside || q.side == Side::fluid_inside) return true;
+    const double apart = std::abs(configuration[a].position - configuration[b].position) -
+                         bounding_radius(p, 0.0) - bounding_radius(q, 0.0);
+    return apart < std::max(near_reach(p, tolerance), near_reach(q, tolerance));
+  }
+
+  SuspensionSolver solver;
+  References references;
+  Configuration configuration;
+};
+
+bool is_narrower(const Gap& p, const Gap& q) {
+  return p.points.gap < q.points.gap;
+}
+
+// All pairs in reach in ascending order; before them the closest of all, where it is none of them.
+std::vector<Gap> gaps_of_all_pairs(const Placed& placed, double tolerance) {
+  std::vector<Gap> near, far;
+  for (std::size_t a = 0; a < placed.configuration.size(); ++a) {
+    for (std::size_t b = a + 1; b < placed.configuration.size(); ++b) {
+      (placed.in_reach(a, b, tolerance) ? near : far).push_back(placed.gap(a, b));
+    }
+  }
+  std::ranges::stable_sort(near, is_narrower);
+  const auto closest = std::ranges::min_element(far, is_narrower);
+  if (closest != far.end() && (near.empty() || is_narrower(*closest, near.front()))) {
+    near.insert(near.begin(), *closest);
+  }
+  return near;
+}
+
+// Returns whether the closest pair is out of reach.
+bool test_gaps(const Scene& scene, double tolerance) {
+  const Placed placed(scene);
+  const std::vector<Gap> expected = gaps_of_all_pairs(placed, tolerance);
+  for (int threads : {1, 2}) {
+    omp_set_num_threads(threads);
+    const std::vector<Gap> gaps = find_gaps(placed.configuration, placed.references, tolerance);
+    BOOST_REQUIRE_EQUAL(gaps.size(), expected.size());
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      BOOST_TEST(gaps[i].a == expected[i].a);
+      BOOST_TEST(gaps[i].b == expected[i].b);
+      BOOST_TEST(gaps[i].points.gap == expected[i].points.gap);
+      BOOST_TEST(gaps[i].points.parameter_a == expected[i].points.parameter_a);
+    }
+  }
+  omp_set_num_threads(1);
+  return !placed.in_reach(expected.front().a, expected.front().b, tolerance);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_same_gaps_are_found_as_in_a_test_of_all_pairs) {
+  for (unsigned seed : {1u, 2u}) {
+    for (double tolerance : {1e-2, 1e-12}) {
+      BOOST_TEST(!test_gaps(random_bodies(seed, 1.0), tolerance));
+      BOOST_TEST(!test_gaps(contained(random_bodies(seed, 1.0)), tolerance));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
+  for (unsigned seed : {3u, 4u, 5u}) {
+    BOOST_TEST(test_gaps(random_bodies(seed, 5.0), 1e-2));
+    BOOST_TEST(test_gaps(random_bodies(seed, 1e6), 1e-2));
+  }
+  // A pair in reach of a coarse body, and a closer one that is in nobody's.
+  Scene scene = random_bodies(6, 5.0);
+  scene.bodies.push_back(body(Circle{20.0}, 8, {100.0, 0.0}));
+  scene.bodies.push_back(body(Circle{1.0}, 256, {100.0, 24.0}));
+  BOOST_TEST(test_gaps(scene, 1e-2));
+  const auto test = [](std::vector<Body> bodies) {
+    BOOST_TEST(test_gaps(stokesbook::test::scene(std::move(bodies)), 1e-2));
+  };
+  test({body(Circle{1.0}, 32, {0.0, 0.0}), body(Ellipse{1.0, 0.5}, 32, {1e3, -50.0})});
+  // Bounding circles of the ellipses are closer than those of the circles.
+  test({body(Ellipse{1.0, 0.1}, 256, {0.0, 0.0}), body(Ellipse{1.0, 0.1}, 256, {0.0, 2.06}),
+        body(Circle{0.3}, 256, {50.0, 0.0}), body(Circle{0.3}, 256, {51.1, 0.0})});
+}
+
+BOOST_AUTO_TEST_CASE(one_component_has_no_gaps) {
+  const Placed alone(scene({body(Circle{1.0}, 32, {0.0, 0.0})}));
+  BOOST_TEST(find_gaps(alone.configuration, alone.references, 1e-6).empty());
+}
+
+BOOST_AUTO_TEST_CASE(fluid_is_where_the_side_of_every_component_says_so) {
+  for (const Scene& scene :
+       {random_bodies(7, 1.0), contained(random_bodies(8, 1.0)), contained(Scene{})}) {
+    const Placed placed(scene);
+    ComplexVector points(2000);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> uniform(-8.0, 8.0);
+    for (Complex& point : points) point = {uniform(random), uniform(random)};
+    std::vector<std::uint8_t> expected(2000, 1);
+    for (std::size_t k = 0; k < placed.configuration.size(); ++k) {
+      const Barycentric barycentric(placed.references[k]->curve);
+      const auto [position, orientation] = placed.configuration[k];
+      for (Eigen::Index i = 0; i < points.size(); ++i) {
+        const Complex local = (points[i] - position) * std::polar(1.0, -orientation);
+        if (barycentric.side(local) <= 0.5) expected[static_cast<std::size_t>(i)] = 0;
+      }
+    }
+    for (int threads : {1, 2}) {
+      omp_set_num_threads(threads);
+      BOOST_TEST(in_fluid(placed.configuration, placed.references, points) == expected,
+                 boost::test_tools::per_element());
+    }
+    omp_set_num_threads(1);
+    BOOST_TEST(std::ranges::count(expected, 1) > 100);
+    BOOST_TEST(std::ranges::count(expected, 0) > 100);
+  }
+}
+
+}  // namespace stokesbook::test
