@@ -11,6 +11,7 @@ study::Experiment estimates();
 study::Experiment automatic_nodes();
 study::Experiment pair_speeds();
 study::Experiment lubrication();
+study::Experiment many_bodies();
 /// @}
 
 }  // namespace stokesbook::verification::suspension

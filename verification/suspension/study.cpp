@@ -10,7 +10,7 @@ study::Study suspension_study() {
           .name = "suspension",
           .title = "The suspension solver: error estimates and automatic nodes",
           .experiments = {spread_of_estimates(), estimates(), automatic_nodes(), pair_speeds(),
-                          lubrication()},
+                          lubrication(), many_bodies()},
           .has_chapter = false};
 }
 
