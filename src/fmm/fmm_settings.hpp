@@ -31,7 +31,7 @@ struct FmmSettings {
 /// StressletSum: \f$ n = 300 + 18p \f$.
 ///
 /// Measured on ellipses of 16, 32 and 128 nodes with one thread and AVX-512: where an application
-/// takes as long as the direct sum, n = 450, 700, 800, 950 for 3, 6, 9 and 12 digits at the latest.
+/// takes as long as the direct sum, n = 450, 600, 770, 930 for 3, 6, 9 and 12 digits at the latest.
 /// @param  settings  of the Fmm
 /// @return           n
 Eigen::Index break_even(const FmmSettings& settings);
