@@ -20,8 +20,8 @@ struct FmmSettings {
   /// random points, points on a line, in clusters, crowding; many ellipses and one slender one, at
   /// which it is met most narrowly; densities smooth, wavy and random; up to 1e5 nodes.
   /// Not for most points at one place, where errors add: \f$ p\,2^{-p} \le \varepsilon \f$ there.
-  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; rounding leaves
-  ///                    about 1e-14, for which orders stop to grow
+  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; below 1e-14,
+  ///                    which rounding leaves, the order does not grow any more
   /// @return            settings
   /// @throws std::invalid_argument when the tolerance is not > 0
   static FmmSettings for_tolerance(double tolerance);
