@@ -39,42 +39,57 @@ Completion first_of(Completion completion) {
   return completion;
 }
 
-enum class Estimate { correction, residual };
+// What is known of one crowd.
+struct Judged {
+  double error;      // of the first bodies, against twice the nodes
+  double estimate;   // of all bodies, by a correction on finer nodes
+  double iteration;  // ten times the residual of the iteration
+  double unknowns, iterations, seconds;
+};
 
-Measurement measured(int count, Estimate kind) {
+Judged judge(int count) {
   const Scene scene = crowd(count);
   const auto start = std::chrono::steady_clock::now();
   const SuspensionSolver solver(scene);
   const Resolutions resolutions = resolutions_of(solver.references());
   const Solved answer = solved_at(solver, resolutions, *scene.solver.gmres_tol);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const Solved finer = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const DiscreteProblem fine =
+      solver.discretise(solver.initial_configuration(), solver.references(finer(resolutions)));
+  const Solved twice = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
   StokesProblem first = answer.discrete.problem;
   first.components.resize(looked_at);
-  const double change = *relative_change(first, first_of(finer.completion),
-                                         first_of(answer.completion), answer.scale);
-  const double estimate =
-      kind == Estimate::residual
-          ? 10.0 * answer.gmres.residual
-          : estimate_error(answer.discrete, answer.density,
-                           solver.discretise(solver.initial_configuration(),
-                                             solver.references(stokesbook::finer(resolutions))),
-                           answer.scale)
-                .error;
-  return {.x = estimate,
-          .error = change,
-          .unknowns = 2.0 * static_cast<double>(answer.density.size()),
-          .operations = static_cast<double>(answer.gmres.iterations),
-          .seconds = seconds};
+  return {*relative_change(first, first_of(twice.completion), first_of(answer.completion),
+                           answer.scale),
+          estimate_error(answer.discrete, answer.density, fine, answer.scale).error,
+          10.0 * answer.gmres.residual,
+          2.0 * static_cast<double>(answer.density.size()),
+          static_cast<double>(answer.gmres.iterations),
+          taken.count()};
 }
 
-Measure over_bodies(Estimate kind) {
+const std::vector<Judged>& judged(Size size) {
+  const auto judge_all = [](const std::vector<int>& counts) {
+    std::vector<Judged> all;
+    for (const int count : counts) all.push_back(judge(count));
+    return all;
+  };
+  static const std::vector<Judged> quick = judge_all({125, 250, 500});
+  if (size == Size::quick) return quick;
+  static const std::vector<Judged> full = judge_all({1000, 3000, 10000});
+  return full;
+}
+
+Measure over_bodies(double Judged::*estimate) {
   return [=](Size size) {
-    std::vector<int> counts{125, 250, 500};
-    if (size == Size::full) counts = {1000, 3000, 10000};
     std::vector<Measurement> measurements;
-    for (const int count : counts) measurements.push_back(measured(count, kind));
+    for (const Judged& one : judged(size)) {
+      measurements.push_back({.x = one.*estimate,
+                              .error = one.error,
+                              .unknowns = one.unknowns,
+                              .operations = one.iterations,
+                              .seconds = one.seconds});
+    }
     return measurements;
   };
 }
@@ -88,7 +103,7 @@ Experiment many_bodies() {
           .error = "difference of the motions of the first hundred, relative to the flow",
           .lines = {{.key = "ellipses",
                      .label = "fast sums",
-                     .measure = over_bodies(Estimate::correction),
+                     .measure = over_bodies(&Judged::estimate),
                      .claim = Claim{.id = "12_8",
                                     .statement = "Motions among thousands of bodies err by no more "
                                                  "than their estimate.",
@@ -97,7 +112,7 @@ Experiment many_bodies() {
                                               "difference at a hundred",
                                     .api = {"stokesbook::FastSum", "stokesbook::estimate_error"}},
                      .control = Control{"estimates by the residual of the iteration alone",
-                                        over_bodies(Estimate::residual)}}}};
+                                        over_bodies(&Judged::iteration)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension
