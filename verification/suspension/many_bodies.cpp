@@ -5,6 +5,7 @@
 
 #include "experiments.hpp"
 #include "scenes.hpp"
+#include "support/once.hpp"
 #include "suspension/fill.hpp"
 
 namespace stokesbook::verification::suspension {
@@ -68,22 +69,14 @@ Judged judge(int count) {
           taken.count()};
 }
 
-const std::vector<Judged>& judged(Size size) {
-  const auto judge_all = [](const std::vector<int>& counts) {
-    std::vector<Judged> all;
-    for (const int count : counts) all.push_back(judge(count));
-    return all;
-  };
-  static const std::vector<Judged> quick = judge_all({125, 250, 500});
-  if (size == Size::quick) return quick;
-  static const std::vector<Judged> full = judge_all({1000, 3000, 10000});
-  return full;
-}
-
 Measure over_bodies(double Judged::*estimate) {
   return [=](Size size) {
+    static test::Once<int, Judged> judged;
+    std::vector<int> counts{125, 250, 500};
+    if (size == Size::full) counts = {1000, 3000, 10000};
     std::vector<Measurement> measurements;
-    for (const Judged& one : judged(size)) {
+    for (const int count : counts) {
+      const Judged& one = judged(count, [=] { return judge(count); });
       measurements.push_back({.x = one.*estimate,
                               .error = one.error,
                               .unknowns = one.unknowns,
