@@ -240,11 +240,13 @@ Completion Closure::complete(const ComplexVector& density) const {
   return with_balance(problem_, std::move(result));
 }
 
+Complex Closure::uniform_velocity(const Completion& completion) const {
+  return completion.uniform_velocity - gauge_velocity(completion.loads);
+}
+
 ComplexVector Closure::singular_velocity(const Completion& completion,
                                          const ComplexVector& targets) const {
-  const ComplexVector velocity = singular_velocity(completion.loads, targets);
-  const Complex uniform = completion.uniform_velocity - gauge_velocity(completion.loads);
-  return (velocity.array() + uniform).matrix();
+  return singular_velocity(completion.loads, targets).array() + uniform_velocity(completion);
 }
 
 }  // namespace stokesbook

@@ -130,6 +130,13 @@ class Closure {
   /// @return          motions and loads of every component
   Completion complete(const ComplexVector& density) const;
 
+  /// Returns the uniform velocity that a solution has beside its singularities: what is reported of
+  /// infinity, without what gauges leave there.
+  ///
+  /// @param  completion  from complete()
+  /// @return             length / time
+  Complex uniform_velocity(const Completion& completion) const;
+
   /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
   ///
   /// @param  completion  from complete()

@@ -45,16 +45,11 @@ std::vector<FlowDerivatives> correction(const PlacedCurve& placed, const NearTar
 
 }  // namespace
 
-std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
-                                                      const ComplexVector& density,
-                                                      const ComplexVector& targets,
-                                                      double tolerance) {
-  std::vector<Curve> placed;
-  for (const PlacedCurve& curve : curves) {
-    cauchy_of(curve);
-    placed.push_back(place(curve.curve(), curve.position, curve.orientation));
-  }
-  std::vector<FlowDerivatives> flow = StressletSum(placed).derivatives(targets, density);
+std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
+                                                         const ComplexVector& density,
+                                                         const ComplexVector& targets,
+                                                         double tolerance) {
+  for (const PlacedCurve& curve : curves) cauchy_of(curve);  // not first in a parallel region
   const std::vector<Index> offsets = node_offsets(curves);
   const std::vector<NearTargets> near =
       find_near_targets(curves, targets, Targets::points, tolerance);
@@ -66,11 +61,27 @@ std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCu
         correction(curves[k], near[k], density.segment(offsets[k], offsets[k + 1] - offsets[k]));
   }
   // In the curves' order, so that the sum does not depend on the threads.
+  std::vector<FlowDerivatives> sum(static_cast<std::size_t>(targets.size()));
   for (std::size_t k = 0; k < curves.size(); ++k) {
     for (std::size_t i = 0; i < corrections[k].size(); ++i) {
-      flow[static_cast<std::size_t>(near[k].index[i])] += corrections[k][i];
+      sum[static_cast<std::size_t>(near[k].index[i])] += corrections[k][i];
     }
   }
+  return sum;
+}
+
+std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
+                                                      const ComplexVector& density,
+                                                      const ComplexVector& targets,
+                                                      double tolerance) {
+  std::vector<FlowDerivatives> flow =
+      near_derivative_corrections(curves, density, targets, tolerance);
+  std::vector<Curve> placed;
+  for (const PlacedCurve& curve : curves) {
+    placed.push_back(place(curve.curve(), curve.position, curve.orientation));
+  }
+  const std::vector<FlowDerivatives> plain = StressletSum(placed).derivatives(targets, density);
+  for (std::size_t i = 0; i < flow.size(); ++i) flow[i] += plain[i];
   return flow;
 }
 

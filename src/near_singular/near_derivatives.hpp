@@ -27,6 +27,21 @@ std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCu
                                                       const ComplexVector& targets,
                                                       double tolerance);
 
+/// Evaluates by how much double_layer_derivatives() differs from StressletSum::derivatives(), for
+/// callers with another sum.
+///
+/// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
+/// @param  density    at all nodes, in the curves' order, length / time
+/// @param  targets    m points of the fluid or its boundary, length
+/// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
+/// @return            m values, 1 / time; zero at targets that are not near
+/// @throws std::invalid_argument when a curve has another scheme
+/// @par Cost      O(N^2) a curve with near targets, 50 N operations a near target
+std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
+                                                         const ComplexVector& density,
+                                                         const ComplexVector& targets,
+                                                         double tolerance);
+
 /// @}
 
 }  // namespace stokesbook

@@ -11,21 +11,56 @@ namespace stokesbook {
 
 using Eigen::Index;
 
+namespace {
+
+ComplexVector direct_velocity(const SolvedFlow& flow, const ComplexVector& targets) {
+  return StressletSum(curves_of(flow.problem()))(targets, flow.density()) +
+         flow.closure().singular_velocity(flow.completion().loads, targets);
+}
+
+std::vector<FlowDerivatives> direct_derivatives(const SolvedFlow& flow,
+                                                const ComplexVector& targets) {
+  const StokesProblem& problem = flow.problem();
+  std::vector<FlowDerivatives> sum =
+      StressletSum(curves_of(problem)).derivatives(targets, flow.density());
+  const double mu = problem.viscosity;
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    const Load& load = flow.completion().loads[k];
+    const bool has_load = load.force != Complex{} || load.torque != 0.0;
+    // The layer of an enclosing wall holds the wall's load.
+    if (!has_load || component.kind == ComponentKind::enclosing_wall) continue;
+    for (Index i = 0; i < targets.size(); ++i) {
+      const Complex r = targets[i] - component.centre;
+      FlowDerivatives& at = sum[static_cast<std::size_t>(i)];
+      at += stokeslet_derivatives(r, load.force, mu);
+      at += rotlet_derivatives(r, load.torque, mu);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+PlainSum direct_sum() {
+  return {direct_velocity, direct_derivatives};
+}
+
 SolvedFlow::SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> placed,
-                       const ComplexVector& density, double tolerance)
+                       const ComplexVector& density, FlowSettings settings)
     : problem_(problem),
       placed_(std::move(placed)),
       closure_(problem),
       density_(closure_.without_rigid_part(density)),
       completion_(closure_.complete(density)),
-      tolerance_(tolerance) {}
+      settings_(std::move(settings)) {}
 
 ComplexVector SolvedFlow::velocity(const ComplexVector& targets) const {
-  ComplexVector velocity = StressletSum(curves_of(problem_))(targets, density_) +
-                           closure_.singular_velocity(completion_, targets);
+  ComplexVector velocity =
+      settings_.sum.velocity(*this, targets).array() + closure_.uniform_velocity(completion_);
   if (!placed_.empty()) {
     velocity += NearCorrection(placed_, targets, Targets::points,
-                               {tolerance_, NearStorage::factored})(density_);
+                               {settings_.tolerance, NearStorage::factored})(density_);
   }
   return velocity;
 }
@@ -34,22 +69,10 @@ std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& target
   if (placed_.size() != problem_.components.size()) {
     throw std::invalid_argument("derivatives want the Cauchy scheme of every component");
   }
-  std::vector<FlowDerivatives> flow =
-      double_layer_derivatives(placed_, density_, targets, tolerance_);
-  const double mu = problem_.viscosity;
-  for (std::size_t k = 0; k < problem_.components.size(); ++k) {
-    const Component& component = problem_.components[k];
-    const Load& load = completion_.loads[k];
-    const bool has_load = load.force != Complex{} || load.torque != 0.0;
-    // The layer of an enclosing wall holds the wall's load.
-    if (!has_load || component.kind == ComponentKind::enclosing_wall) continue;
-    for (Index i = 0; i < targets.size(); ++i) {
-      const Complex r = targets[i] - component.centre;
-      FlowDerivatives& at = flow[static_cast<std::size_t>(i)];
-      at += stokeslet_derivatives(r, load.force, mu);
-      at += rotlet_derivatives(r, load.torque, mu);
-    }
-  }
+  std::vector<FlowDerivatives> flow = settings_.sum.derivatives(*this, targets);
+  const std::vector<FlowDerivatives> corrections =
+      near_derivative_corrections(placed_, density_, targets, settings_.tolerance);
+  for (std::size_t i = 0; i < flow.size(); ++i) flow[i] += corrections[i];
   return flow;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "closure/closure.hpp"
@@ -10,6 +11,27 @@ namespace stokesbook {
 
 /// @addtogroup stress
 /// @{
+
+class SolvedFlow;
+
+/// Sums the trapezoid rule's layer and the singularities of a solution at m targets.
+struct PlainSum {
+  /// Velocities, without the uniform one, length / time.
+  std::function<ComplexVector(const SolvedFlow&, const ComplexVector& targets)> velocity;
+  /// Pressure, vorticity and strain, 1 / time.
+  std::function<std::vector<FlowDerivatives>(const SolvedFlow&, const ComplexVector& targets)>
+      derivatives;
+};
+
+/// Returns the sum over all nodes and loads, one after the other.
+/// @return m n kernel evaluations for n nodes
+PlainSum direct_sum();
+
+/// How a SolvedFlow is evaluated.
+struct FlowSettings {
+  double tolerance = 1e-14;     ///< relative to the densities, > 0; decides what is near
+  PlainSum sum = direct_sum();  ///< beside near corrections
+};
 
 /// The flow of a solved boundary value problem, without its background.
 ///
@@ -22,20 +44,20 @@ class SolvedFlow {
  public:
   /// Prepares a solution for evaluation.
   ///
-  /// @param  problem    components with their data, n nodes in all
-  /// @param  placed     the same components for evaluation near them; derivatives want the Cauchy
-  ///                    scheme; empty: the trapezoid rule everywhere, velocities only
-  /// @param  density    solution of the system of Closure, at all n nodes, length / time
-  /// @param  tolerance  relative to the densities, > 0; decides what is near
+  /// @param  problem   components with their data, n nodes in all
+  /// @param  placed    the same components for evaluation near them; derivatives want the Cauchy
+  ///                   scheme; empty: the trapezoid rule everywhere, velocities only
+  /// @param  density   solution of the system of Closure, at all n nodes, length / time
+  /// @param  settings  what is near, and how the rest is summed
   /// @throws std::invalid_argument when Closure refuses the problem
   SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> placed,
-             const ComplexVector& density, double tolerance = 1e-14);
+             const ComplexVector& density, FlowSettings settings = {});
 
   /// Evaluates the velocity.
   ///
   /// @param  targets  m points of the fluid or its boundary, length
   /// @return          m velocities, length / time
-  /// @par Cost        m n kernel evaluations, and those of NearCorrection
+  /// @par Cost        that of the sum, and of NearCorrection
   ComplexVector velocity(const ComplexVector& targets) const;
 
   /// Evaluates pressure, vorticity and strain; on a node they are the limits from the fluid.
@@ -44,7 +66,7 @@ class SolvedFlow {
   /// @param  targets  m points of the fluid or its boundary, length
   /// @return          m values, 1 / time
   /// @throws std::invalid_argument when a component has no Cauchy scheme
-  /// @par Cost        as double_layer_derivatives()
+  /// @par Cost        that of the sum, and of near_derivative_corrections()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets) const;
 
   /// Returns all nodes, component by component.
@@ -63,6 +85,10 @@ class SolvedFlow {
   /// @return \f$ (I-P)\eta \f$ at all n nodes, length / time
   const ComplexVector& density() const { return density_; }
 
+  /// Returns the closure of the problem.
+  /// @return what ties motions and loads to the density
+  const Closure& closure() const { return closure_; }
+
   /// Returns motions and loads.
   /// @return what the density says about the problem
   const Completion& completion() const { return completion_; }
@@ -73,7 +99,7 @@ class SolvedFlow {
   Closure closure_;
   ComplexVector density_;
   Completion completion_;
-  double tolerance_;
+  FlowSettings settings_;
 };
 
 /// Prepares curves that are already in the plane for evaluation near them, by the Cauchy scheme.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace stokesbook {
 
@@ -31,32 +32,59 @@ ComplexVector centres(const StokesProblem& problem, const std::vector<std::size_
 }  // namespace
 
 FastSum::FastSum(const StokesProblem& problem, double tolerance)
+    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
+                           FmmSettings::for_tolerance(tolerance))) {}
+
+FastSum::FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance)
+    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
+                           targets, FmmSettings::for_tolerance(tolerance))) {}
+
+FastSum::FastSum(const StokesProblem& problem, Fmm fmm)
     : loaded_(loaded_components(problem)),
       viscosity_(problem.viscosity),
-      fmm_(curves_of(problem), centres(problem, loaded_), FmmSettings::for_tolerance(tolerance)),
+      fmm_(std::move(fmm)),
       workspace_(fmm_.workspace()) {
   const std::vector<double> gauges = stokeslet_gauges(problem);
   for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(gauges[k]));
 }
 
-ComplexVector FastSum::operator()(const ComplexVector& density,
-                                  const std::vector<Load>& loads) const {
+FastSum::Singularities FastSum::singularities(const std::vector<Load>& loads) const {
   const auto count = static_cast<Index>(loaded_.size());
-  ComplexVector force(count);
-  Eigen::VectorXd torque(count);
-  Complex uniform{};  // what gauges other than 1 add
+  Singularities all{ComplexVector(count), Eigen::VectorXd(count), {}};
   for (Index i = 0; i < count; ++i) {
     const Load& load = loads[loaded_[static_cast<std::size_t>(i)]];
-    force[i] = load.force / viscosity_;
-    torque[i] = load.torque / viscosity_;
-    uniform += log_gauges_[static_cast<std::size_t>(i)] * force[i];
+    all.force[i] = load.force / viscosity_;
+    all.torque[i] = load.torque / viscosity_;
+    all.uniform += log_gauges_[static_cast<std::size_t>(i)] * all.force[i];
   }
-  uniform *= 0.25 * std::numbers::inv_pi;
-  // A mobility problem's operator has no singularities.
-  const bool has_loads = !force.isZero(0.0) || !torque.isZero(0.0);
-  const ComplexVector velocity = has_loads ? fmm_.velocity({density, force, torque}, workspace_)
-                                           : fmm_.velocity(density, workspace_);
-  return velocity.array() + uniform;
+  all.uniform *= 0.25 * std::numbers::inv_pi;
+  // A mobility problem's operator has none: no rows for zeros.
+  if (all.force.isZero(0.0) && all.torque.isZero(0.0)) return {};
+  return all;
+}
+
+ComplexVector FastSum::velocity(const ComplexVector& density,
+                                const std::vector<Load>& loads) const {
+  const Singularities points = singularities(loads);
+  return fmm_.velocity({density, points.force, points.torque}, workspace_).col(0).array() +
+         points.uniform;
+}
+
+std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
+                                                  const std::vector<Load>& loads) const {
+  const Singularities points = singularities(loads);
+  return fmm_.derivatives({density, points.force, points.torque}, workspace_);
+}
+
+PlainSum fast_sum(double tolerance) {
+  return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return FastSum(flow.problem(), targets, tolerance)
+                .velocity(flow.density(), flow.completion().loads);
+          },
+          [=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return FastSum(flow.problem(), targets, tolerance)
+                .derivatives(flow.density(), flow.completion().loads);
+          }};
 }
 
 }  // namespace stokesbook

@@ -4,39 +4,76 @@
 
 #include "closure/closure.hpp"
 #include "fmm/fmm.hpp"
+#include "stress/solved_flow.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
 
-/// Double layer and singularities of a problem at its nodes by the fast multipole method.
+/// Double layer and singularities of a problem by the fast multipole method.
 ///
 /// Applications share scratch memory: not in two threads at a time.
+/// @par Accuracy  the tolerance, @ref claim_08_5
 class FastSum {
  public:
-  /// Plans the sum.
+  /// Plans the sum at the nodes themselves.
   ///
   /// @param  problem    components with their nodes, n in all
   /// @param  tolerance  of velocities, relative in the 2-norm, > 0
   /// @par Cost          O(n log n)
   FastSum(const StokesProblem& problem, double tolerance);
 
+  /// Plans the sum at other targets.
+  ///
+  /// @param  problem    components with their nodes, n in all
+  /// @param  targets    m points, none of them a loaded component's centre, length
+  /// @param  tolerance  of velocities, relative in the 2-norm, > 0
+  /// @par Cost          O(n log n + m log m)
+  FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance);
+
   /// Evaluates the velocity of layer and singularities.
   ///
   /// @param  density  of the layer at all n nodes, length / time
   /// @param  loads    of every component
-  /// @return          velocities at all n nodes, length / time
-  /// @par Cost        O(n)
-  ComplexVector operator()(const ComplexVector& density, const std::vector<Load>& loads) const;
+  /// @return          velocities at the targets, length / time
+  /// @par Cost        O(n + m)
+  ComplexVector velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
+
+  /// Evaluates pressure, vorticity and strain of layer and singularities.
+  ///
+  /// @param  density  of the layer at all n nodes, length / time
+  /// @param  loads    of every component
+  /// @return          at the targets, 1 / time
+  /// @par Accuracy    a hundred times the tolerance, @ref claim_08_6
+  /// @par Cost        O(n + m)
+  std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
+                                           const std::vector<Load>& loads) const;
 
  private:
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
+  struct Singularities {
+    ComplexVector force;     // over the viscosity, of each point; no rows where there are none
+    Eigen::VectorXd torque;  // likewise
+    Complex uniform;         // what gauges other than 1 add
+  };
+  /// @endcond
+  FastSum(const StokesProblem& problem, Fmm fmm);
+  Singularities singularities(const std::vector<Load>& loads) const;
+
   std::vector<std::size_t> loaded_;  // components that may have singularities
   std::vector<double> log_gauges_;   // of their Stokeslets
   double viscosity_;
   Fmm fmm_;
   mutable FmmWorkspace workspace_;
 };
+
+/// Sums a SolvedFlow at targets by the fast multipole method.
+///
+/// @param  tolerance  of velocities, relative in the 2-norm, > 0
+/// @return            O(n + m) for n nodes and m targets
+PlainSum fast_sum(double tolerance);
 
 /// @}
 

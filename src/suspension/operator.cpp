@@ -62,12 +62,12 @@ ComplexVector SuspensionOperator::right_hand_side() const {
   const auto* fast = std::get_if<FastSum>(&sum_);
   if (fast == nullptr) return closure_.right_hand_side();
   return closure_.boundary_data() -
-         (*fast)(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
+         fast->velocity(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
 }
 
 ComplexVector SuspensionOperator::plain_velocity(const ComplexVector& density,
                                                  const std::vector<Load>& loads) const {
-  if (const auto* fast = std::get_if<FastSum>(&sum_)) return (*fast)(density, loads);
+  if (const auto* fast = std::get_if<FastSum>(&sum_)) return fast->velocity(density, loads);
   return std::get<StressletSum>(sum_)(density) +
          closure_.singular_velocity(loads, all_nodes(curves_));
 }

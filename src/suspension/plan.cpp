@@ -96,13 +96,22 @@ Plan::Line fields_line(const FieldSettings& fields) {
 
 }  // namespace
 
+bool Plan::is_fast(double pairs_a_point) const {
+  if (summation != Summation::automatic) return summation == Summation::fmm;
+  if (sum_tolerance < least_sum_tolerance) return false;
+  const FmmSettings settings = FmmSettings::for_tolerance(sum_tolerance);
+  return pairs_a_point > static_cast<double>(break_even(settings));
+}
+
 SumMethod Plan::sum_method(Eigen::Index nodes) const {
-  const bool asked = summation == Summation::fmm;
-  const bool pays = summation == Summation::automatic && sum_tolerance >= least_sum_tolerance &&
-                    nodes > break_even(FmmSettings::for_tolerance(sum_tolerance));
-  if (asked || pays) return SumMethod::fast;
+  if (is_fast(static_cast<double>(nodes))) return SumMethod::fast;
   return StressletSum::automatic_storage(nodes) == KernelStorage::stored ? SumMethod::stored
                                                                          : SumMethod::streamed;
+}
+
+bool Plan::is_fast_at(Eigen::Index targets, Eigen::Index nodes) const {
+  const auto m = static_cast<double>(targets), n = static_cast<double>(nodes);
+  return targets > 0 && is_fast(m * n / (m + n));
 }
 
 Plan make_plan(const Scene& scene) {

@@ -42,6 +42,17 @@ struct Plan {
   /// @param  nodes  in all
   /// @return        fast above break_even(), if the tolerance is not below what rounding allows
   SumMethod sum_method(Eigen::Index nodes) const;
+
+  /// Chooses whether a flow is evaluated by FastSum, its plan included.
+  ///
+  /// @param  targets  m
+  /// @param  nodes    n
+  /// @return          true where m n / (m + n) is above break_even(), unless the scene asks
+  ///                  otherwise
+  bool is_fast_at(Eigen::Index targets, Eigen::Index nodes) const;
+
+ private:
+  bool is_fast(double pairs_a_point) const;
 };
 
 /// Decides what a scene needs.

@@ -70,6 +70,21 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
   return tails;
 }
 
+// Sums fast or directly, whichever takes less for the targets that come.
+template <class Evaluate>
+auto chosen_sum(const Plan& plan, Evaluate PlainSum::*evaluate) {
+  const double tolerance = plan.sum_tolerance;
+  return [=](const SolvedFlow& flow, const ComplexVector& targets) {
+    const bool fast = plan.is_fast_at(targets.size(), flow.density().size());
+    return ((fast ? fast_sum(tolerance) : direct_sum()).*evaluate)(flow, targets);
+  };
+}
+
+FlowSettings flow_settings(const Plan& plan) {
+  return {plan.near_tolerance,
+          {chosen_sum(plan, &PlainSum::velocity), chosen_sum(plan, &PlainSum::derivatives)}};
+}
+
 // A component that is alone has none: only the flow near it asks for one.
 std::shared_ptr<const CauchyCurve> cauchy_of(const Reference& reference) {
   return reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
@@ -282,7 +297,7 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
                                ? std::vector<PlacedCurve>{}
                                : placed(configuration, solution.references);
   ComplexVector velocity =
-      SolvedFlow(problem, near_curves, solution.density, plan_.near_tolerance).velocity(points);
+      SolvedFlow(problem, near_curves, solution.density, flow_settings(plan_)).velocity(points);
   if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
   return velocity;
 }
@@ -295,7 +310,7 @@ SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
     curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
   }
   return {problem(configuration, solution.references, drive), std::move(curves), solution.density,
-          plan_.near_tolerance};
+          flow_settings(plan_)};
 }
 
 std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& configuration,

@@ -1,5 +1,6 @@
 // The fast sum is the direct one to its tolerance: in the operator and its right-hand side for every
-// kind of problem and in units of any size, and in the motions and loads of every scene that ships.
+// kind of problem and in units of any size, in flows away from the nodes, and in the motions and
+// loads of every scene that ships.
 
 #include <filesystem>
 
@@ -7,6 +8,7 @@
 #include "suspension/error_estimate.hpp"
 #include "suspension/fill.hpp"
 #include "suspension/random_scenes.hpp"
+#include "suspension/side_test.hpp"
 
 namespace stokesbook::test {
 namespace {
@@ -62,6 +64,47 @@ BOOST_AUTO_TEST_CASE(operators) {
       check_operators(held);
       check_operators(contained_bodies(4, length));
     }
+  }
+}
+
+// Velocities and derivatives in the fluid, next to bodies and at a distance.
+BOOST_AUTO_TEST_CASE(flows) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-4.5, 4.5);
+  for (Scene scene : {with_gauge(mixed_bodies(3), 30.0), contained_bodies(4)}) {
+    scene.viscosity = 1.7;
+    scene.solver.tolerance = 1e-8;
+    const auto solver_by = [&](Summation summation) {
+      scene.solver.summation = summation;
+      return SuspensionSolver(scene);
+    };
+    const SuspensionSolver direct = solver_by(Summation::direct), fast = solver_by(Summation::fmm);
+    const Configuration start = direct.initial_configuration();
+    const Solution solution = direct.solve(start);
+    const ComplexVector any = ComplexVector::NullaryExpr(600, [&](Eigen::Index) {
+      return Complex{uniform(random), uniform(random)};
+    });
+    const std::vector<std::uint8_t> outside = in_fluid(start, direct.references(), any);
+    std::vector<Eigen::Index> fluid;
+    for (Eigen::Index i = 0; i < any.size(); ++i) {
+      if (outside[static_cast<std::size_t>(i)] == 1) fluid.push_back(i);
+    }
+    const ComplexVector points = any(fluid);
+    const double tolerance = direct.plan().sum_tolerance;
+    BOOST_TEST(relative_difference(fast.velocity(start, solution, points),
+                                   direct.velocity(start, solution, points)) < tolerance);
+    const auto as_vector = [](const std::vector<FlowDerivatives>& flow) {
+      ComplexVector all(2 * static_cast<Eigen::Index>(flow.size()));
+      for (std::size_t i = 0; i < flow.size(); ++i) {
+        const auto k = 2 * static_cast<Eigen::Index>(i);
+        all.segment(k, 2) << Complex{flow[i].pressure, flow[i].vorticity}, flow[i].strain;
+      }
+      return all;
+    };
+    const ComplexVector by_pairs = as_vector(direct.derivatives(start, solution, points));
+    const ComplexVector by_expansions = as_vector(fast.derivatives(start, solution, points));
+    BOOST_TEST(relative_difference(by_expansions, by_pairs) < 100.0 * tolerance);
+    BOOST_TEST(relative_difference(by_expansions, by_pairs) > 0.0);
   }
 }
 
