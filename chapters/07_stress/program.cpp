@@ -92,9 +92,7 @@ void print_dissipation(const SolvedFlow& flow, const ComplexVector& traction) {
   const auto sum = [](const std::vector<double>& terms) {
     return std::accumulate(terms.begin(), terms.end(), 0.0);
   };
-  std::vector<Curve> curves;
-  for (const Component& component : flow.problem().components) curves.push_back(component.curve);
-  const FluidQuadrature rule = fluid_quadrature(curves);
+  const FluidQuadrature rule = fluid_quadrature(curves_of(flow.problem()));
   std::printf("\ndissipation\n");
   std::printf("  motions times loads          %16.13f\n", sum(power_of_loads(flow)));
   std::printf("  velocities times tractions   %16.13f\n", sum(boundary_power(flow, traction)));

@@ -16,9 +16,7 @@ namespace {
 
 // Double layer with jump, -1/2 + D, of all components on all.
 MatrixXd layer_matrix(const StokesProblem& problem) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  MatrixXd matrix = double_layer_matrix(curves);
+  MatrixXd matrix = double_layer_matrix(curves_of(problem));
   matrix.diagonal().array() -= 0.5;
   return matrix;
 }

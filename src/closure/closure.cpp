@@ -19,6 +19,12 @@ std::vector<Index> node_offsets(const StokesProblem& problem) {
   return offsets;
 }
 
+std::vector<Curve> curves_of(const StokesProblem& problem) {
+  std::vector<Curve> curves;
+  for (const Component& component : problem.components) curves.push_back(component.curve);
+  return curves;
+}
+
 bool is_bounded(const StokesProblem& problem) {
   for (const Component& component : problem.components) {
     if (component.kind == ComponentKind::enclosing_wall) return true;

@@ -42,6 +42,12 @@ struct StokesProblem {
 /// @return          one entry a component, and one more with the number of all nodes
 std::vector<Eigen::Index> node_offsets(const StokesProblem& problem);
 
+/// Collects the curves of all components.
+///
+/// @param  problem  components in order
+/// @return          one entry a component
+std::vector<Curve> curves_of(const StokesProblem& problem);
+
 /// Tells whether a wall encloses the fluid.
 ///
 /// @param  problem  its components

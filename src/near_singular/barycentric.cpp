@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stokesbook {
 
@@ -16,23 +17,6 @@ struct Sums {
   bool finite() const { return std::isfinite(std::norm(delta)); }
   BarycentricValues values() const { return {first / delta, second / delta}; }
 };
-
-}  // namespace
-
-BarycentricFunctions::BarycentricFunctions(const Eigen::Ref<const ComplexVector>& f,
-                                           const Eigen::Ref<const ComplexVector>& g,
-                                           const Eigen::Ref<const ComplexVector>& h)
-    : fx(f.real()), fy(f.imag()), gx(g.real()), gy(g.imag()), hx(h.real()), hy(h.imag()) {}
-
-Barycentric::Barycentric(const Curve& curve)
-    : x_(curve.x.real()), y_(curve.x.imag()), own_(curve.side == Side::fluid_outside ? 1.0 : 0.0) {
-  const ComplexVector c =
-      curve.dx * (curve.sign() / (imaginary * static_cast<double>(curve.size())));
-  cx_ = c.real();
-  cy_ = c.imag();
-}
-
-namespace {
 
 struct Nodes {
   const double *x, *y, *cx, *cy;
@@ -82,6 +66,19 @@ void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex t
 }
 
 }  // namespace
+
+BarycentricFunctions::BarycentricFunctions(const Eigen::Ref<const ComplexVector>& f,
+                                           const Eigen::Ref<const ComplexVector>& g,
+                                           const Eigen::Ref<const ComplexVector>& h)
+    : fx(f.real()), fy(f.imag()), gx(g.real()), gy(g.imag()), hx(h.real()), hy(h.imag()) {}
+
+Barycentric::Barycentric(const Curve& curve)
+    : x_(curve.x.real()), y_(curve.x.imag()), own_(curve.side == Side::fluid_outside ? 1.0 : 0.0) {
+  const ComplexVector c =
+      curve.dx * (curve.sign() / (imaginary * static_cast<double>(curve.size())));
+  cx_ = c.real();
+  cy_ = c.imag();
+}
 
 Index Barycentric::node_at(Complex target) const {
   Index nearest = 0;

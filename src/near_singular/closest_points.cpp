@@ -60,19 +60,11 @@ struct Footing {
 };
 
 // Finds the foot that is nearest to a parameter t of b.
-Footing find_foot(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
+Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
   const Jet at_a = a.at(s);
-  Jet at_b = b.at(t);
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    const Complex across = at_b.value - at_a.value;
-    const double curvature = std::norm(at_b.first) + dot(across, at_b.second);
-    const double step =
-        minimising_step(dot(across, at_b.first), curvature, parameter_step(b.nodes));
-    t += step;
-    at_b = b.at(t);
-    if (std::abs(step) < 1e-14) break;
-  }
-  return {s, t, at_a, at_b, dot(at_b.value - at_a.value, normal(b, at_b))};
+  const auto on_b = [&b](double parameter) { return b.at(parameter); };
+  const Foot foot = find_foot(on_b, at_a.value, t, parameter_step(b.nodes));
+  return {s, foot.parameter, at_a, foot.at, dot(foot.at.value - at_a.value, normal(b, foot.at))};
 }
 
 // Newton's step along a to the least height over b. Unlike the distance squared, the height is as
@@ -89,12 +81,12 @@ double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) 
 
 // Descends from a pair of nodes to the least height of a over b.
 Footing least_height(const SmoothCurve& a, const SmoothCurve& b, const NodePair& start) {
-  Footing at = find_foot(a, b, parameter_step(a.nodes) * static_cast<double>(start.a),
-                         parameter_step(b.nodes) * static_cast<double>(start.b));
+  Footing at = find_footing(a, b, parameter_step(a.nodes) * static_cast<double>(start.a),
+                            parameter_step(b.nodes) * static_cast<double>(start.b));
   const double rounding = 1e-15 * (std::abs(at.a.value) + std::abs(at.b.value));
   double step = step_down(a, b, at);
   for (int evaluations = 0; evaluations < 60 && std::abs(step) > 1e-14; ++evaluations) {
-    const Footing next = find_foot(a, b, at.s + step, at.t);
+    const Footing next = find_footing(a, b, at.s + step, at.t);
     if (next.height <= at.height + rounding) {
       at = next;
       step = step_down(a, b, at);
@@ -106,6 +98,19 @@ Footing least_height(const SmoothCurve& a, const SmoothCurve& b, const NodePair&
 }
 
 }  // namespace
+
+Foot find_foot(const Parametrisation& curve, Complex point, double guess, double longest) {
+  Foot foot{guess, curve(guess)};
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const auto& [value, first, second] = foot.at;
+    const double curvature = std::norm(first) + dot(value - point, second);
+    const double step = minimising_step(dot(value - point, first), curvature, longest);
+    foot.parameter += step;
+    foot.at = curve(foot.parameter);
+    if (std::abs(step) < 1e-14) break;
+  }
+  return foot;
+}
 
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
   const std::vector<NodePair> pairs = nearest_nodes(a.nodes, b.nodes);

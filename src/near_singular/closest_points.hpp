@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "trapezoid/curve.hpp"
-#include "trapezoid/fourier.hpp"
+#include "trapezoid/parametrisation.hpp"
 
 namespace stokesbook {
 
@@ -25,6 +25,25 @@ struct SmoothCurve {
   /// @par Cost  O(N)
   TrigonometricPolynomial::Jet at(double t) const;
 };
+
+/// Where the perpendicular from a point stands on a curve.
+struct Foot {
+  double parameter;                 ///< t, radians
+  TrigonometricPolynomial::Jet at;  ///< the curve there, length
+};
+
+/// Finds the foot of the perpendicular from a point z, \f$ (x(t)-z)\cdot x'(t) = 0 \f$, by Newton's
+/// method for the least distance; where the distance is not convex, its steps go downhill.
+///
+/// @param  curve    as a function of its parameter, length
+/// @param  point    z, length
+/// @param  guess    parameter near the foot's, radians
+/// @param  longest  step that is allowed, radians, such as that between nodes
+/// @return          the foot
+/// @par Accuracy    rounding of the positions, where the point is nearer than the curve's centre of
+/// curvature
+/// @par Cost        a few evaluations of the curve, 31 at most
+Foot find_foot(const Parametrisation& curve, Complex point, double guess, double longest);
 
 /// Where two curves come closest.
 struct ClosestPoints {

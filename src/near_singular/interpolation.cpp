@@ -7,6 +7,7 @@
 #include <string>
 
 #include "double_layer/double_layer.hpp"
+#include "near_singular/closest_points.hpp"
 #include "near_singular/near_test.hpp"
 
 namespace stokesbook {
@@ -23,11 +24,6 @@ void require_in_range(const InterpolationSettings& settings) {
       "interpolation wants degree >= 1, step > 0 and upsampling >= 1, got " +
       std::to_string(settings.degree) + ", " + std::to_string(settings.step) + " and " +
       std::to_string(settings.upsampling));
-}
-
-// The interpolating trigonometric polynomial between the nodes, sampled more densely.
-Curve refined(const Curve& curve, Index n) {
-  return {resample(curve.x, n), resample(curve.dx, n), resample(curve.ddx, n), curve.side};
 }
 
 // Fine node values of a vector that is 1 at one node, a column a node.
@@ -68,7 +64,7 @@ InterpolationSettings InterpolationSettings::for_tolerance(double tolerance) {
 InterpolationCurve::InterpolationCurve(const Curve& reference,
                                        const InterpolationSettings& settings)
     : curve_(reference),
-      fine_curve_(refined(curve_, std::max(1, settings.upsampling) * curve_.size())),
+      fine_curve_(resample(curve_, std::max(1, settings.upsampling) * curve_.size())),
       settings_(settings),
       mean_spacing_(perimeter(curve_) / static_cast<double>(curve_.size())),
       shape_(curve_.x),
@@ -92,17 +88,8 @@ InterpolationData InterpolationCurve::data(const MatrixXcd& densities) const {
 InterpolationCurve::Stencil InterpolationCurve::stencil(Complex target) const {
   const double step = 2.0 * std::numbers::pi / static_cast<double>(curve_.size());
   const Index node = nearest_node(curve_, target);
-  double t = step * static_cast<double>(node) + preimage(curve_, node, target).real();
-  // Newton's method for (x(t) - target).x'(t) = 0; the preimage is a good start.
-  TrigonometricPolynomial::Jet at = shape_(t);
-  for (int iteration = 0; iteration < 20; ++iteration) {
-    const double slope = dot(at.value - target, at.first);
-    const double curvature = std::norm(at.first) + dot(at.value - target, at.second);
-    const double change = std::clamp(-slope / std::abs(curvature), -step, step);
-    t += change;
-    at = shape_(t);
-    if (std::abs(change) < 1e-14) break;
-  }
+  const double guess = step * static_cast<double>(node) + preimage(curve_, node, target).real();
+  const auto [t, at] = find_foot(shape_, target, guess, step);
   const double spacing = settings_.spacing == InterpolationSettings::Spacing::local
                              ? std::abs(at.first) * step
                              : mean_spacing_;

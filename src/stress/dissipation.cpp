@@ -13,17 +13,6 @@ double power(const Curve& curve, const ComplexVector& velocity, const ComplexVec
   return weights(curve).dot(velocity.conjugate().cwiseProduct(traction).real());
 }
 
-// Tractions of the flow at the nodes of one component, which start at `first`.
-ComplexVector traction_of(const SolvedFlow& flow, const Curve& curve) {
-  const std::vector<FlowDerivatives> at_nodes = flow.derivatives(curve.x);
-  ComplexVector result = normals(curve);
-  for (Index j = 0; j < result.size(); ++j) {
-    result[j] =
-        traction(at_nodes[static_cast<std::size_t>(j)], result[j], flow.problem().viscosity);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction) {
@@ -55,7 +44,8 @@ std::vector<double> power_of_loads(const SolvedFlow& flow) {
     double sum = dot(rigid.velocity, load.force) + rigid.omega * load.torque;
     constexpr double rounding = 1e-13;
     if (rest.cwiseAbs().maxCoeff() > rounding * own.cwiseAbs().maxCoeff()) {
-      sum += power(curve, rest, traction_of(flow, curve));
+      const double mu = flow.problem().viscosity;
+      sum += power(curve, rest, traction_on(curve, flow.derivatives(curve.x), mu));
     }
     powers.push_back(sum);
   }

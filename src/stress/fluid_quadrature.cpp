@@ -44,15 +44,9 @@ double height(const SmoothCurve& curve, Complex z, double reach) {
   if (std::abs(to_node) > reach + spacing) {
     return std::copysign(std::abs(to_node), nodes.sign() * cross(nodes.dx[nearest], to_node));
   }
-  double t = step * static_cast<double>(nearest) + preimage(nodes, nearest, z).real();
-  TrigonometricPolynomial::Jet at = curve.at(t);
-  for (int k = 0; k < 20; ++k) {
-    const Complex r = at.value - z;
-    const double move = dot(r, at.first) / std::abs(std::norm(at.first) + dot(r, at.second));
-    t -= move;
-    at = curve.at(t);
-    if (std::abs(move) < 1e-12) break;
-  }
+  const double guess = step * static_cast<double>(nearest) + preimage(nodes, nearest, z).real();
+  const auto on_curve = [&curve](double t) { return curve.at(t); };
+  const TrigonometricPolynomial::Jet at = find_foot(on_curve, z, guess, step).at;
   return nodes.sign() * cross(at.first, z - at.value) / std::abs(at.first);
 }
 
@@ -77,7 +71,7 @@ class Rule {
 // Points of a finer rule along the curve: integrands are products of what its nodes resolve.
 void add_strip(Rule& rule, const Curve& curve, double width) {
   const Index m = 2 * curve.size();
-  const Curve fine{resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+  const Curve fine = resample(curve, m);
   const ComplexVector normal = normals(fine);
   const Eigen::VectorXd w = weights(fine), curvature = fine.sign() * curvatures(fine);
   const std::unique_ptr<gsl_integration_glfixed_table, void (*)(gsl_integration_glfixed_table*)>

@@ -21,10 +21,8 @@ SolvedFlow::SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> pl
       tolerance_(tolerance) {}
 
 ComplexVector SolvedFlow::velocity(const ComplexVector& targets) const {
-  std::vector<Curve> curves;
-  for (const Component& component : problem_.components) curves.push_back(component.curve);
-  ComplexVector velocity =
-      StressletSum(curves)(targets, density_) + closure_.singular_velocity(completion_, targets);
+  ComplexVector velocity = StressletSum(curves_of(problem_))(targets, density_) +
+                           closure_.singular_velocity(completion_, targets);
   if (!placed_.empty()) {
     velocity += NearCorrection(placed_, targets, Targets::points,
                                {tolerance_, NearStorage::factored})(density_);
@@ -56,13 +54,7 @@ std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& target
 }
 
 ComplexVector SolvedFlow::nodes() const {
-  ComplexVector nodes(density_.size());
-  Index first = 0;
-  for (const Component& component : problem_.components) {
-    nodes.segment(first, component.curve.size()) = component.curve.x;
-    first += component.curve.size();
-  }
-  return nodes;
+  return all_nodes(curves_of(problem_));
 }
 
 ComplexVector SolvedFlow::boundary_velocity() const {

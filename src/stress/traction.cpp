@@ -9,6 +9,15 @@ namespace stokesbook {
 
 using Eigen::Index;
 
+ComplexVector traction_on(const Curve& curve, std::span<const FlowDerivatives> at_nodes,
+                          double viscosity) {
+  ComplexVector result = normals(curve);
+  for (Index j = 0; j < result.size(); ++j) {
+    result[j] = traction(at_nodes[static_cast<std::size_t>(j)], result[j], viscosity);
+  }
+  return result;
+}
+
 ComplexVector boundary_traction(const StokesProblem& problem,
                                 const std::vector<FlowDerivatives>& at_nodes) {
   const Index n = node_offsets(problem).back();
@@ -17,12 +26,12 @@ ComplexVector boundary_traction(const StokesProblem& problem,
                                 " nodes, not at " + std::to_string(at_nodes.size()));
   }
   ComplexVector result(n);
-  Index i = 0;
+  Index first = 0;
   for (const Component& component : problem.components) {
-    for (const Complex normal : normals(component.curve)) {
-      result[i] = traction(at_nodes[static_cast<std::size_t>(i)], normal, problem.viscosity);
-      ++i;
-    }
+    const Index size = component.curve.size();
+    const auto own = std::span(at_nodes).subspan(static_cast<std::size_t>(first));
+    result.segment(first, size) = traction_on(component.curve, own, problem.viscosity);
+    first += size;
   }
   return result;
 }

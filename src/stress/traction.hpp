@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "closure/closure.hpp"
@@ -9,6 +10,16 @@ namespace stokesbook {
 
 /// @addtogroup stress
 /// @{
+
+/// Computes the traction at the nodes of one curve.
+///
+/// @param  curve      N nodes
+/// @param  at_nodes   derivatives of the whole flow there, limits from the fluid
+/// @param  viscosity  mu, force time / length^2
+/// @return            N tractions, force / length^2
+/// @par Cost          O(N)
+ComplexVector traction_on(const Curve& curve, std::span<const FlowDerivatives> at_nodes,
+                          double viscosity);
 
 /// Computes the traction \f$ \sigma n \f$ at the nodes of every component, with n out of the fluid:
 /// what the body or wall does to the fluid, a unit of length.

@@ -35,6 +35,10 @@ ComponentKind kind_of(const Wall& wall) {
   return wall.role == WallRole::outer ? ComponentKind::enclosing_wall : ComponentKind::prescribed;
 }
 
+Side side_of(ComponentKind kind) {
+  return kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
+}
+
 ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Complex position) {
   return std::visit(WallVelocity{curve, position}, motion);
 }

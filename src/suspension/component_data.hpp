@@ -21,6 +21,12 @@ ComponentKind kind_of(const Body& body);
 /// @return       enclosing_wall or prescribed
 ComponentKind kind_of(const Wall& wall);
 
+/// Returns the side of a component's curve on which the fluid lies.
+///
+/// @param  kind  of the component
+/// @return       inside of an enclosing wall, outside of all else
+Side side_of(ComponentKind kind);
+
 /// Evaluates a wall's velocity at its nodes.
 ///
 /// @param  motion    kind and strength

@@ -34,13 +34,9 @@ std::string aligned(const std::string& topic, const std::string& text) {
   return topic + std::string(topic.size() < width ? width - topic.size() : 1, ' ') + text;
 }
 
-bool is_graded(const Resolution& resolution) {
-  return !resolution.grading.clusters.empty();
-}
-
 // To the reader: where nodes crowd, is another place on each body.
 bool alike(const Resolution& a, const Resolution& b) {
-  return a.n_nodes == b.n_nodes && is_graded(a) == is_graded(b);
+  return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
 }
 
 // One line for all components that share a shape and a resolution.
@@ -64,7 +60,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
         "components",
         std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
-            (is_graded(resolutions[k]) ? " that crowd at gaps" : "") +
+            (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
             (chosen ? " to begin with, chosen" : "; " + std::to_string(nodes) + " recommended") +
             " for shape and gaps"));
   }
@@ -85,13 +81,10 @@ std::vector<std::string> size_lines(const Resolutions& resolutions) {
                            "matrix")};
 }
 
-std::vector<std::string> gap_lines(const SuspensionSolver& solver,
-                                   const Configuration& configuration) {
-  const std::vector<Gap> gaps =
-      find_gaps(configuration, solver.references(), solver.scene().solver.tolerance);
+std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& gaps) {
   if (gaps.empty()) return {};
-  return {aligned("closest pair", component_name(solver.scene(), gaps.front().a) + " and " +
-                                      component_name(solver.scene(), gaps.front().b) + ", " +
+  return {aligned("closest pair", component_name(scene, gaps.front().a) + " and " +
+                                      component_name(scene, gaps.front().b) + ", " +
                                       short_number(gaps.front().points.gap) + " apart")};
 }
 
@@ -117,13 +110,14 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
   }
   lines.push_back(aligned("time", time_line(solver.scene())));
   const Configuration start = solver.initial_configuration();
-  const Resolutions resolutions = solver.first_resolutions(start);
+  const std::vector<Gap> gaps = solver.gaps(start);
+  const Resolutions resolutions = solver.first_resolutions(start, gaps);
   const auto add = [&](std::vector<std::string> more) {
     std::ranges::move(more, std::back_inserter(lines));
   };
   add(size_lines(resolutions));
-  add(component_lines(solver, resolutions, solver.recommended_nodes(start)));
-  add(gap_lines(solver, start));
+  add(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)));
+  add(gap_lines(solver.scene(), gaps));
   return lines;
 }
 

@@ -7,7 +7,7 @@
 
 #include "suspension/component_data.hpp"
 #include "suspension/gaps.hpp"
-#include "suspension/refusal.hpp"
+#include "suspension/node_choice.hpp"
 
 namespace stokesbook {
 
@@ -28,23 +28,11 @@ Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Trigonometr
           bounding_radius(reference, 0.0)};
 }
 
-// The nodes that are given, or enough for the shape.
-template <class Component>
-int outline_nodes(const Component& component, Side side, double tolerance) {
-  if (component.n_nodes != automatic_nodes) return component.n_nodes;
-  if (const int nodes = nodes_for_shape(component.shape, side, tolerance, 16); nodes > 0) {
-    return nodes;
-  }
-  throw std::invalid_argument(
-      "even 4096 nodes do not resolve a shape to solver.tolerance: smooth it or raise the "
-      "tolerance");
-}
-
 template <class BodyOrWall>
-Obstacle make_obstacle(const BodyOrWall& component, double tolerance) {
-  const Side side = kind_of(component) == ComponentKind::enclosing_wall ? Side::fluid_inside
-                                                                        : Side::fluid_outside;
-  const Curve reference = sample(component.shape, outline_nodes(component, side, tolerance), side);
+Obstacle make_obstacle(const BodyOrWall& component, double tolerance, const std::string& name) {
+  const Side side = side_of(kind_of(component));
+  const Curve reference =
+      sample(component.shape, own_nodes(component, side, tolerance, name), side);
   return make_obstacle(reference, std::make_shared<TrigonometricPolynomial>(reference.x),
                        {component.position, component.orientation});
 }
@@ -95,14 +83,20 @@ Scene with_fills_placed(const Scene& scene) {
   if (scene.fills.empty()) return filled;
   const double tolerance = scene.solver.tolerance;
   std::vector<Obstacle> obstacles;
-  for (const Wall& wall : scene.walls) obstacles.push_back(make_obstacle(wall, tolerance));
+  const auto add_all = [&](const auto& components, std::size_t first) {
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      const std::string name = component_name(scene, first + k);
+      obstacles.push_back(make_obstacle(components[k], tolerance, name));
+    }
+  };
+  add_all(scene.walls, scene.bodies.size());
   const Region fluid = fluid_region(obstacles);
-  for (const Body& body : scene.bodies) obstacles.push_back(make_obstacle(body, tolerance));
+  add_all(scene.bodies, 0);
 
   std::mt19937_64 random(scene.seed);
   for (const Fill& fill : scene.fills) {
-    const Curve reference = sample(fill.shape, outline_nodes(fill, Side::fluid_outside, tolerance),
-                                   Side::fluid_outside);
+    const Side side = Side::fluid_outside;
+    const Curve reference = sample(fill.shape, own_nodes(fill, side, tolerance, "[[fill]]"), side);
     const auto shape = std::make_shared<TrigonometricPolynomial>(reference.x);
     const std::array<double, 4> box = fill.box.value_or(fluid.box);
     const double region_area = fill.box ? (box[2] - box[0]) * (box[3] - box[1]) : fluid.area;

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include "double_layer/double_layer.hpp"
+#include "record/number_text.hpp"
+
 namespace stokesbook {
 
 namespace {
@@ -15,6 +18,20 @@ constexpr double share_allowed = 0.1, share_aimed_at = 0.05;
 constexpr double least_factor = 1.125;
 
 }  // namespace
+
+int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least) {
+  for (int n = 16 * ((at_least + 15) / 16); n <= most_nodes_for_shape;
+       n += std::max(16, n / 4 / 16 * 16)) {
+    if (rigid_motion_residual(sample(shape, n, side)) <= tolerance) return n;
+  }
+  return 0;
+}
+
+std::string unresolved_shape(double tolerance) {
+  return "even " + std::to_string(most_nodes_for_shape) +
+         " nodes do not resolve its shape to solver.tolerance = " + short_number(tolerance) +
+         ": smooth the curve or raise the tolerance";
+}
 
 int rounded_nodes(double nodes) {
   const int least = static_cast<int>(std::ceil(std::clamp(nodes, 1.0, 1e9)));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "suspension/gaps.hpp"
+#include "suspension/numerics_refused.hpp"
 
 namespace stokesbook {
 
@@ -15,6 +16,42 @@ inline constexpr int most_nodes_of_a_component = 2048;
 
 /// Most nodes that are chosen in all: an application of the operator takes some 2 s a core.
 inline constexpr int most_nodes_in_all = 65536;
+
+/// Most nodes that a shape alone is tried with.
+inline constexpr int most_nodes_for_shape = 4096;
+
+/// Recommends a node count for which a shape resolves its own double layer to a tolerance.
+///
+/// @param  shape      in its own frame
+/// @param  side       of the fluid
+/// @param  tolerance  of rigid_motion_residual()
+/// @param  at_least   where the search starts
+/// @return            multiple of 16, >= at_least, or 0 when most_nodes_for_shape are not enough
+/// @par Cost          rigid_motion_residual() of each count that is tried, 16 or a quarter apart
+int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
+
+/// Explains that no number of nodes resolves a shape.
+///
+/// @param  tolerance  that was asked for
+/// @return            a message with the tolerance and what to change, without a subject
+std::string unresolved_shape(double tolerance);
+
+/// Returns the nodes that a component is given, or enough for its shape.
+///
+/// @param  component  a Body, Wall or Fill, with its shape and node count
+/// @param  side       of the fluid
+/// @param  tolerance  of rigid_motion_residual()
+/// @param  name       of the component, for messages
+/// @return            nodes, > 0
+/// @throws NumericsRefused when the nodes are automatic and most_nodes_for_shape are not enough
+/// @par Cost          that of nodes_for_shape() where nodes are automatic
+template <class Component>
+int own_nodes(const Component& component, Side side, double tolerance, const std::string& name) {
+  if (component.n_nodes != automatic_nodes) return component.n_nodes;
+  const int nodes = nodes_for_shape(component.shape, side, tolerance, 16);
+  if (nodes == 0) throw NumericsRefused(name + ": " + unresolved_shape(tolerance));
+  return nodes;
+}
 
 /// Rounds a number of nodes up to one of few, so that configurations nearby share references.
 ///

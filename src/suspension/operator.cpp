@@ -7,29 +7,19 @@ namespace stokesbook {
 
 using Eigen::Index;
 
-namespace {
-
-std::vector<Curve> curves_of(const StokesProblem& problem) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  return curves;
-}
-
-}  // namespace
-
 SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
                                        const std::vector<PlacedCurve>& placed, const Plan& plan)
     : curves_(curves_of(problem)),
       offsets_(node_offsets(problem)),
       closure_(problem),
       sum_(curves_, StressletSum::automatic_storage(offsets_.back())) {
-  ComplexVector nodes(offsets_.back());
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    nodes.segment(offsets_[k], curves_[k].size()) = curves_[k].x;
     if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
   }
-  if (!placed.empty())
-    near_.emplace(placed, nodes, Targets::own_nodes, NearSettings{plan.near_tolerance});
+  if (!placed.empty()) {
+    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes,
+                  NearSettings{plan.near_tolerance});
+  }
 }
 
 ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "double_layer/double_layer.hpp"
+#include "suspension/component_data.hpp"
 
 namespace stokesbook {
 
@@ -10,20 +11,19 @@ namespace {
 
 Reference build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
                 const ReferenceNeeds& needs) {
-  const Side side =
-      kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
+  const Side side = side_of(kind);
   const Curve equidistant = sample(shape, resolution.n_nodes, side);
-  const bool graded = !resolution.grading.clusters.empty();
-  Reference reference{
-      shape,
-      resolution,
-      kind,
-      graded ? sample(shape, resolution.n_nodes, side, resolution.grading) : equidistant,
-      std::make_shared<TrigonometricPolynomial>(equidistant.x),
-      0.0,
-      {},
-      {},
-      {}};
+  Reference reference{shape,
+                      resolution,
+                      kind,
+                      resolution.is_graded()
+                          ? sample(shape, resolution.n_nodes, side, resolution.grading)
+                          : equidistant,
+                      std::make_shared<TrigonometricPolynomial>(equidistant.x),
+                      0.0,
+                      {},
+                      {},
+                      {}};
   reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
   if (needs.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
   if (needs.interpolation_tolerance) {
@@ -49,7 +49,7 @@ Resolutions resolutions_of(const References& references) {
 std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape,
                                                      const Resolution& resolution,
                                                      ComponentKind kind) {
-  if (!resolution.grading.clusters.empty()) {
+  if (resolution.is_graded()) {
     return std::make_shared<Reference>(build(shape, resolution, kind, needs_));
   }
   const std::lock_guard lock(mutex_);

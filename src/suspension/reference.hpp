@@ -23,6 +23,10 @@ struct Resolution {
   int n_nodes = 0;    ///< collocation nodes, even
   Grading grading{};  ///< where they crowd; without clusters: equidistant
 
+  /// Tells whether nodes crowd anywhere.
+  /// @return true when the grading has clusters
+  bool is_graded() const { return !grading.clusters.empty(); }
+
   /// @return true when all members are equal
   bool operator==(const Resolution&) const = default;
 };

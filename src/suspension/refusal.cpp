@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "double_layer/double_layer.hpp"
 #include "near_singular/near_test.hpp"
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
@@ -44,22 +43,21 @@ std::string overlap_message(const Scene& scene, const Gap& gap) {
 }
 
 std::string shape_message(const Scene& scene, std::size_t component, const Reference& reference) {
-  const int nodes = nodes_for_shape(reference.shape, reference.curve.side, scene.solver.tolerance,
+  const double tolerance = scene.solver.tolerance;
+  const int nodes = nodes_for_shape(reference.shape, reference.curve.side, tolerance,
                                     reference.resolution.n_nodes);
   return component_name(scene, component) + ": " + std::to_string(reference.curve.size()) +
-         " nodes resolve its shape to " + short_number(reference.rigid_motion_residual) +
-         " only, solver.tolerance = " + short_number(scene.solver.tolerance) +
-         (nodes > 0
-              ? "; give it n_nodes = " + std::to_string(nodes) + " at least"
-              : "; even 4096 nodes do not resolve it: smooth the curve or raise the tolerance");
+         " nodes resolve its shape to " + short_number(reference.rigid_motion_residual) + " only" +
+         (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
+                          "; give it n_nodes = " + std::to_string(nodes) + " at least"
+                    : "; " + unresolved_shape(tolerance));
 }
 
 // Without near corrections the trapezoid rule of either curve must do at the other's nearest point.
 std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothCurve& a,
                                const SmoothCurve& b) {
   const auto error = [](const Curve& curve, Complex target) {
-    const Complex s = preimage(curve, nearest_node(curve, target), target);
-    return 150.0 * std::exp(-static_cast<double>(curve.size()) * std::abs(s.imag()));
+    return std::exp(near_cut(1.0) - preimage_depth(curve, target));
   };
   const double worst =
       std::max(error(a.nodes, gap.points.point_b), error(b.nodes, gap.points.point_a));
@@ -143,13 +141,6 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
   return "the density on " + component_name(scene, component) + " is not resolved" +
          nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
          std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
-}
-
-int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least) {
-  for (int n = 16 * ((at_least + 15) / 16); n <= 4096; n += std::max(16, n / 4 / 16 * 16)) {
-    if (rigid_motion_residual(sample(shape, n, side)) <= tolerance) return n;
-  }
-  return 0;
 }
 
 std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,

@@ -61,16 +61,6 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
                              const std::vector<TailEstimate>& tails, double error,
                              const std::vector<Gap>& gaps);
 
-/// Recommends a node count for which a shape resolves its own double layer to a tolerance.
-///
-/// @param  shape      in its own frame
-/// @param  side       of the fluid
-/// @param  tolerance  of rigid_motion_residual()
-/// @param  at_least   where the search starts
-/// @return            multiple of 16, >= at_least, or 0 when 4096 nodes are not enough
-/// @par Cost          rigid_motion_residual() of each count that is tried, 16 or a quarter apart
-int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
-
 /// @}
 
 }  // namespace stokesbook

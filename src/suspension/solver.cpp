@@ -19,15 +19,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-ComplexVector all_nodes(const StokesProblem& problem) {
-  const std::vector<Index> offsets = node_offsets(problem);
-  ComplexVector nodes(offsets.back());
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    nodes.segment(offsets[k], offsets[k + 1] - offsets[k]) = problem.components[k].curve.x;
-  }
-  return nodes;
-}
-
 // A component's reference from the shelf, or the reason why it cannot be used.
 std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
                                       std::size_t component, const Resolution& resolution) {
@@ -44,22 +35,15 @@ std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
   }
 }
 
-// What a component asks for alone: the nodes it is given, or enough for its shape.
+// What a component asks for alone.
 Resolution own_resolution(const Scene& scene, std::size_t component) {
-  if (const int given = given_nodes(scene, component); given != automatic_nodes) return {given};
   const std::size_t bodies = scene.bodies.size();
   const auto nodes = [&](const auto& source) {
-    const Side side =
-        kind_of(source) == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-    return nodes_for_shape(source.shape, side, scene.solver.tolerance, 16);
+    return own_nodes(source, side_of(kind_of(source)), scene.solver.tolerance,
+                     component_name(scene, component));
   };
-  const int enough =
-      component < bodies ? nodes(scene.bodies[component]) : nodes(scene.walls[component - bodies]);
-  if (enough > 0) return {enough};
-  throw NumericsRefused(component_name(scene, component) +
-                        ": even 4096 nodes do not resolve its shape to solver.tolerance = " +
-                        short_number(scene.solver.tolerance) +
-                        ": smooth the curve or raise the tolerance");
+  return {component < bodies ? nodes(scene.bodies[component])
+                             : nodes(scene.walls[component - bodies])};
 }
 
 // A refusal's text, if there is any, ends the solve.
@@ -139,7 +123,7 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration,
     problem.components.push_back(std::move(component));
   }
   if (!is_bounded(problem)) {
-    problem.background = drive * background_velocity(scene_.flow, all_nodes(problem));
+    problem.background = drive * background_velocity(scene_.flow, all_nodes(curves_of(problem)));
   }
   return problem;
 }
@@ -158,7 +142,12 @@ std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configura
 
 DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
                                              const References& references, double drive) const {
-  const StokesProblem problem = this->problem(configuration, references, drive);
+  return discretise(problem(configuration, references, drive), configuration, references);
+}
+
+DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const References& references) const {
   const auto near_curves =
       plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
@@ -171,8 +160,12 @@ DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
   return discrete;
 }
 
+std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
+  return find_gaps(configuration, references_, scene_.solver.tolerance);
+}
+
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
-  std::vector<Gap> gaps = find_gaps(configuration, references_, scene_.solver.tolerance);
+  std::vector<Gap> gaps = this->gaps(configuration);
   refuse(overlap_refusal(scene_, gaps, configuration));
   return gaps;
 }
@@ -217,8 +210,9 @@ SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configu
   refuse(limit_refusal(scene_, effort.resolutions, gaps));
   const References references = this->references(effort.resolutions);
   refuse(geometry_refusal(scene_, gaps, configuration, references));
-  refuse(data_refusal(scene_, problem(configuration, references, drive)));
-  DiscreteProblem discrete = discretise(configuration, references, drive);
+  const StokesProblem problem = this->problem(configuration, references, drive);
+  refuse(data_refusal(scene_, problem));
+  DiscreteProblem discrete = discretise(problem, configuration, references);
   Solution solution = solve_at(discrete, references, effort.gmres_tolerance, drive);
   solution.gaps = gaps;
   return {std::move(discrete), std::move(solution)};
@@ -319,12 +313,17 @@ std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& 
 }
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
+  return recommended_nodes(configuration, gaps(configuration));
+}
+
+std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
+                                                     const std::vector<Gap>& gaps) const {
   const double tolerance = scene_.solver.tolerance;
   std::vector<int> nodes;
   for (const auto& reference : references_) {
     nodes.push_back(nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16));
   }
-  for (const Gap& gap : find_gaps(configuration, references_, tolerance)) {
+  for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
     const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
     nodes[gap.a] = std::max(nodes[gap.a], stokesbook::recommended_nodes(decay.a, tolerance));
@@ -334,8 +333,7 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
 }
 
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
-  return first_resolutions(configuration,
-                           find_gaps(configuration, references_, scene_.solver.tolerance));
+  return first_resolutions(configuration, gaps(configuration));
 }
 
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,

@@ -156,12 +156,35 @@ class SuspensionSolver {
   /// @par Cost      that of nodes_for_shape() a component, and of find_gaps()
   std::vector<int> recommended_nodes(const Configuration& configuration) const;
 
+  /// Recommends nodes as above where gaps are known.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  gaps           in it
+  /// @return                as above
+  std::vector<int> recommended_nodes(const Configuration& configuration,
+                                     const std::vector<Gap>& gaps) const;
+
   /// Chooses the resolution with which solve() begins.
   ///
   /// @param  configuration  where the components are
   /// @return                given node counts as they are; automatic ones from shapes and gaps
   /// @par Cost      that of find_gaps()
   Resolutions first_resolutions(const Configuration& configuration) const;
+
+  /// Chooses a resolution as above where gaps are known.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  gaps           in it
+  /// @return                as above
+  Resolutions first_resolutions(const Configuration& configuration,
+                                const std::vector<Gap>& gaps) const;
+
+  /// Finds the gaps of a configuration that may ask for nodes, overlaps included.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                in ascending order, as find_gaps() returns them
+  /// @par Cost      that of find_gaps()
+  std::vector<Gap> gaps(const Configuration& configuration) const;
 
   /// Returns the shared references of a resolution; builds those that are not there.
   ///
@@ -185,8 +208,6 @@ class SuspensionSolver {
   const References& references() const { return references_; }
 
  private:
-  Resolutions first_resolutions(const Configuration& configuration,
-                                const std::vector<Gap>& gaps) const;
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
   struct Effort {
@@ -201,6 +222,8 @@ class SuspensionSolver {
   Attempt attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
                   const Effort& effort, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
+  DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
+                             const References& references) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
   Solution solve_at(const DiscreteProblem& discrete, const References& references,
                     double gmres_tolerance, double drive) const;

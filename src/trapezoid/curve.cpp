@@ -10,6 +10,12 @@ Curve place(const Curve& reference, Complex position, double orientation) {
           turn * reference.ddx, reference.side};
 }
 
+ComplexVector all_nodes(const std::vector<Curve>& curves) {
+  std::vector<Complex> nodes;
+  for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
+  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
+}
+
 Eigen::VectorXd weights(const Curve& curve) {
   return curve.dx.cwiseAbs() * (2.0 * std::numbers::pi / static_cast<double>(curve.size()));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "trapezoid/plane.hpp"
@@ -47,6 +49,17 @@ struct Curve {
 /// @par Not for   a NodalCurve at fewer nodes than it has points: its highest modes are dropped
 Curve sample(const Shape& shape, Eigen::Index n, Side side);
 
+/// Samples the trigonometric interpolants of a curve and its derivatives at m equidistant
+/// parameters.
+///
+/// @param  curve  N nodes
+/// @param  m      number of new nodes, even
+/// @return        m nodes with the same side, in the same parameter
+/// @throws std::invalid_argument when m is odd or < 2
+/// @par Accuracy  that of resample() for values
+/// @par Cost      O(N log N + m log m)
+Curve resample(const Curve& curve, Eigen::Index m);
+
 /// Moves a curve from its own frame: \f$ x \to c + e^{i\theta} x \f$.
 ///
 /// @param  reference    N nodes, in the curve's own frame
@@ -54,6 +67,12 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side);
 /// @param  orientation  theta, radians, counter-clockwise
 /// @return              N nodes in the plane, with the same side
 Curve place(const Curve& reference, Complex position, double orientation);
+
+/// Collects the nodes of several curves, curve by curve.
+///
+/// @param  curves  n nodes in all
+/// @return         n points, length
+ComplexVector all_nodes(const std::vector<Curve>& curves);
 
 /// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ of the trapezoid rule in arclength.
 ///

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "trapezoid/parametrisation.hpp"
-
 namespace stokesbook {
 
 using Eigen::Index;
@@ -176,22 +174,6 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
     parameters.push_back({map.parameter() + tau, dt, -dt * dt * slope / m});
   }
   return parameters;
-}
-
-Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
-  require_valid(grading);
-  Curve curve = sample(shape, n, side);
-  if (grading.clusters.empty()) return curve;
-  const Parametrisation point = parametrisation(shape);
-  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
-  for (Index j = 0; j < n; ++j) {
-    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
-    const auto [x, first, second] = point(t);
-    curve.x[j] = x;
-    curve.dx[j] = first * dt;
-    curve.ddx[j] = second * (dt * dt) + first * ddt;
-  }
-  return curve;
 }
 
 double graded_depth(const Grading& grading, double parameter, double depth) {

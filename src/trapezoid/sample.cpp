@@ -1,9 +1,9 @@
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "trapezoid/curve.hpp"
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/grading.hpp"
 #include "trapezoid/parametrisation.hpp"
 
 namespace stokesbook {
@@ -12,21 +12,22 @@ using Eigen::Index;
 
 namespace {
 
-Curve sample_curve(const Shape& shape, Index n, Side side) {
+Curve sample_at(const std::vector<GradedParameter>& parameters, const Shape& shape, Side side) {
   const Parametrisation point = parametrisation(shape);
+  const auto n = static_cast<Index>(parameters.size());
   Curve curve{ComplexVector(n), ComplexVector(n), ComplexVector(n), side};
   for (Index j = 0; j < n; ++j) {
-    const auto [x, dx, ddx] =
-        point(2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
+    const auto [x, first, second] = point(t);
     curve.x[j] = x;
-    curve.dx[j] = dx;
-    curve.ddx[j] = ddx;
+    curve.dx[j] = first * dt;
+    curve.ddx[j] = second * (dt * dt) + first * ddt;
   }
   return curve;
 }
 
-// By fast transforms.
-Curve sample_curve(const NodalCurve& shape, Index n, Side side) {
+// At equidistant parameters, by fast transforms.
+Curve sample_equidistantly(const NodalCurve& shape, Index n, Side side) {
   const ComplexVector x = resample(counter_clockwise(shape), n);
   const ComplexVector dx = differentiate(x);
   return {x, dx, differentiate(dx), side};
@@ -34,12 +35,24 @@ Curve sample_curve(const NodalCurve& shape, Index n, Side side) {
 
 }  // namespace
 
-Curve sample(const Shape& shape, Index n, Side side) {
+Curve resample(const Curve& curve, Index m) {
+  return {resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+}
+
+Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
   if (n < 4 || n % 2 != 0) {
     throw std::invalid_argument("a curve needs an even number of nodes >= 4, got " +
                                 std::to_string(n));
   }
-  return std::visit([&](const auto& s) { return sample_curve(s, n, side); }, shape);
+  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
+  if (const auto* nodal = std::get_if<NodalCurve>(&shape); nodal && grading.clusters.empty()) {
+    return sample_equidistantly(*nodal, n, side);
+  }
+  return sample_at(parameters, shape, side);
+}
+
+Curve sample(const Shape& shape, Index n, Side side) {
+  return sample(shape, n, side, Grading{});
 }
 
 }  // namespace stokesbook

@@ -26,9 +26,7 @@ StokesProblem mixed_problem() {
 // Velocity of the fluid away from the bodies, from the density, the loads and the background.
 ComplexVector flow_at(const StokesProblem& problem, const ComplexVector& points,
                       const ComplexVector& density, const Completion& completion) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  return StressletSum(curves)(points, density) +
+  return StressletSum(curves_of(problem))(points, density) +
          Closure(problem).singular_velocity(completion, points);
 }
 

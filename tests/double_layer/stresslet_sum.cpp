@@ -62,12 +62,6 @@ double error_of(const ComplexVector& velocity, const std::vector<Curve>& curves,
   return error;
 }
 
-ComplexVector all_nodes(const std::vector<Curve>& curves) {
-  std::vector<Complex> nodes;
-  for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
-  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Index>(nodes.size()));
-}
-
 std::vector<Curve> scene(double scale) {
   return {
       place(sample(Ellipse{2.0 * scale, scale}, 46, Side::fluid_outside), scale * Complex{2.5, 0.3},

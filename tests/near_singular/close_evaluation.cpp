@@ -10,18 +10,18 @@
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/cauchy.hpp"
 #include "support/dirichlet.hpp"
-#include "support/exact_flows.hpp"
+#include "support/exact_derivatives.hpp"
 #include "support/vectors.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
 using test::ExactFlow;
+using test::inner_poles;
 using test::largest;
+using test::outer_poles;
 
 namespace {
 
-const ExactFlow inner_poles{{{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
-const ExactFlow outer_poles{{{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
 const ExactFlow extension{{}, 1.0};
 
 struct Case {
@@ -110,21 +110,10 @@ BOOST_AUTO_TEST_CASE(on_the_nodes_and_next_to_them) {
   }
 }
 
-// Largest error of pressure differences, vorticity and strain, relative to the largest strain.
 double derivative_error(const Case& c, const Solved& solved, const ComplexVector& targets) {
   const CauchyDerivativeData data = solved.cauchy.derivative_data(solved.data);
-  const std::vector<FlowDerivatives> flow = solved.cauchy.derivatives(data, 0, targets);
-  double error = 0.0, size = 0.0, datum = 0.0;
-  for (Index j = 0; j < targets.size(); ++j) {
-    const FlowDerivatives& found = flow[static_cast<std::size_t>(j)];
-    const double pressure = found.pressure - c.flow.pressure(targets[j]);
-    if (j == 0 && c.side == Side::fluid_inside) datum = pressure;  // a container's is free
-    error = std::max({error, std::abs(pressure - datum),
-                      std::abs(found.vorticity - c.flow.vorticity(targets[j])),
-                      std::abs(found.strain - c.flow.strain(targets[j]))});
-    size = std::max(size, std::abs(c.flow.strain(targets[j])));
-  }
-  return error / size;
+  return test::derivative_error(solved.cauchy.derivatives(data, 0, targets), c.flow, targets,
+                                c.side);
 }
 
 // Measured up to 2.5e-12: three differentiations, with N modes each.

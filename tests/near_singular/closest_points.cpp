@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "near_singular/placed.hpp"
+#include "support/smooth_curve.hpp"
 #include "trapezoid/grading.hpp"
 
 using namespace stokesbook;
@@ -64,6 +64,23 @@ void check_consistency(const SmoothCurve& a, const SmoothCurve& b, const Closest
 }
 
 }  // namespace
+
+// Points on normals, from guesses up to eight steps off.
+BOOST_AUTO_TEST_CASE(feet_of_perpendiculars) {
+  constexpr double step = 2.0 * std::numbers::pi / 64.0;
+  const Parametrisation ellipse = parametrisation(Ellipse{2.0, 1.0});
+  for (double t : {0.0, 0.4, 1.5, 4.0}) {
+    const auto at = ellipse(t);
+    for (double distance : {0.0, 1e-9, 0.3, -0.3, 5.0}) {
+      const Complex point = at.value - imaginary * distance * at.first / std::abs(at.first);
+      for (double steps : {0.0, 1.0, -8.0}) {
+        const Foot foot = find_foot(ellipse, point, t + steps * step, step);
+        BOOST_TEST(std::abs(foot.parameter - t) < 1e-13);
+        BOOST_TEST(std::abs(foot.at.value - at.value) < 1e-13);
+      }
+    }
+  }
+}
 
 BOOST_AUTO_TEST_CASE(circles_at_any_gap_with_nodes_anywhere) {
   std::mt19937 generator(1);
@@ -165,9 +182,7 @@ BOOST_AUTO_TEST_CASE(graded_circles_have_their_gap_to_rounding) {
     for (double place : {0.0, 0.4 * width, 2.0}) {
       const auto circle = [&](Complex position, double orientation) {
         const Curve reference = sample(Circle{1.0}, 96, Side::fluid_outside, {{{place, width}}});
-        return SmoothCurve{stokesbook::place(reference, position, orientation),
-                           std::make_shared<TrigonometricPolynomial>(reference.x), position,
-                           orientation};
+        return smooth_curve(reference, position, orientation);
       };
       const Complex along = std::polar(1.0, 0.35);
       const SmoothCurve a = circle(0.0, 0.35);

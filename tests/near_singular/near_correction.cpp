@@ -31,11 +31,10 @@ struct Assembly {
       curves.push_back(place(p.curve(), p.position, p.orientation));
       offsets.push_back(offsets.back() + curves.back().size());
     }
-    nodes.resize(offsets.back());
+    nodes = all_nodes(curves);
     density.resize(offsets.back());
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const Index n = curves[k].size();
-      nodes.segment(offsets[k], n) = curves[k].x;
       for (Index j = 0; j < n; ++j) {
         const double t = 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
         density[offsets[k] + j] = {std::cos(t) + 0.2 * static_cast<double>(k),

@@ -19,12 +19,11 @@
 using namespace stokesbook;
 using Eigen::Index;
 using test::ExactFlow;
+using test::inner_poles;
 using test::largest;
+using test::outer_poles;
 
 namespace {
-
-const ExactFlow inner_poles{{{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
-const ExactFlow outer_poles{{{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
 
 struct Case {
   Shape shape;

@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "near_singular/placed.hpp"
+#include "support/smooth_curve.hpp"
 
 using namespace stokesbook;
 using test::smooth_body;

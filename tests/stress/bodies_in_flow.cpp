@@ -9,6 +9,7 @@
 #include "stress/stress.hpp"
 #include "stress/stresslet.hpp"
 #include "stress/traction.hpp"
+#include "support/exact_derivatives.hpp"
 #include "support/finite_differences.hpp"
 #include "support/solved_flow.hpp"
 
@@ -21,14 +22,9 @@ constexpr double pi = std::numbers::pi;
 const FlowDerivatives shear = flow_derivatives({.du1_dx2 = 1.0});
 const FlowDerivatives extension = flow_derivatives({.du1_dx1 = 1.0});
 
-// The linear flow, which vanishes at the origin.
-ComplexVector velocity_of(const FlowDerivatives& linear, const ComplexVector& z) {
-  return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
-}
-
 SolvedFlow in_linear_flow(std::vector<Component> bodies, double mu, const FlowDerivatives& linear) {
   StokesProblem problem{std::move(bodies), mu, {}, {}};
-  problem.background = velocity_of(linear, test::all_nodes(problem));
+  problem.background = test::linear_velocity(linear, test::all_nodes(problem));
   return test::solve_flow(problem);
 }
 
@@ -132,7 +128,7 @@ BOOST_AUTO_TEST_CASE(equations_by_finite_differences) {
                      mu, extension);
   const auto velocity = [&](Complex z) {
     const ComplexVector at{{z}};
-    return flow.velocity(at)[0] + velocity_of(extension, at)[0];
+    return flow.velocity(at)[0] + test::linear_velocity(extension, at)[0];
   };
   const auto at = [&](Complex z) { return whole(flow, extension, ComplexVector{{z}})[0]; };
   const auto row_1 = [&](Complex z) {

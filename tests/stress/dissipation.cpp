@@ -28,9 +28,7 @@ struct Dissipation {
     const ComplexVector traction = boundary_traction(problem, flow.derivatives(flow.nodes()));
     by_boundary = sum(boundary_power(flow, traction));
     by_loads = sum(power_of_loads(flow));
-    std::vector<Curve> curves;
-    for (const Component& component : problem.components) curves.push_back(component.curve);
-    const FluidQuadrature rule = fluid_quadrature(curves);
+    const FluidQuadrature rule = fluid_quadrature(curves_of(problem));
     by_volume = volume_dissipation(rule, flow.derivatives(rule.points), problem.viscosity);
   }
 

@@ -5,7 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "stress/stress.hpp"
-#include "support/exact_flows.hpp"
+#include "support/exact_derivatives.hpp"
 #include "support/finite_differences.hpp"
 
 using namespace stokesbook;
@@ -15,7 +15,7 @@ namespace {
 const test::ExactFlow flow{{{{0.1, 0.2}, {0.5, -0.3}, 0.4}, {{-0.3, 0.1}, {0.1, 0.8}, -0.1}}, 0.7};
 
 FlowDerivatives at(Complex z) {
-  return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
+  return test::derivatives_of(flow, z);
 }
 
 Complex velocity(Complex z) {

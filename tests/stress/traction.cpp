@@ -22,13 +22,7 @@ double load_error(const SolvedFlow& flow, double length) {
   const StokesProblem& problem = flow.problem();
   const std::vector<Load> found =
       integrated_loads(problem, boundary_traction(problem, flow.derivatives(flow.nodes())));
-  double error = 0.0, scale = 0.0;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Load& expected = flow.completion().loads[k];
-    error = std::max(error, test::distance(found[k], expected, length));
-    scale = std::max({scale, std::abs(expected.force), std::abs(expected.torque) / length});
-  }
-  return error / scale;
+  return test::relative_distance(found, flow.completion().loads, length);
 }
 
 }  // namespace

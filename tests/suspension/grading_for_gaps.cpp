@@ -13,6 +13,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
+#include "support/smooth_curve.hpp"
 #include "suspension/operator.hpp"
 #include "suspension/resolution.hpp"
 
@@ -37,9 +38,7 @@ class NearlyTouching {
     std::vector<SmoothCurve> curves;
     for (std::size_t k = 0; k < 3; ++k) {
       const Curve even = sample(shapes_[k], 128, Side::fluid_outside);
-      curves.push_back({place(even, positions_[k], turns_[k]),
-                        std::make_shared<TrigonometricPolynomial>(even.x), positions_[k],
-                        turns_[k]});
+      curves.push_back(test::smooth_curve(even, positions_[k], turns_[k]));
     }
     std::vector<std::vector<GapDemand>> demands(3);
     for (std::size_t k : {1u, 2u}) {
@@ -63,13 +62,9 @@ class NearlyTouching {
       body.centre = positions_[k];
       problem.components.push_back(body);
     }
-    problem.background.resize(node_offsets(problem).back());
-    Index i = 0;
-    for (const Component& body : problem.components) {
-      for (const Complex& x : body.curve.x) {
-        problem.background[i++] = x.imag() + Complex{0.3, -0.4} * std::conj(x);
-      }
-    }
+    problem.background = all_nodes(curves_of(problem)).unaryExpr([](Complex x) {
+      return x.imag() + Complex{0.3, -0.4} * std::conj(x);
+    });
     Plan plan;
     plan.near_tolerance = 1e-13;
     const SuspensionOperator system(problem, placed, plan);
@@ -111,12 +106,12 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
          {std::vector<GapDemand>{}, {{0.3, 2.0}}, {{0.3, infinite}, {1.0, 1.5}}}) {
       const Resolution nodes = nodes_for_gaps(gaps, 64, tolerance);
       BOOST_TEST(nodes.n_nodes == 64);
-      BOOST_TEST(nodes.grading.clusters.empty());
+      BOOST_TEST(!nodes.is_graded());
     }
     // What does not pay is answered by more equidistant nodes.
     const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
     const Resolution more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
-    BOOST_TEST(more.grading.clusters.empty());
+    BOOST_TEST(!more.is_graded());
     BOOST_TEST(more.n_nodes == std::max(64, recommended_nodes(depth, tolerance)));
   }
 }
@@ -138,7 +133,7 @@ BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
   const double tolerance = 1e-9;
   const Resolution nodes = nodes_for_gaps(gaps, 96, tolerance);
   const double needed = std::log(1e5 / tolerance);
-  BOOST_REQUIRE(!nodes.grading.clusters.empty());
+  BOOST_REQUIRE(nodes.is_graded());
   for (const auto& [parameter, depth] : gaps) {
     if (std::isinf(depth)) continue;
     BOOST_TEST(nodes.n_nodes * graded_depth(nodes.grading, parameter, depth) >= needed);
@@ -193,7 +188,7 @@ BOOST_AUTO_TEST_CASE(motions_of_bodies_that_nearly_touch_have_the_digits_asked_f
   for (double tolerance : {1e-3, 1e-5, 1e-7}) {
     std::vector<Resolution> nodes = bodies.chosen(tolerance);
     for (const Resolution& chosen : nodes) {
-      BOOST_TEST(!chosen.grading.clusters.empty());
+      BOOST_TEST(chosen.is_graded());
     }
     BOOST_TEST(difference(bodies.motions(nodes), exact) < tolerance);
     for (Resolution& chosen : nodes) chosen.grading = {};

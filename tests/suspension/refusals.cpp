@@ -9,18 +9,6 @@ namespace stokesbook::test {
 
 namespace {
 
-// Solves, and checks that the refusal mentions all words.
-void check_refused(const Scene& scene, const std::vector<std::string>& words) {
-  const auto mentions_all = [&](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
-    for (const std::string& word : words) {
-      BOOST_TEST(message.find(word) != std::string::npos, "no \"" << word << "\" in: " << message);
-    }
-    return true;
-  };
-  BOOST_CHECK_EXCEPTION(Solved{scene}, NumericsRefused, mentions_all);
-}
-
 Scene pair(double gap, int n_nodes, double tolerance = 1e-8) {
   Scene result = scene(
       {body(Circle{1.0}, n_nodes, -1.0 - 0.5 * gap), body(Circle{1.0}, n_nodes, 1.0 + 0.5 * gap)},

@@ -78,6 +78,18 @@ struct Solved {
   }
 };
 
+/// Solves, and checks that the refusal mentions all words.
+inline void check_refused(const Scene& scene, const std::vector<std::string>& words) {
+  const auto mentions_all = [&](const NumericsRefused& refusal) {
+    const std::string message = refusal.what();
+    for (const std::string& word : words) {
+      BOOST_TEST(message.find(word) != std::string::npos, "no \"" << word << "\" in: " << message);
+    }
+    return true;
+  };
+  BOOST_CHECK_EXCEPTION(Solved{scene}, NumericsRefused, mentions_all);
+}
+
 /// Gives every component as many nodes as its shape and the gaps ask for, and a few more for
 /// densities.
 inline Scene resolved(Scene scene) {

@@ -6,6 +6,7 @@
 
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/grading.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -91,6 +92,17 @@ BOOST_AUTO_TEST_CASE(resampling_to_as_many_nodes_is_the_identity) {
     const ComplexVector values = random_vector(n, 7);
     BOOST_TEST(largest(resample(values, n) - values) < 1e-14);
   }
+}
+
+BOOST_AUTO_TEST_CASE(curves_keep_their_parameter) {
+  const Shape shape = Ellipse{2.0, 1.0};
+  const Grading grading{{{0.7, 0.5}}, 1.0};
+  const Curve fine = resample(sample(shape, 96, Side::fluid_inside, grading), 160);
+  const Curve exact = sample(shape, 160, Side::fluid_inside, grading);
+  BOOST_TEST(largest(fine.x - exact.x) < 1e-12);
+  BOOST_TEST(largest(fine.dx - exact.dx) < 1e-12);
+  BOOST_TEST(largest(fine.ddx - exact.ddx) < 1e-12);
+  BOOST_TEST((fine.side == Side::fluid_inside));
 }
 
 BOOST_AUTO_TEST_CASE(weights_of_the_interpolant) {

@@ -7,10 +7,13 @@
 #include "double_layer/kernels.hpp"
 #include "study/study.hpp"
 #include "support/over_nodes.hpp"
+#include "support/plain_rule.hpp"
 #include "support/vectors.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook::verification::double_layer {
+
+using test::plain_rule;
 
 /// @name Experiments of the study
 /// @{
@@ -49,21 +52,6 @@ inline ComplexVector points_at(const Ellipse& ellipse, double height) {
 /// ellipse on itself is singular, since x(t) = x(s) also where e^{i (t + s)} = m.
 inline double kernel_distance(const Ellipse& ellipse) {
   return std::log((ellipse.a + ellipse.b) / (ellipse.a - ellipse.b));
-}
-
-/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
-/// has.
-inline ComplexVector plain_rule(const Curve& curve, const ComplexVector& density,
-                                const ComplexVector& targets) {
-  const Eigen::VectorXd w = weights(curve);
-  const ComplexVector normal = normals(curve);
-  return targets.unaryExpr([&](Complex target) {
-    Complex velocity{};
-    for (Eigen::Index j = 0; j < curve.size(); ++j) {
-      velocity += w[j] * stresslet(target - curve.x[j], normal[j], density[j]);
-    }
-    return velocity;
-  });
 }
 
 /// A planted defect: the matrix with the curvature's other sign on its diagonal.

@@ -51,18 +51,6 @@ std::vector<Curve> curves_of(const std::vector<PlacedBody>& bodies, Index nodes)
   return curves;
 }
 
-ComplexVector nodes_of(const std::vector<Curve>& curves) {
-  Index n = 0;
-  for (const Curve& curve : curves) n += curve.size();
-  ComplexVector nodes(n);
-  Index first = 0;
-  for (const Curve& curve : curves) {
-    nodes.segment(first, curve.size()) = curve.x;
-    first += curve.size();
-  }
-  return nodes;
-}
-
 }  // namespace
 
 Component alone(const Shape& shape, Index nodes) {
@@ -72,7 +60,7 @@ Component alone(const Shape& shape, Index nodes) {
 StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Index nodes, const Flow& flow) {
   const std::vector<Curve> curves = curves_of(bodies, nodes);
   StokesProblem problem;
-  problem.background = nodes_of(curves).unaryExpr(flow);
+  problem.background = all_nodes(curves).unaryExpr(flow);
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     problem.components.push_back(
         {ComponentKind::free_body, curves[k], bodies[k].position, {}, 0.0, {}});
@@ -81,7 +69,9 @@ StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Index nodes, con
 }
 
 NearCorrection near_correction(const std::vector<PlacedBody>& bodies, Index nodes) {
-  return {placed_curves(bodies, nodes), nodes_of(curves_of(bodies, nodes)), Targets::own_nodes,
+  return {placed_curves(bodies, nodes),
+          all_nodes(curves_of(bodies, nodes)),
+          Targets::own_nodes,
           {near_tolerance}};
 }
 

@@ -5,6 +5,7 @@
 #include "experiments.hpp"
 #include "near_singular/near_correction.hpp"
 #include "set_ups.hpp"
+#include "support/plain_rule.hpp"
 
 namespace stokesbook::verification::near_singular {
 
@@ -24,7 +25,7 @@ class Pair {
   }
 
   const std::vector<Curve>& curves() const { return curves_; }
-  const ComplexVector& nodes() const { return nodes_; }
+  ComplexVector nodes() const { return all_nodes(curves_); }
   const ComplexVector& density() const { return density_; }
   Complex frame(std::size_t k) const { return std::polar(1.0, orientations_[k]); }
   Complex centre(std::size_t k) const { return centres_[k]; }
@@ -51,7 +52,7 @@ class Pair {
   /// Largest error of a sum at the nodes, principal values on the bodies themselves left out,
   /// relative to the flow.
   double error(const ComplexVector& sum) const {
-    const ComplexVector exact = flow_.velocity(nodes_);
+    const ComplexVector exact = flow_.velocity(nodes());
     ComplexVector velocity = sum - 0.5 * density_;
     velocity.head(96) += diagonal_velocity(curves_[0], density_.head(96));
     velocity.tail(64) += diagonal_velocity(curves_[1], density_.tail(64));
@@ -69,20 +70,16 @@ class Pair {
     curves_.push_back(place(reference, centre, orientation));
     const test::Pole pole{centre + 0.1 * Complex{0.6, -0.3}, {0.2, -0.1}, 0.3};
     flow_.poles.push_back(pole);
-    const ComplexVector& x = curves_.back().x;
-    const ComplexVector density =
-        test::density_of(curves_.back(), test::ExactFlow{{pole}}.velocity(x));
-    nodes_.conservativeResize(nodes_.size() + n);
-    nodes_.tail(n) = x;
+    const Curve& curve = curves_.back();
     density_.conservativeResize(density_.size() + n);
-    density_.tail(n) = density;
+    density_.tail(n) = test::density_of(curve, test::ExactFlow{{pole}}.velocity(curve.x));
   }
 
   std::vector<std::shared_ptr<const CauchyCurve>> schemes_;
   std::vector<Complex> centres_;
   std::vector<double> orientations_;
   std::vector<Curve> curves_;
-  ComplexVector nodes_, density_;
+  ComplexVector density_;
   test::ExactFlow flow_;
 };
 
@@ -120,9 +117,9 @@ ComplexVector unbounded(const Pair& pair) {
     const CauchyCurve cauchy(reference);
     const ComplexVector correction =
         cauchy.velocity(cauchy.data(pair.local_density(source)), 0, local) -
-        naive_rule(reference, pair.local_density(source), local);
+        test::plain_rule(reference, pair.local_density(source), local);
     velocity.segment(target == 0 ? 0 : 96, x.size()) +=
-        naive_rule(pair.curves()[source], density, x) -
+        test::plain_rule(pair.curves()[source], density, x) -
         StressletSum({pair.curves()[source]})(x, density) + pair.frame(source) * correction;
   }
   return velocity;

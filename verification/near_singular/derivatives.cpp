@@ -3,6 +3,7 @@
 
 #include "experiments.hpp"
 #include "set_ups.hpp"
+#include "support/exact_derivatives.hpp"
 
 namespace stokesbook::verification::near_singular {
 
@@ -34,25 +35,6 @@ void other_sign(const Solved&, Data& data) {
   data.dphi = -data.dphi;
 }
 
-/// Largest error of pressure, vorticity and strain, relative to the largest strain. The pressure of
-/// a container is known up to a constant: the first point's is the datum.
-double error_at(const Solved& solved, const std::vector<FlowDerivatives>& found,
-                const ComplexVector& points) {
-  const test::ExactFlow& flow = solved.set_up.flow;
-  const double datum = solved.set_up.side == Side::fluid_inside
-                           ? found.front().pressure - flow.pressure(points[0])
-                           : 0.0;
-  double error = 0.0, size = 0.0;
-  for (Index i = 0; i < points.size(); ++i) {
-    const FlowDerivatives& at = found[static_cast<std::size_t>(i)];
-    error = std::max({error, std::abs(at.pressure - datum - flow.pressure(points[i])),
-                      std::abs(at.vorticity - flow.vorticity(points[i])),
-                      std::abs(at.strain - flow.strain(points[i]))});
-    size = std::max(size, std::abs(flow.strain(points[i])));
-  }
-  return error / size;
-}
-
 Measure errors_of(const SetUp& set_up, Defect defect) {
   return [=](Size size) {
     const Solved solved(set_up);
@@ -67,8 +49,9 @@ Measure errors_of(const SetUp& set_up, Defect defect) {
     std::vector<Measurement> measurements;
     for (const double d : distances) {
       const ComplexVector points = solved.points_at(d);
-      measurements.push_back(
-          {.x = d, .error = error_at(solved, cauchy.derivatives(data, 0, points), points)});
+      measurements.push_back({.x = d,
+                              .error = test::derivative_error(cauchy.derivatives(data, 0, points),
+                                                              set_up.flow, points, set_up.side)});
     }
     return measurements;
   };

@@ -1,12 +1,12 @@
 // What the schemes are told about distances: preimages of targets, and gaps between curves.
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include "experiments.hpp"
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_test.hpp"
 #include "set_ups.hpp"
+#include "support/smooth_curve.hpp"
 
 namespace stokesbook::verification::near_singular {
 
@@ -48,12 +48,6 @@ Measure over_distance(Preimage find) {
   };
 }
 
-SmoothCurve circle(double radius, Index n, Complex centre, double orientation) {
-  const Curve reference = sample(Circle{radius}, n, Side::fluid_outside);
-  return {place(reference, centre, orientation),
-          std::make_shared<const TrigonometricPolynomial>(reference.x), centre, orientation};
-}
-
 using Gap = double (*)(const SmoothCurve&, const SmoothCurve&);
 
 double least_gap(const SmoothCurve& a, const SmoothCurve& b) {
@@ -75,9 +69,10 @@ Measure over_gaps(Gap measured) {
       double error = 0.0;
       for (const Complex direction : test::random_vector(20, 4)) {
         const Complex centre{0.3, -0.2};
-        const SmoothCurve a = circle(1.0, 64, centre, 3.0 * direction.real()),
-                          b = circle(0.5, 48, centre + std::polar(1.5 + gap, std::arg(direction)),
-                                     3.0 * direction.imag());
+        const SmoothCurve a = test::smooth_body(Circle{1.0}, 64, centre, 3.0 * direction.real()),
+                          b = test::smooth_body(Circle{0.5}, 48,
+                                                centre + std::polar(1.5 + gap, std::arg(direction)),
+                                                3.0 * direction.imag());
         error = std::max(error, std::abs(measured(a, b) - gap));
       }
       measurements.push_back({.x = gap, .error = error});

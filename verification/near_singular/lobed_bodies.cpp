@@ -1,6 +1,5 @@
 // Eight lobed bodies in shear: what the scheme between bodies does to their motions.
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <tuple>
 
@@ -9,6 +8,7 @@
 #include "krylov/gmres.hpp"
 #include "near_singular/near_correction.hpp"
 #include "set_ups.hpp"
+#include "support/once.hpp"
 
 namespace stokesbook::verification::near_singular {
 
@@ -57,13 +57,13 @@ class Row {
     sum_ = std::make_unique<StressletSum>(curves_);
     if (between == Between::plain) return;
     factor_ = between == Between::twice ? 2.0 : 1.0;
-    near_ =
-        std::make_unique<NearCorrection>(placed, nodes(), Targets::own_nodes, NearSettings{1e-8});
+    near_ = std::make_unique<NearCorrection>(placed, all_nodes(curves_), Targets::own_nodes,
+                                             NearSettings{1e-8});
   }
 
   /// Solves (-1/2 + D - P) eta = -u, P eta the mean rigid motion: the velocity on a body is P eta.
   Motions motions() const {
-    const ComplexVector flow = nodes().imag().cast<Complex>();
+    const ComplexVector flow = all_nodes(curves_).imag().cast<Complex>();
     const auto map = [this](const Eigen::VectorXd& v) -> Eigen::VectorXd {
       const ComplexVector density = deinterleaved(v);
       return interleaved(apply(density)).eval();
@@ -74,11 +74,6 @@ class Row {
   }
 
  private:
-  ComplexVector nodes() const {
-    ComplexVector x(n_ * std::ssize(curves_));
-    for (Index k = 0; k < std::ssize(curves_); ++k) x.segment(n_ * k, n_) = curve(k).x;
-    return x;
-  }
   const Curve& curve(Index k) const { return curves_[static_cast<std::size_t>(k)]; }
   ComplexVector arms(Index k) const {
     return (curve(k).x.array() - boundary_centroid(curve(k))).matrix();
@@ -117,10 +112,8 @@ class Row {
 
 /// Solved once for all lines.
 const Motions& motions_of(Index n, double spacing, Between between) {
-  static std::map<std::tuple<Index, double, Between>, Motions> known;
-  const auto [entry, is_new] = known.try_emplace({n, spacing, between});
-  if (is_new) entry->second = Row(n, spacing, between).motions();
-  return entry->second;
+  static test::Once<std::tuple<Index, double, Between>, Motions> solved;
+  return solved({n, spacing, between}, [&] { return Row(n, spacing, between).motions(); });
 }
 
 /// Largest error of a motion, beside twice as many nodes with Cauchy integrals between bodies.

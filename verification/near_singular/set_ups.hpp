@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "double_layer/kernels.hpp"
 #include "near_singular/cauchy.hpp"
 #include "support/dirichlet.hpp"
 #include "support/exact_flows.hpp"
@@ -15,6 +14,9 @@
 
 namespace stokesbook::verification::near_singular {
 
+using test::inner_poles;
+using test::outer_poles;
+
 /// A curve, and an exact flow whose density on it n nodes resolve to rounding.
 struct SetUp {
   Shape shape;
@@ -22,12 +24,6 @@ struct SetUp {
   Eigen::Index n;
   test::ExactFlow flow;
 };
-
-/// Flows with poles within a body, and outside a container.
-inline const test::ExactFlow inner_poles{
-    {{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
-inline const test::ExactFlow outer_poles{
-    {{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
 
 inline const SetUp ellipse{Ellipse{1.0, 0.5}, Side::fluid_outside, 128, inner_poles};
 inline const SetUp star{Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles};
@@ -82,21 +78,6 @@ struct Solved {
 inline const Solved& solved_ellipse() {
   static const Solved solved(ellipse);
   return solved;
-}
-
-/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
-/// has.
-inline ComplexVector naive_rule(const Curve& curve, const ComplexVector& density,
-                                const ComplexVector& targets) {
-  const Eigen::VectorXd w = weights(curve);
-  const ComplexVector normal = normals(curve);
-  return targets.unaryExpr([&](Complex target) {
-    Complex velocity{};
-    for (Eigen::Index j = 0; j < curve.size(); ++j) {
-      velocity += w[j] * stresslet(target - curve.x[j], normal[j], density[j]);
-    }
-    return velocity;
-  });
 }
 
 /// What the sum W of the barycentric weights is divided by.

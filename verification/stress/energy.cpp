@@ -1,7 +1,6 @@
 // Tractions integrate to loads, and the power of the boundary is what the fluid dissipates.
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "experiments.hpp"
 #include "stress/dissipation.hpp"
@@ -19,10 +18,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double viscosity = 1.3;
-
-double total(const std::vector<double>& terms) {
-  return std::accumulate(terms.begin(), terms.end(), 0.0);
-}
 
 using Traction = ComplexVector (*)(const StokesProblem&, const std::vector<FlowDerivatives>&);
 
@@ -63,13 +58,7 @@ Measure load_errors(StokesProblem (*problem)(double), Traction traction) {
     static Once<std::pair<StokesProblem (*)(double), double>, SolvedFlow> solved;
     const SolvedFlow& flow = solved({problem, gap}, [&] { return test::solve_flow(problem(gap)); });
     const std::vector<Load> found = integrated_loads(flow.problem(), traction_of(flow, traction));
-    double error = 0.0, scale = 0.0;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      const Load& expected = flow.completion().loads[k];
-      error = std::max(error, test::distance(found[k], expected));
-      scale = std::max({scale, std::abs(expected.force), std::abs(expected.torque)});
-    }
-    return error / scale;
+    return test::relative_distance(found, flow.completion().loads);
   });
 }
 
@@ -174,12 +163,6 @@ Measure power_differences(const Power& power) {
     const SolvedFlow& flow = solved_annulus(gap, 160);
     return std::abs(power(flow) / total(power_of_loads(flow)) - 1.0);
   });
-}
-
-std::vector<Curve> curves_of(const StokesProblem& problem) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  return curves;
 }
 
 /// A quadrature over the fluid and the flow's derivatives at its points.

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cmath>
-#include <map>
+#include <numeric>
 #include <vector>
 
 #include "study/study.hpp"
-#include "support/exact_flows.hpp"
+#include "support/exact_derivatives.hpp"
+#include "support/once.hpp"
 #include "support/over_nodes.hpp"
 #include "support/solved_flow.hpp"
 
 namespace stokesbook::verification::stress {
+
+using test::linear_velocity;
+using test::Once;
 
 /// @name Experiments of the study
 /// @{
@@ -39,28 +43,9 @@ study::Measure over(const std::vector<double>& points, const Number& number) {
   };
 }
 
-/// Makes a value once for each key: lines and controls share what is dear.
-template <class Key, class Value>
-class Once {
- public:
-  template <class Make>
-  const Value& operator()(const Key& key, const Make& make) {
-    const auto found = values_.find(key);
-    return found != values_.end() ? found->second : values_.emplace(key, make()).first->second;
-  }
-
- private:
-  std::map<Key, Value> values_;
-};
-
-/// Pressure over viscosity, vorticity and strain of an exact flow of viscosity 1.
-inline FlowDerivatives derivatives_of(const test::ExactFlow& flow, Complex z) {
-  return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
-}
-
-/// The linear flow with vorticity w and strain q, at rest at the origin.
-inline ComplexVector linear_velocity(const FlowDerivatives& linear, const ComplexVector& z) {
-  return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
+/// The sum of what all components contribute.
+inline double total(const std::vector<double>& terms) {
+  return std::accumulate(terms.begin(), terms.end(), 0.0);
 }
 
 /// Point of an ellipse's inside whose preimage under z = (a + b) / 2 (w + m / w), m = (a - b) /

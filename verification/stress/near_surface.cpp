@@ -1,7 +1,6 @@
 // Derivatives at any distance from the surface: by Cauchy integrals, by the trapezoid rule, and by
 // differences of velocities.
 #include <algorithm>
-#include <map>
 #include <numbers>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -15,6 +14,8 @@ namespace stokesbook::verification::stress {
 using namespace study;
 using Eigen::Index;
 using test::ExactFlow;
+using test::inner_poles;
+using test::outer_poles;
 
 namespace {
 
@@ -28,8 +29,6 @@ struct Case {
   ExactFlow flow;
 };
 
-const ExactFlow inner_poles{{{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
-const ExactFlow outer_poles{{{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
 const Case ellipse_128{Ellipse{1.0, 0.5}, Side::fluid_outside, 128, inner_poles};
 const Case star_400{Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles};
 const Case container_96{Circle{1.0}, Side::fluid_inside, 96, outer_poles};
@@ -97,7 +96,7 @@ double error_at(const Case& c, const Solved& solved, double distance, Method met
   const double datum = found[0].pressure - c.flow.pressure(targets[0]);
   for (Index i = 0; i < targets.size(); ++i) {
     const FlowDerivatives& at = found[static_cast<std::size_t>(i)];
-    const FlowDerivatives exact = derivatives_of(c.flow, targets[i]);
+    const FlowDerivatives exact = test::derivatives_of(c.flow, targets[i]);
     error = std::max(
         {error, std::abs(at.strain - exact.strain), std::abs(at.vorticity - exact.vorticity)});
     if (with_pressure) error = std::max(error, std::abs(at.pressure - exact.pressure - datum));

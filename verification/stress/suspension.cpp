@@ -2,7 +2,6 @@
 // effective viscosity.
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include "experiments.hpp"
 #include "stress/dissipation.hpp"
@@ -38,9 +37,7 @@ const SolvedFlow& disk(double fraction) {
 
 /// Dissipation over that of the fluid alone, mu |q|^2 pi.
 double relative_power(const SolvedFlow& flow) {
-  const std::vector<double> powers = power_of_loads(flow);
-  return std::accumulate(powers.begin(), powers.end(), 0.0) /
-         (dissipation_density(strained, viscosity) * pi);
+  return total(power_of_loads(flow)) / (dissipation_density(strained, viscosity) * pi);
 }
 
 /// Stresslet of all free bodies.
@@ -89,8 +86,7 @@ Measure excess_differences(double factor_of_stresslets) {
     const SolvedFlow& flow = solved(factor, [&] { return in_container(odd_bodies(factor)); });
     const ComplexVector traction =
         boundary_traction(flow.problem(), flow.derivatives(flow.nodes()));
-    const std::vector<double> powers = boundary_power(flow, traction);
-    const double power = std::accumulate(powers.begin(), powers.end(), 0.0);
+    const double power = total(boundary_power(flow, traction));
     const double excess = power / (dissipation_density(strained, viscosity) * pi) - 1.0;
     return std::abs(factor_of_stresslets * excess_by_stresslets(flow) / excess - 1.0);
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "closure/closure.hpp"
 
@@ -16,6 +17,17 @@ inline double distance(const RigidMotion& p, const RigidMotion& q, double length
 /// centre.
 inline double distance(const Load& p, const Load& q, double length = 1.0) {
   return std::max(std::abs(p.force - q.force), std::abs(p.torque - q.torque) / length);
+}
+
+/// Largest difference of loads, relative to the largest that is expected.
+inline double relative_distance(const std::vector<Load>& found, const std::vector<Load>& expected,
+                                double length = 1.0) {
+  double error = 0.0, scale = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    error = std::max(error, distance(found[k], expected[k], length));
+    scale = std::max(scale, distance(expected[k], Load{}, length));
+  }
+  return error / scale;
 }
 
 }  // namespace stokesbook::test

@@ -68,4 +68,10 @@ struct ExactFlow {
   }
 };
 
+/// Flows with poles in a body and outside a container, of sizes about 1.
+inline const ExactFlow inner_poles{
+    {{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
+inline const ExactFlow outer_poles{
+    {{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.5}, {0.1, 0.8}, -0.1}}, 0.7};
+
 }  // namespace stokesbook::test

@@ -38,12 +38,7 @@ inline Component held_body(const Shape& shape, Eigen::Index n, const Pose& pose,
 }
 
 inline ComplexVector all_nodes(const StokesProblem& problem) {
-  const std::vector<Eigen::Index> offsets = node_offsets(problem);
-  ComplexVector nodes(offsets.back());
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    nodes.segment(offsets[k], problem.components[k].curve.size()) = problem.components[k].curve.x;
-  }
-  return nodes;
+  return stokesbook::all_nodes(curves_of(problem));
 }
 
 inline Eigen::VectorXd solve(const DenseSystem& system) {

@@ -14,9 +14,7 @@ inline void add_near_correction(DenseSystem& system, const StokesProblem& proble
   const std::vector<Eigen::Index> offsets = node_offsets(problem);
   const std::vector<NearTargets> near =
       find_near_targets(placed, all_nodes(problem), Targets::own_nodes, 1e-14);
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  const Eigen::MatrixXd trapezoid = double_layer_matrix(curves);
+  const Eigen::MatrixXd trapezoid = double_layer_matrix(curves_of(problem));
   for (std::size_t k = 0; k < placed.size(); ++k) {
     const Curve& curve = placed[k].curve();
     const auto& cauchy = *std::get<std::shared_ptr<const CauchyCurve>>(placed[k].scheme);

@@ -5,9 +5,8 @@
 #include <numbers>
 
 #include "double_layer/double_layer.hpp"
+#include "support/smooth_curve.hpp"
 #include "suspension/gaps.hpp"
-#include "suspension/reference.hpp"
-#include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -36,9 +35,7 @@ Shape random_shape(std::mt19937_64& random) {
 }
 
 SmoothCurve curve_of(const Body& body) {
-  const Curve reference = sample(body.shape, 64, Side::fluid_outside);
-  return {place(reference, body.position, body.orientation),
-          std::make_shared<TrigonometricPolynomial>(reference.x), body.position, body.orientation};
+  return test::smooth_body(body.shape, 64, body.position, body.orientation);
 }
 
 // Moves a body along a ray from the origin until it is a gap away from the others.

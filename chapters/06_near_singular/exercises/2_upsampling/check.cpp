@@ -29,7 +29,7 @@ namespace {
 
 const Ellipse ellipse{1.0, 0.5};
 constexpr Index nodes = 96;
-const test::ExactFlow flow{{{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
+const test::ExactFlow& flow = test::inner_poles;
 
 struct Body {
   Curve curve = sample(ellipse, nodes, Side::fluid_outside);

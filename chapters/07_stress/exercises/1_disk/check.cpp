@@ -5,7 +5,7 @@
 
 #include "stress/stresslet.hpp"
 #include "stress/traction.hpp"
-#include "support/exact_flows.hpp"
+#include "support/exact_derivatives.hpp"
 #include "support/solved_flow.hpp"
 
 using namespace stokesbook;
@@ -35,7 +35,7 @@ void check_derivatives(Complex z) {
   const Complex dphi = -a / (r * r), ddphi = 2.0 * a / (r * r * r);
   // u = a/r + r conj(a/r^2) + m/conj(r), hence psi = conj(z_0) a/r^2 - m/r.
   const Complex dpsi = -2.0 * std::conj(pole.at) * a / (r * r * r) + pole.source / (r * r);
-  const FlowDerivatives exact{flow.pressure(z), flow.vorticity(z), flow.strain(z)};
+  const FlowDerivatives exact = test::derivatives_of(flow, z);
   FlowDerivatives conjugate = exact, sign = exact, half = exact;
   conjugate.strain = std::conj(exact.strain);
   sign.pressure *= -1.0;

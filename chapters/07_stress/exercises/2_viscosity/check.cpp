@@ -2,13 +2,13 @@
 #include "chapters/check.hpp"
 
 #include <fstream>
-#include <map>
 #include <numbers>
 
 #include "closure/bordered_system.hpp"
 #include "double_layer/double_layer.hpp"
 #include "stress/stresslet.hpp"
 #include "study/plot.hpp"
+#include "support/once.hpp"
 #include "support/problems.hpp"
 
 using namespace stokesbook;
@@ -24,15 +24,14 @@ double random_mean(double aspect);
 Complex stresslet(double aspect, double angle) {
   const Eigen::Index nodes = 160;  // an ellipse 8:1 to 1e-15
   StokesProblem problem{{test::free_body(Ellipse{aspect, 1.0}, nodes, {})}, 1.0, {}, {}};
-  static std::map<double, Eigen::MatrixXd> inverses;
-  if (!inverses.contains(aspect)) {
-    inverses[aspect] = test::inverse(assemble(problem, ClosureForm::reduced).matrix);
-  }
+  static test::Once<double, Eigen::MatrixXd> inverses;
+  const Eigen::MatrixXd& inverse = inverses(
+      aspect, [&] { return test::inverse(assemble(problem, ClosureForm::reduced).matrix); });
   const Complex turn = std::polar(1.0, 2.0 * angle);
   const Curve& curve = problem.components[0].curve;
   problem.background = 0.5 * (imaginary / turn * curve.x.conjugate() - imaginary * curve.x);
   const ComplexVector rhs = Closure(problem).right_hand_side();
-  const Eigen::VectorXd density = inverses[aspect] * interleaved(rhs);
+  const Eigen::VectorXd density = inverse * interleaved(rhs);
   return turn * body_stresslet(curve, deinterleaved(density), 1.0);
 }
 

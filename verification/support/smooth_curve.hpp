@@ -6,12 +6,15 @@
 
 namespace stokesbook::test {
 
-/// A shape with its nodes and interpolant, placed in the plane.
-inline SmoothCurve smooth_curve(const Shape& shape, Eigen::Index n, Side side, Complex position,
-                                double orientation) {
-  const Curve reference = sample(shape, n, side);
+/// Nodes in their own frame with their interpolant, placed in the plane.
+inline SmoothCurve smooth_curve(const Curve& reference, Complex position, double orientation) {
   return {place(reference, position, orientation),
           std::make_shared<TrigonometricPolynomial>(reference.x), position, orientation};
+}
+
+inline SmoothCurve smooth_curve(const Shape& shape, Eigen::Index n, Side side, Complex position,
+                                double orientation) {
+  return smooth_curve(sample(shape, n, side), position, orientation);
 }
 
 inline SmoothCurve smooth_body(const Shape& shape, Eigen::Index n, Complex position,

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "double_layer/flow_derivatives.hpp"
+#include "support/exact_flows.hpp"
+
+namespace stokesbook::test {
+
+/// Pressure over viscosity, vorticity and strain of an exact flow of viscosity 1.
+inline FlowDerivatives derivatives_of(const ExactFlow& flow, Complex z) {
+  return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
+}
+
+/// The linear flow with vorticity w and strain q, at rest at the origin.
+inline ComplexVector linear_velocity(const FlowDerivatives& linear, const ComplexVector& z) {
+  return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
+}
+
+/// Largest error of pressure, vorticity and strain at points, relative to the largest strain there.
+///
+/// The pressure inside an enclosing wall is known up to a constant: the first point's is the datum.
+inline double derivative_error(const std::vector<FlowDerivatives>& found, const ExactFlow& flow,
+                               const ComplexVector& points, Side side) {
+  const double datum =
+      side == Side::fluid_inside ? found.front().pressure - flow.pressure(points[0]) : 0.0;
+  double error = 0.0, size = 0.0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    const FlowDerivatives& at = found[static_cast<std::size_t>(i)];
+    const FlowDerivatives exact = derivatives_of(flow, points[i]);
+    error =
+        std::max({error, std::abs(at.pressure - datum - exact.pressure),
+                  std::abs(at.vorticity - exact.vorticity), std::abs(at.strain - exact.strain)});
+    size = std::max(size, std::abs(exact.strain));
+  }
+  return error / size;
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "double_layer/kernels.hpp"
+#include "trapezoid/curve.hpp"
+
+namespace stokesbook::test {
+
+/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
+/// has.
+inline ComplexVector plain_rule(const Curve& curve, const ComplexVector& density,
+                                const ComplexVector& targets) {
+  const Eigen::VectorXd w = weights(curve);
+  const ComplexVector normal = normals(curve);
+  return targets.unaryExpr([&](Complex target) {
+    Complex velocity{};
+    for (Eigen::Index j = 0; j < curve.size(); ++j) {
+      velocity += w[j] * stresslet(target - curve.x[j], normal[j], density[j]);
+    }
+    return velocity;
+  });
+}
+
+}  // namespace stokesbook::test
