@@ -20,32 +20,8 @@ Index direct_pairs(int order) {
   return order * order / 2;
 }
 
-// Boxes of points as large as those of the targets, among which they are spread.
-Index point_leaf_size(Index leaf_size, Index points, Index targets) {
-  return std::clamp<Index>(leaf_size * points / std::max<Index>(targets, 1), 1, leaf_size);
-}
-
 Index box_count(const Quadtree& tree) {
   return static_cast<Index>(tree.boxes().size());
-}
-
-// A target at a point force has no velocity.
-void check_distances(const Quadtree& targets, const Quadtree& points, const Lists<Range>& near) {
-  for (Index b = 0; b < box_count(targets); ++b) {
-    const Box& box = targets.boxes()[static_cast<std::size_t>(b)];
-    for (const Range range : near.of(b)) {
-      for (Index j = range.first; j < range.last; ++j) {
-        for (Index i = box.first; i < box.last; ++i) {
-          if (targets.x()[i] != points.x()[j] || targets.y()[i] != points.y()[j]) continue;
-          std::ostringstream message;
-          message << "target " << targets.order()[static_cast<std::size_t>(i)]
-                  << " of an FMM is at point " << points.order()[static_cast<std::size_t>(j)]
-                  << ", (" << points.x()[j] << ", " << points.y()[j] << ")";
-          throw std::invalid_argument(message.str());
-        }
-      }
-    }
-  }
 }
 
 // Points of a tree from the first on, and the last one again where they do not fill the group.
@@ -70,46 +46,6 @@ void add_velocities(const PointForce& point, Index count, const VectorGroup& tar
   }
 }
 
-// Adds the outgoing expansions of a tree's boxes, from the leaves up.
-template <class AddLeaf>
-void sum_outgoing(const Quadtree& tree, const Translations& translations, Index fields,
-                  const AddLeaf& add_leaf, Expansions& outgoing) {
-  const std::vector<Box>& boxes = tree.boxes();
-  const std::vector<Index>& levels = tree.levels();
-  for (std::size_t level = levels.size() - 1; level-- > 0;) {
-#pragma omp parallel for schedule(dynamic, 8)
-    for (Index b = levels[level]; b < levels[level + 1]; ++b) {
-      const Box& box = boxes[static_cast<std::size_t>(b)];
-      outgoing.clear(b);
-      for (Index field = 0; field < fields; ++field) {
-        auto sum = outgoing(b, field);
-        if (box.is_leaf()) add_leaf(box, field, sum);
-        for (Index c = box.first_child; c < box.last_child; ++c) {
-          translations.outgoing(boxes[static_cast<std::size_t>(c)],
-                                std::as_const(outgoing)(c, field), box, sum);
-        }
-      }
-    }
-  }
-}
-
-// Adds the incoming expansions of the parents, from the root down.
-void pass_incoming(const Quadtree& tree, const Translations& translations, Index fields,
-                   Expansions& incoming) {
-  const std::vector<Box>& boxes = tree.boxes();
-  const std::vector<Index>& levels = tree.levels();
-  for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
-#pragma omp parallel for schedule(dynamic, 8)
-    for (Index b = levels[level]; b < levels[level + 1]; ++b) {
-      const Box& box = boxes[static_cast<std::size_t>(b)];
-      for (Index field = 0; field < fields; ++field) {
-        translations.incoming(boxes[static_cast<std::size_t>(box.parent)],
-                              std::as_const(incoming)(box.parent, field), box, incoming(b, field));
-      }
-    }
-  }
-}
-
 // Calls work(first field, how many as a constant) for four, two or one of them at a time.
 template <class Work>
 void in_blocks(Index fields, const Work& work) {
@@ -122,22 +58,21 @@ void in_blocks(Index fields, const Work& work) {
 }  // namespace
 
 FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
-    : ex_(plan.nodes().size(), fields),
-      ey_(plan.nodes().size(), fields),
-      points_(static_cast<std::size_t>(plan.points().size() * fields)),
-      from_nodes_(box_count(plan.nodes()), fields, plan.order()),
-      from_points_(box_count(plan.points()), fields, plan.order()),
-      incoming_(box_count(plan.targets()), fields, plan.order()),
-      velocity_(plan.targets().size(), fields) {}
+    : ex_(plan.sources().size(), fields),
+      ey_(plan.sources().size(), fields),
+      points_(static_cast<std::size_t>(plan.point_count_ * fields)),
+      outgoing_(box_count(plan.sources()), fields, plan.translations_.order()),
+      incoming_(box_count(plan.targets()), fields, plan.translations_.order()),
+      velocity_(plan.target_count_, fields) {}
 
-// The curves' nodes after each other.
-struct Fmm::Nodes {
-  explicit Nodes(const std::vector<Curve>& curves) {
-    Index n = 0;
-    for (const Curve& curve : curves) n += curve.size();
-    x.resize(n);
-    normal.resize(n);
-    half_weight.resize(n);
+// The curves' nodes after each other, then the points.
+struct Fmm::Sources {
+  Sources(const std::vector<Curve>& curves, const ComplexVector& points) {
+    for (const Curve& curve : curves) node_count += curve.size();
+    const Index count = node_count + points.size();
+    x.resize(count);
+    normal = ComplexVector::Zero(count);
+    half_weight = Eigen::VectorXd::Zero(count);
     Index first = 0;
     for (const Curve& curve : curves) {
       x.segment(first, curve.size()) = curve.x;
@@ -145,40 +80,69 @@ struct Fmm::Nodes {
       half_weight.segment(first, curve.size()) = 0.5 * weights(curve);
       first += curve.size();
     }
+    x.tail(points.size()) = points;
   }
 
+  Index node_count = 0;
   ComplexVector x, normal;
   Eigen::VectorXd half_weight;
 };
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings)
-    : Fmm(Nodes(curves), points, nullptr, settings) {}
+    : Fmm(settings, Sources(curves, points), nullptr) {}
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points,
          const ComplexVector& targets, const FmmSettings& settings)
-    : Fmm(Nodes(curves), points, &targets, settings) {}
+    : Fmm(settings, Sources(curves, points), &targets) {}
 
-Fmm::Fmm(const Nodes& nodes, const ComplexVector& points, const ComplexVector* targets,
-         const FmmSettings& settings)
+Fmm::Fmm(const FmmSettings& settings, const Sources& sources, const ComplexVector* targets)
     : translations_(settings.order),
-      nodes_(nodes.x, nodes.half_weight, settings.leaf_size),
-      points_(points, {},
-              point_leaf_size(settings.leaf_size, points.size(),
-                              targets != nullptr ? targets->size() : nodes.x.size())),
-      nx_(nodes.x.size()),
-      ny_(nodes.x.size()),
-      least2_(nodes.x.size()) {
+      node_count_(sources.node_count),
+      point_count_(sources.x.size() - sources.node_count),
+      target_count_(targets != nullptr ? targets->size() : sources.node_count),
+      sources_(sources.x, sources.half_weight, settings.leaf_size),
+      nx_(sources.x.size()),
+      ny_(sources.x.size()),
+      least2_(sources.x.size()),
+      points_before_{0} {
   if (targets != nullptr) targets_.emplace(*targets, Eigen::VectorXd{}, settings.leaf_size);
-  node_interactions_ = find_interactions(this->targets(), nodes_, direct_pairs(settings.order));
-  point_interactions_ = find_interactions(this->targets(), points_, direct_pairs(settings.order));
-  check_distances(this->targets(), points_, point_interactions_.near);
-  for (Index i = 0; i < nodes_.size(); ++i) {
-    const Index node = nodes_.order()[static_cast<std::size_t>(i)];
-    const double half_weight = nodes.half_weight[node];
-    const Complex normal = 2.0 * half_weight * std::numbers::inv_pi * nodes.normal[node];
+  interactions_ = find_interactions(this->targets(), sources_, direct_pairs(settings.order));
+  for (Index i = 0; i < sources_.size(); ++i) {
+    const Index source = sources_.order()[static_cast<std::size_t>(i)];
+    const bool is_point = source >= node_count_;
+    const double half_weight = sources.half_weight[source];
+    const Complex normal = 2.0 * half_weight * std::numbers::inv_pi * sources.normal[source];
     nx_[i] = normal.real();
     ny_[i] = normal.imag();
-    least2_[i] = half_weight * half_weight;
+    least2_[i] = is_point ? 1.0 : half_weight * half_weight;  // nothing, wherever a target is
+    points_before_.push_back(points_before_.back() + (is_point ? 1 : 0));
+  }
+  check_distances();
+}
+
+// A target at a point force has no velocity.
+void Fmm::check_distances() const {
+  if (point_count_ == 0) return;
+  const Quadtree& tree = targets();
+  for (Index b = 0; b < box_count(tree); ++b) {
+    const Box& box = tree.boxes()[static_cast<std::size_t>(b)];
+    for (const Range range : interactions_.near.of(b)) {
+      for (Index j = range.first; j < range.last; ++j) {
+        const Index source = sources_.order()[static_cast<std::size_t>(j)];
+        if (source < node_count_) continue;
+        for (Index i = box.first; i < box.last; ++i) {
+          const Index target = tree.order()[static_cast<std::size_t>(i)];
+          if (target >= target_count_ || tree.x()[i] != sources_.x()[j] ||
+              tree.y()[i] != sources_.y()[j]) {
+            continue;
+          }
+          std::ostringstream message;
+          message << "target " << target << " of an FMM is at point " << source - node_count_
+                  << ", (" << tree.x()[i] << ", " << tree.y()[i] << ")";
+          throw std::invalid_argument(message.str());
+        }
+      }
+    }
   }
 }
 
@@ -195,15 +159,14 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
     return rows == count && columns == fields;
   };
   const bool without_points = strengths.force.rows() == 0 && strengths.torque.rows() == 0;
-  if (work.ex_.rows() == nodes_.size() && work.velocity_.rows() == targets().size() &&
-      fits(strengths.density.rows(), strengths.density.cols(), nodes_.size()) &&
-      (without_points ||
-       (fits(strengths.force.rows(), strengths.force.cols(), points_.size()) &&
-        fits(strengths.torque.rows(), strengths.torque.cols(), points_.size())))) {
+  if (work.ex_.rows() == sources_.size() && work.velocity_.rows() == target_count_ &&
+      fits(strengths.density.rows(), strengths.density.cols(), node_count_) &&
+      (without_points || (fits(strengths.force.rows(), strengths.force.cols(), point_count_) &&
+                          fits(strengths.torque.rows(), strengths.torque.cols(), point_count_)))) {
     return;
   }
   std::ostringstream message;
-  message << "an FMM of " << nodes_.size() << " nodes and " << points_.size()
+  message << "an FMM of " << node_count_ << " nodes and " << point_count_
           << " points, with a workspace for " << fields << " fields, got densities of size "
           << strengths.density.rows() << " x " << strengths.density.cols() << ", forces "
           << strengths.force.rows() << " x " << strengths.force.cols() << ", torques "
@@ -211,73 +174,98 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
   throw std::invalid_argument(message.str());
 }
 
-StressletBlock Fmm::block(Range nodes, Index field, const FmmWorkspace& work) const {
-  const Index first = nodes.first;
-  return {nodes_.x().data() + first,
-          nodes_.y().data() + first,
+StressletBlock Fmm::nodes(Range sources, Index field, const FmmWorkspace& work) const {
+  const Index first = sources.first;
+  return {sources_.x().data() + first,
+          sources_.y().data() + first,
           nx_.data() + first,
           ny_.data() + first,
           least2_.data() + first,
-          nodes.last - first,
+          sources.last - first,
           work.ex_.col(field).data() + first,
           work.ey_.col(field).data() + first,
           work.ex_.rows()};
 }
 
-std::span<const PointForce> FmmWorkspace::points(Range range, Index field) const {
-  const auto count = static_cast<Index>(points_.size()) / velocity_.cols();
-  const PointForce* const first = points_.data() + field * count;
-  return {first + range.first, first + range.last};
+std::span<const PointForce> Fmm::points(Range sources, Index field,
+                                        const FmmWorkspace& work) const {
+  const PointForce* const all = work.points_.data() + field * point_count_;
+  return {all + points_before_[static_cast<std::size_t>(sources.first)],
+          all + points_before_[static_cast<std::size_t>(sources.last)]};
 }
 
-void Fmm::sum_far(const FmmStrengths& strengths, FmmWorkspace& work) const {
+void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const {
   check(strengths, work);
-  const Index fields = work.velocity_.cols(), n = nodes_.size(), m = points_.size();
-#pragma omp parallel for schedule(static)
-  for (Index i = 0; i < n; ++i) {
-    const Index node = nodes_.order()[static_cast<std::size_t>(i)];
-    for (Index field = 0; field < fields; ++field) {
-      work.ex_(i, field) = strengths.density(node, field).real();
-      work.ey_(i, field) = strengths.density(node, field).imag();
-    }
-  }
   const bool without_points = strengths.force.rows() == 0;
-  for (Index i = 0; i < m; ++i) {
-    const Index point = points_.order()[static_cast<std::size_t>(i)];
-    for (Index field = 0; field < fields; ++field) {
-      work.points_[static_cast<std::size_t>(i + field * m)] = {
-          {points_.x()[i], points_.y()[i]},
-          without_points ? Complex{} : strengths.force(point, field),
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < sources_.size(); ++i) {
+    const Index source = sources_.order()[static_cast<std::size_t>(i)];
+    const Index point = source - node_count_;
+    for (Index field = 0; field < work.velocity_.cols(); ++field) {
+      const Complex density = point < 0 ? strengths.density(source, field) : 0.0;
+      work.ex_(i, field) = density.real();
+      work.ey_(i, field) = density.imag();
+      if (point < 0) continue;
+      const Index place = points_before_[static_cast<std::size_t>(i)] + field * point_count_;
+      work.points_[static_cast<std::size_t>(place)] = {
+          {sources_.x()[i], sources_.y()[i]},
+          without_points ? 0.0 : strengths.force(point, field),
           without_points ? 0.0 : strengths.torque(point, field)};
     }
   }
-  sum_outgoing(
-      nodes_, translations_, fields,
-      [&](const Box& box, Index field, Eigen::Ref<Expansion> sum) {
-        add_outgoing(box, block({box.first, box.last}, field, work), sum);
-      },
-      work.from_nodes_);
-  sum_outgoing(
-      points_, translations_, fields,
-      [&](const Box& box, Index field, Eigen::Ref<Expansion> sum) {
-        for (const PointForce& point : work.points({box.first, box.last}, field)) {
-          add_outgoing(box, point, sum);
-        }
-      },
-      work.from_points_);
-  const Index boxes = box_count(targets());
+}
+
+// From the leaves up.
+void Fmm::sum_outgoing(FmmWorkspace& work) const {
+  const std::vector<Box>& boxes = sources_.boxes();
+  const std::vector<Index>& levels = sources_.levels();
+  for (std::size_t level = levels.size() - 1; level-- > 0;) {
 #pragma omp parallel for schedule(dynamic, 8)
-  for (Index b = 0; b < boxes; ++b) {
-    const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
-    work.incoming_.clear(b);
-    for (Index field = 0; field < fields; ++field) {
-      translations_.convert(nodes_.boxes(), work.from_nodes_, node_interactions_.far.of(b), field,
-                            box, work.incoming_(b, field));
-      translations_.convert(points_.boxes(), work.from_points_, point_interactions_.far.of(b),
-                            field, box, work.incoming_(b, field));
+    for (Index b = levels[level]; b < levels[level + 1]; ++b) {
+      const Box& box = boxes[static_cast<std::size_t>(b)];
+      const Range sources{box.first, box.last};
+      work.outgoing_.clear(b);
+      for (Index field = 0; field < work.velocity_.cols(); ++field) {
+        auto sum = work.outgoing_(b, field);
+        if (box.is_leaf()) {
+          add_outgoing(box, nodes(sources, field, work), sum);
+          for (const PointForce& point : points(sources, field, work)) {
+            add_outgoing(box, point, sum);
+          }
+        }
+        for (Index c = box.first_child; c < box.last_child; ++c) {
+          translations_.outgoing(boxes[static_cast<std::size_t>(c)],
+                                 std::as_const(work.outgoing_)(c, field), box, sum);
+        }
+      }
     }
   }
-  pass_incoming(targets(), translations_, fields, work.incoming_);
+}
+
+// From the sources, then from the root down.
+void Fmm::sum_incoming(FmmWorkspace& work) const {
+  const std::vector<Box>& boxes = targets().boxes();
+  const std::vector<Index>& levels = targets().levels();
+  const Index fields = work.velocity_.cols();
+#pragma omp parallel for schedule(dynamic, 8)
+  for (Index b = 0; b < box_count(targets()); ++b) {
+    work.incoming_.clear(b);
+    for (Index field = 0; field < fields; ++field) {
+      translations_.convert(sources_.boxes(), work.outgoing_, interactions_.far.of(b), field,
+                            boxes[static_cast<std::size_t>(b)], work.incoming_(b, field));
+    }
+  }
+  for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
+#pragma omp parallel for schedule(dynamic, 8)
+    for (Index b = levels[level]; b < levels[level + 1]; ++b) {
+      const Box& box = boxes[static_cast<std::size_t>(b)];
+      for (Index field = 0; field < fields; ++field) {
+        translations_.incoming(boxes[static_cast<std::size_t>(box.parent)],
+                               std::as_const(work.incoming_)(box.parent, field), box,
+                               work.incoming_(b, field));
+      }
+    }
+  }
 }
 
 // Velocities of some fields at sixteen targets of a leaf.
@@ -285,32 +273,34 @@ template <int fields>
 void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const {
   const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
   const VectorGroup group = group_of(targets(), first, box.last);
-  std::array<VectorGroup, fields> sum{};
-  for (const Range range : node_interactions_.near.of(b)) {
-    add_velocities<fields>(block(range, field, work), group, sum);
-  }
   const Index count = std::min<Index>(VectorGroup::size, box.last - first);
+  std::array<VectorGroup, fields> sum{};
+  for (const Range range : interactions_.near.of(b)) {
+    add_velocities<fields>(nodes(range, field, work), group, sum);
+    for (Index f = 0; f < fields; ++f) {
+      for (const PointForce& point : points(range, field + f, work)) {
+        add_velocities(point, count, group, sum[static_cast<std::size_t>(f)]);
+      }
+    }
+  }
   for (Index f = 0; f < fields; ++f) {
     VectorGroup& velocity = sum[static_cast<std::size_t>(f)];
     add_velocities(box, std::as_const(work.incoming_)(b, field + f), group, velocity);
-    for (const Range range : point_interactions_.near.of(b)) {
-      for (const PointForce& point : work.points(range, field + f)) {
-        add_velocities(point, count, group, velocity);
-      }
-    }
     for (Index i = 0; i < count; ++i) {
+      const Index target = targets().order()[static_cast<std::size_t>(first + i)];
+      if (target >= target_count_) continue;  // a point among the nodes
       const auto lane = static_cast<std::size_t>(i);
-      work.velocity_(targets().order()[static_cast<std::size_t>(first + i)], field + f) = {
-          velocity.x[lane], velocity.y[lane]};
+      work.velocity_(target, field + f) = {velocity.x[lane], velocity.y[lane]};
     }
   }
 }
 
 const Eigen::MatrixXcd& Fmm::velocity(const FmmStrengths& strengths, FmmWorkspace& work) const {
-  sum_far(strengths, work);
-  const Index boxes = box_count(targets());
+  sort_strengths(strengths, work);
+  sum_outgoing(work);
+  sum_incoming(work);
 #pragma omp parallel for schedule(dynamic, 4)
-  for (Index b = 0; b < boxes; ++b) {
+  for (Index b = 0; b < box_count(targets()); ++b) {
     const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     in_blocks(work.velocity_.cols(), [&](Index field, auto fields) {
@@ -332,11 +322,9 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
   const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
   const Complex z{targets().x()[target], targets().y()[target]};
   FlowDerivatives sum = stokesbook::derivatives(box, work.incoming_(b, field), z);
-  for (const Range range : node_interactions_.near.of(b)) {
-    add_derivatives(block(range, field, work), z, sum);
-  }
-  for (const Range range : point_interactions_.near.of(b)) {
-    for (const PointForce& point : work.points(range, field)) {
+  for (const Range range : interactions_.near.of(b)) {
+    add_derivatives(nodes(range, field, work), z, sum);
+    for (const PointForce& point : points(range, field, work)) {
       sum += stokeslet_derivatives(z - point.position, point.force, 1.0);
       sum += rotlet_derivatives(z - point.position, point.torque, 1.0);
     }
@@ -346,17 +334,20 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
 
 const std::vector<FlowDerivatives>& Fmm::derivatives(const FmmStrengths& strengths,
                                                      FmmWorkspace& work) const {
-  sum_far(strengths, work);
-  const Index boxes = box_count(targets()), m = targets().size(), fields = work.velocity_.cols();
-  work.derivatives_.resize(static_cast<std::size_t>(m * fields));
+  sort_strengths(strengths, work);
+  sum_outgoing(work);
+  sum_incoming(work);
+  const Index fields = work.velocity_.cols();
+  work.derivatives_.resize(static_cast<std::size_t>(target_count_ * fields));
 #pragma omp parallel for schedule(dynamic, 4)
-  for (Index b = 0; b < boxes; ++b) {
+  for (Index b = 0; b < box_count(targets()); ++b) {
     const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     for (Index field = 0; field < fields; ++field) {
       for (Index i = box.first; i < box.last; ++i) {
         const Index target = targets().order()[static_cast<std::size_t>(i)];
-        work.derivatives_[static_cast<std::size_t>(target + field * m)] =
+        if (target >= target_count_) continue;  // a point among the nodes
+        work.derivatives_[static_cast<std::size_t>(target + field * target_count_)] =
             derivatives_at(b, i, field, work);
       }
     }

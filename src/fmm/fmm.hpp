@@ -54,11 +54,10 @@ class Fmm;
 class FmmWorkspace {
   friend class Fmm;
   FmmWorkspace(const Fmm& plan, Eigen::Index fields);
-  std::span<const PointForce> points(Range range, Eigen::Index field) const;
 
-  Eigen::MatrixXd ex_, ey_;         // densities in the nodes' tree's order, a column a field
-  std::vector<PointForce> points_;  // in their tree's order, field after field
-  Expansions from_nodes_, from_points_, incoming_;
+  Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, a column a field
+  std::vector<PointForce> points_;  // in the sources' order, field after field
+  Expansions outgoing_, incoming_;
   Eigen::MatrixXcd velocity_;
   std::vector<FlowDerivatives> derivatives_;
 };
@@ -136,38 +135,31 @@ class Fmm {
   /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm
   std::vector<FlowDerivatives> derivatives(const FmmStrengths& strengths) const;
 
-  /// Returns the order of the expansions.
-  /// @return p
-  int order() const { return translations_.order(); }
-
-  /// Returns the tree of the nodes.
-  /// @return boxes, and the order of the nodes
-  const Quadtree& nodes() const { return nodes_; }
-
-  /// Returns the tree of the points.
-  /// @return boxes, and the order of the points
-  const Quadtree& points() const { return points_; }
+  /// Returns the tree of the sources.
+  /// @return boxes, and the order of the nodes and, counted on, the points
+  const Quadtree& sources() const { return sources_; }
 
   /// Returns the tree of the targets.
-  /// @return that of the nodes where they are the targets
-  const Quadtree& targets() const { return targets_ ? *targets_ : nodes_; }
+  /// @return that of the sources where the nodes are the targets
+  const Quadtree& targets() const { return targets_ ? *targets_ : sources_; }
 
-  /// Returns which boxes of nodes act on which boxes of targets.
+  /// Returns which boxes of sources act on which boxes of targets.
   /// @return lists of the targets' boxes
-  const Interactions& node_interactions() const { return node_interactions_; }
-
-  /// Returns which boxes of points act on which boxes of targets.
-  /// @return lists of the targets' boxes
-  const Interactions& point_interactions() const { return point_interactions_; }
+  const Interactions& interactions() const { return interactions_; }
 
  private:
-  struct Nodes;
-  Fmm(const Nodes& nodes, const ComplexVector& points, const ComplexVector* targets,
-      const FmmSettings& settings);
+  friend class FmmWorkspace;
+  struct Sources;
+  Fmm(const FmmSettings& settings, const Sources& sources, const ComplexVector* targets);
 
+  void check_distances() const;
   void check(const FmmStrengths& strengths, const FmmWorkspace& work) const;
-  void sum_far(const FmmStrengths& strengths, FmmWorkspace& work) const;
-  StressletBlock block(Range nodes, Eigen::Index field, const FmmWorkspace& work) const;
+  StressletBlock nodes(Range sources, Eigen::Index field, const FmmWorkspace& work) const;
+  std::span<const PointForce> points(Range sources, Eigen::Index field,
+                                     const FmmWorkspace& work) const;
+  void sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const;
+  void sum_outgoing(FmmWorkspace& work) const;
+  void sum_incoming(FmmWorkspace& work) const;
   template <int fields>
   void sum_group(Eigen::Index box, Eigen::Index first, Eigen::Index field,
                  FmmWorkspace& work) const;
@@ -175,11 +167,14 @@ class Fmm {
                                  const FmmWorkspace& work) const;
 
   Translations translations_;
-  Quadtree nodes_, points_;
+  Eigen::Index node_count_, point_count_, target_count_;
+  Quadtree sources_;  // nodes, then points
   std::optional<Quadtree> targets_;
-  Interactions node_interactions_, point_interactions_;
-  Eigen::VectorXd nx_, ny_;  // normal times weight over pi, in the tree's order
-  Eigen::VectorXd least2_;   // squared half weight
+  Interactions interactions_;
+  // In the sources' order. Points are nodes of no weight there, and beside them points.
+  Eigen::VectorXd nx_, ny_;                  // normal times weight over pi
+  Eigen::VectorXd least2_;                   // squared half weight
+  std::vector<Eigen::Index> points_before_;  // number of points before each source, and in all
 };
 
 /// @}

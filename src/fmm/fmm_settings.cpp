@@ -19,7 +19,7 @@ FmmSettings FmmSettings::for_tolerance(double tolerance) {
 }
 
 Eigen::Index break_even(const FmmSettings& settings) {
-  return 240 + 16 * settings.order;
+  return 300 + 18 * settings.order;
 }
 
 }  // namespace stokesbook

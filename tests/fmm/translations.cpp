@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(outgoing_to_outgoing) {
 BOOST_AUTO_TEST_CASE(outgoing_to_incoming) {
   const Translations translations(order);
   const Box target = disk({0.1, 0.2}, 0.8);
-  for (const std::size_t count : {1, 2, 7, 8, 9, 19}) {
+  for (const std::size_t count : {1U, 2U, 7U, 8U, 9U, 19U}) {
     std::vector<Sources> sources;
     std::vector<Box> boxes;
     std::vector<Index> list;
