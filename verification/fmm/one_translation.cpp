@@ -244,7 +244,7 @@ Experiment translation() {
 Experiment separation() {
   return {.key = "separation",
           .title = "One translation, by the distance of the boxes",
-          .x = "inverse ratio 1/rho d",
+          .x = "distance |D| - R in radii d",
           .error = "largest error of the velocity, relative to the largest",
           .lines = {ratio_line("four", "08_4", 4), ratio_line("eight", "08_5", 8),
                     ratio_line("twelve", "08_6", 12)}};

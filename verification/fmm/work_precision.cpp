@@ -16,15 +16,15 @@ using Eigen::Index;
 
 namespace {
 
-/// 64 ellipses with 64 nodes each.
+/// 256 ellipses with 64 nodes each.
 const Summed& sources() {
-  static const Summed sum(ellipses(4096));
+  static const Summed sum(ellipses(16384));
   return sum;
 }
 
-/// At each sixteenth node, in more digits than those of the methods.
+/// At each 64th node, in more digits than those of the methods.
 ComplexVector sample_of(const ComplexVector& velocity) {
-  return velocity(Eigen::seq(0, Eigen::last, 16));
+  return velocity(Eigen::seq(0, Eigen::last, 64));
 }
 const ComplexVector& exact_sample() {
   static const ComplexVector exact = [] {
@@ -142,7 +142,7 @@ Measure over_orders(Method method, int fixed = 0) {
 Experiment work_precision() {
   return {
       .key = "work",
-      .title = "4096 nodes on ellipses, by three methods",
+      .title = "16384 nodes on ellipses, by three methods",
       .x = "order p",
       .error = "error of the velocity in the 2-norm, relative",
       .axes = Axes::semi_log,
@@ -154,7 +154,7 @@ Experiment work_precision() {
                                 .statement = "The direct sum, with which this study compares, "
                                              "is exact to rounding.",
                                 .law = Identity{1e-14},
-                                .reason = "4096 terms, each to a few units in the last place, "
+                                .reason = "16384 terms, each to a few units in the last place, "
                                           "against the same sum in more digits",
                                 .api = {"stokesbook::StressletSum"}},
                  .control = Control{"multipoles of order 30", over_orders(multipoles, 30)}},
