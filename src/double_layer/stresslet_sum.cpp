@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "double_layer/double_layer.hpp"
-#include "double_layer/stresslet_block.hpp"
 
 namespace stokesbook {
 
@@ -30,33 +28,15 @@ VectorGroup group_of(const ComplexVector& targets, Index first) {
 
 }  // namespace
 
-StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage storage) {
-  Index n = 0;
-  for (const Curve& curve : curves) {
-    n += curve.size();
-  }
-  for (Eigen::VectorXd* array : {&x_, &y_, &nx_, &ny_, &least2_}) {
-    array->resize(n);
-  }
-  Index first = 0;
-  for (const Curve& curve : curves) {
-    const Index m = curve.size();
-    const Eigen::VectorXd w = weights(curve);
-    const ComplexVector weighted_normal = std::numbers::inv_pi * normals(curve).cwiseProduct(w);
-    x_.segment(first, m) = curve.x.real();
-    y_.segment(first, m) = curve.x.imag();
-    nx_.segment(first, m) = weighted_normal.real();
-    ny_.segment(first, m) = weighted_normal.imag();
-    least2_.segment(first, m) = 0.25 * w.array().square();
-    first += m;
-  }
-  if (storage == KernelStorage::stored) matrix_ = matrix(nodes());
+StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage storage)
+    : nodes_(curves) {
+  if (storage == KernelStorage::stored) matrix_ = matrix(positions());
 }
 
-ComplexVector StressletSum::nodes() const {
+ComplexVector StressletSum::positions() const {
   ComplexVector z(size());
-  z.real() = x_;
-  z.imag() = y_;
+  z.real() = nodes_.x;
+  z.imag() = nodes_.y;
   return z;
 }
 
@@ -66,9 +46,9 @@ Eigen::MatrixXd StressletSum::matrix(const ComplexVector& targets) const {
 #pragma omp parallel for schedule(static)
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < m; ++i) {
-      const Eigen::Vector2d r{targets[i].real() - x_[j], targets[i].imag() - y_[j]};
-      const double rho2 = std::max(r.squaredNorm(), least2_[j]);
-      const double factor = (r[0] * nx_[j] + r[1] * ny_[j]) / (rho2 * rho2);
+      const Eigen::Vector2d r{targets[i].real() - nodes_.x[j], targets[i].imag() - nodes_.y[j]};
+      const double rho2 = std::max(r.squaredNorm(), nodes_.least2[j]);
+      const double factor = (r[0] * nodes_.nx[j] + r[1] * nodes_.ny[j]) / (rho2 * rho2);
       result.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
     }
   }
@@ -77,7 +57,7 @@ Eigen::MatrixXd StressletSum::matrix(const ComplexVector& targets) const {
 
 ComplexVector StressletSum::operator()(const ComplexVector& density) const {
   return matrix_.size() > 0 ? deinterleaved(matrix_ * interleaved(density))
-                            : (*this)(nodes(), density);
+                            : (*this)(positions(), density);
 }
 
 ComplexVector StressletSum::operator()(const ComplexVector& targets,
@@ -92,9 +72,10 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
     const VectorGroup points = group_of(targets, group);
     std::array<VectorGroup, 1> sum{};
     for (Index first = 0; first < n; first += block_size) {
-      add_velocities<1>({&x_[first], &y_[first], &nx_[first], &ny_[first], &least2_[first],
-                         std::min(block_size, n - first), &ex[first], &ey[first]},
-                        points, sum);
+      add_velocities<1>(
+          {&nodes_.x[first], &nodes_.y[first], &nodes_.nx[first], &nodes_.ny[first],
+           &nodes_.least2[first], std::min(block_size, n - first), &ex[first], &ey[first]},
+          points, sum);
     }
     for (Index i = group; i < std::min(group + VectorGroup::size, m); ++i) {
       const auto lane = static_cast<std::size_t>(i - group);
@@ -111,8 +92,8 @@ std::vector<FlowDerivatives> StressletSum::derivatives(const ComplexVector& targ
   std::vector<FlowDerivatives> flow(static_cast<std::size_t>(m));
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < m; ++i) {
-    add_derivatives({x_.data(), y_.data(), nx_.data(), ny_.data(), least2_.data(), size(),
-                     ex.data(), ey.data()},
+    add_derivatives({nodes_.x.data(), nodes_.y.data(), nodes_.nx.data(), nodes_.ny.data(),
+                     nodes_.least2.data(), size(), ex.data(), ey.data()},
                     targets[i], flow[static_cast<std::size_t>(i)]);
   }
   return flow;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "double_layer/flow_derivatives.hpp"
+#include "double_layer/stresslet_block.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook {
@@ -74,7 +75,7 @@ class StressletSum {
 
   /// Counts the nodes.
   /// @return n
-  Eigen::Index size() const { return x_.size(); }
+  Eigen::Index size() const { return nodes_.size(); }
 
   /// Chooses by the measured break-even: stored where the matrix stays in the fast cache.
   ///
@@ -83,12 +84,10 @@ class StressletSum {
   static KernelStorage automatic_storage(Eigen::Index n_nodes);
 
  private:
-  ComplexVector nodes() const;
+  ComplexVector positions() const;
 
-  Eigen::VectorXd x_, y_;    // nodes
-  Eigen::VectorXd nx_, ny_;  // normal times weight over pi
-  Eigen::VectorXd least2_;   // squared half weight
-  Eigen::MatrixXd matrix_;   // empty unless stored
+  StressletNodes nodes_;
+  Eigen::MatrixXd matrix_;  // empty unless stored
 };
 
 /// @}

@@ -49,6 +49,10 @@ class Expansions {
     return all_.middleCols((box * fields_ + field) * columns_, columns_);
   }
 
+  /// Counts the columns of all expansions together.
+  /// @return boxes times fields times p + 1
+  Eigen::Index columns() const { return all_.cols(); }
+
   /// Sets the expansions of all fields of a box to zero.
   /// @param  box  its index
   void clear(Eigen::Index box) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -20,8 +19,22 @@ Index direct_pairs(int order) {
   return order * order / 2;
 }
 
+// Boxes of a level that are done before other threads have come.
+constexpr Index few_boxes = 64;
+
 Index box_count(const Quadtree& tree) {
   return static_cast<Index>(tree.boxes().size());
+}
+
+// Nodes with half their weights about them, then points.
+Quadtree tree_of(const StressletNodes& nodes, const ComplexVector& points, Index leaf_size) {
+  ComplexVector all(nodes.size() + points.size());
+  all.head(nodes.size()).real() = nodes.x;
+  all.head(nodes.size()).imag() = nodes.y;
+  all.tail(points.size()) = points;
+  Eigen::VectorXd margins = Eigen::VectorXd::Zero(all.size());
+  margins.head(nodes.size()) = nodes.least2.cwiseSqrt();
+  return {all, margins, leaf_size};
 }
 
 // Points of a tree from the first on, and the last one again where they do not fill the group.
@@ -65,57 +78,33 @@ FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
       incoming_(box_count(plan.targets()), fields, plan.translations_.order()),
       velocity_(plan.target_count_, fields) {}
 
-// The curves' nodes after each other, then the points.
-struct Fmm::Sources {
-  Sources(const std::vector<Curve>& curves, const ComplexVector& points) {
-    for (const Curve& curve : curves) node_count += curve.size();
-    const Index count = node_count + points.size();
-    x.resize(count);
-    normal = ComplexVector::Zero(count);
-    half_weight = Eigen::VectorXd::Zero(count);
-    Index first = 0;
-    for (const Curve& curve : curves) {
-      x.segment(first, curve.size()) = curve.x;
-      normal.segment(first, curve.size()) = normals(curve);
-      half_weight.segment(first, curve.size()) = 0.5 * weights(curve);
-      first += curve.size();
-    }
-    x.tail(points.size()) = points;
-  }
-
-  Index node_count = 0;
-  ComplexVector x, normal;
-  Eigen::VectorXd half_weight;
-};
-
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings)
-    : Fmm(settings, Sources(curves, points), nullptr) {}
+    : Fmm(settings, StressletNodes(curves), points, nullptr) {}
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points,
          const ComplexVector& targets, const FmmSettings& settings)
-    : Fmm(settings, Sources(curves, points), &targets) {}
+    : Fmm(settings, StressletNodes(curves), points, &targets) {}
 
-Fmm::Fmm(const FmmSettings& settings, const Sources& sources, const ComplexVector* targets)
+Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const ComplexVector& points,
+         const ComplexVector* targets)
     : translations_(settings.order),
-      node_count_(sources.node_count),
-      point_count_(sources.x.size() - sources.node_count),
-      target_count_(targets != nullptr ? targets->size() : sources.node_count),
-      sources_(sources.x, sources.half_weight, settings.leaf_size),
-      nx_(sources.x.size()),
-      ny_(sources.x.size()),
-      least2_(sources.x.size()),
+      node_count_(nodes.size()),
+      point_count_(points.size()),
+      target_count_(targets != nullptr ? targets->size() : node_count_),
+      sources_(tree_of(nodes, points, settings.leaf_size)),
+      nx_(sources_.size()),
+      ny_(sources_.size()),
+      least2_(sources_.size()),
       points_before_{0} {
   if (targets != nullptr) targets_.emplace(*targets, Eigen::VectorXd{}, settings.leaf_size);
   interactions_ = find_interactions(this->targets(), sources_, direct_pairs(settings.order));
   for (Index i = 0; i < sources_.size(); ++i) {
     const Index source = sources_.order()[static_cast<std::size_t>(i)];
-    const bool is_point = source >= node_count_;
-    const double half_weight = sources.half_weight[source];
-    const Complex normal = 2.0 * half_weight * std::numbers::inv_pi * sources.normal[source];
-    nx_[i] = normal.real();
-    ny_[i] = normal.imag();
-    least2_[i] = is_point ? 1.0 : half_weight * half_weight;  // nothing, wherever a target is
-    points_before_.push_back(points_before_.back() + (is_point ? 1 : 0));
+    const bool is_node = source < node_count_;
+    nx_[i] = is_node ? nodes.nx[source] : 0.0;
+    ny_[i] = is_node ? nodes.ny[source] : 0.0;
+    least2_[i] = is_node ? nodes.least2[source] : 1.0;  // not 0: a target may be there
+    points_before_.push_back(points_before_.back() + (is_node ? 0 : 1));
   }
   check_distances();
 }
@@ -160,17 +149,21 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
   };
   const bool without_points = strengths.force.rows() == 0 && strengths.torque.rows() == 0;
   if (work.ex_.rows() == sources_.size() && work.velocity_.rows() == target_count_ &&
+      work.points_.size() == static_cast<std::size_t>(point_count_ * fields) &&
+      work.outgoing_.columns() == box_count(sources_) * fields * (translations_.order() + 1) &&
+      work.incoming_.columns() == box_count(targets()) * fields * (translations_.order() + 1) &&
       fits(strengths.density.rows(), strengths.density.cols(), node_count_) &&
       (without_points || (fits(strengths.force.rows(), strengths.force.cols(), point_count_) &&
                           fits(strengths.torque.rows(), strengths.torque.cols(), point_count_)))) {
     return;
   }
   std::ostringstream message;
-  message << "an FMM of " << node_count_ << " nodes and " << point_count_
-          << " points, with a workspace for " << fields << " fields, got densities of size "
-          << strengths.density.rows() << " x " << strengths.density.cols() << ", forces "
-          << strengths.force.rows() << " x " << strengths.force.cols() << ", torques "
-          << strengths.torque.rows() << " x " << strengths.torque.cols();
+  message << "an FMM of " << node_count_ << " nodes, " << point_count_ << " points and "
+          << target_count_ << " targets, with a workspace for " << fields << " fields and "
+          << work.velocity_.rows() << " targets, got densities of size " << strengths.density.rows()
+          << " x " << strengths.density.cols() << ", forces " << strengths.force.rows() << " x "
+          << strengths.force.cols() << ", torques " << strengths.torque.rows() << " x "
+          << strengths.torque.cols();
   throw std::invalid_argument(message.str());
 }
 
@@ -220,7 +213,7 @@ void Fmm::sum_outgoing(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = sources_.boxes();
   const std::vector<Index>& levels = sources_.levels();
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       const Range sources{box.first, box.last};
@@ -256,7 +249,7 @@ void Fmm::sum_incoming(FmmWorkspace& work) const {
     }
   }
   for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       for (Index field = 0; field < fields; ++field) {

@@ -49,8 +49,8 @@ struct FmmStrengths {
 
 class Fmm;
 
-/// The memory of an Fmm's applications, and their results. One plan may be applied in several
-/// threads, each with its own.
+/// The memory of an Fmm's applications, and their results. Several threads may apply one plan, each
+/// with a workspace of its own.
 class FmmWorkspace {
   friend class Fmm;
   FmmWorkspace(const Fmm& plan, Eigen::Index fields);
@@ -149,8 +149,8 @@ class Fmm {
 
  private:
   friend class FmmWorkspace;
-  struct Sources;
-  Fmm(const FmmSettings& settings, const Sources& sources, const ComplexVector* targets);
+  Fmm(const FmmSettings& settings, const StressletNodes& nodes, const ComplexVector& points,
+      const ComplexVector* targets);
 
   void check_distances() const;
   void check(const FmmStrengths& strengths, const FmmWorkspace& work) const;

@@ -12,7 +12,8 @@ namespace stokesbook {
 
 /// Consecutive points of a tree.
 struct Range {
-  Eigen::Index first, last;  ///< first to last - 1
+  Eigen::Index first;  ///< first of them
+  Eigen::Index last;   ///< one beyond the last
 };
 
 /// Lists, one a box, in one array.

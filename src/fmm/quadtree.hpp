@@ -13,10 +13,12 @@ namespace stokesbook {
 
 /// A box of a quadtree: points that are consecutive in the tree's order, and the disk about them.
 struct Box {
-  Eigen::Index first = 0, last = 0;              ///< its points: first to last - 1
-  Eigen::Index parent = -1;                      ///< index of the parent; -1 for the root
-  Eigen::Index first_child = 0, last_child = 0;  ///< its children: boxes first to last - 1
-  Complex centre;                                ///< of the points' bounding rectangle, length
+  Eigen::Index first = 0;        ///< first of its points
+  Eigen::Index last = 0;         ///< one beyond the last of them
+  Eigen::Index parent = -1;      ///< index of the parent; -1 for the root
+  Eigen::Index first_child = 0;  ///< index of the first child
+  Eigen::Index last_child = 0;   ///< one beyond that of the last child
+  Complex centre;                ///< of the points' bounding rectangle, length
   double radius = 0.0;  ///< of the disk about the centre that holds every point with its margin;
                         ///< at least 1e-100, so that its powers can be divided by, length
 
@@ -41,7 +43,7 @@ class Quadtree {
   /// @param  leaf_size  most points of a box that is not divided, >= 1; coincident points stay
   ///                    together whatever their number
   /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
-  /// @par Cost          O(n log n); results do not depend on the number of threads
+  /// @par Cost          O(n log n)
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
   /// Returns the boxes, level by level, the root first.
@@ -69,11 +71,9 @@ class Quadtree {
   Eigen::Index size() const { return x_.size(); }
 
  private:
-  struct Division;
-  Division divide(const Box& box, Quadtree& scratch);
-  void enclose(Box& box) const;
-
-  Quadtree() = default;
+  struct Scratch;
+  void divide(Eigen::Index parent, Scratch& scratch);
+  Box enclose(Eigen::Index first, Eigen::Index last, Eigen::Index parent) const;
 
   std::vector<Eigen::Index> order_;
   Eigen::VectorXd x_, y_, margins_;

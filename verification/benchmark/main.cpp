@@ -9,6 +9,7 @@
 #include "cli/build_info.hpp"
 #include "close_evaluation.hpp"
 #include "direct_sum.hpp"
+#include "fast_sum.hpp"
 #include "fma_peak.hpp"
 #include "table.hpp"
 #include "taylor_green.hpp"
@@ -37,6 +38,8 @@ std::vector<Table> run_benchmarks(bool quick) {
        ""});
   add(time_direct_sum(peak, quick ? 2048 : 16384, budget));
   add(time_storage(0.5 * budget));
+  add(time_fast_sum(quick ? 81 : 784, budget));
+  add(time_break_even(0.1 * budget));
   add(time_close_evaluation(0.5 * budget));
   add(time_near_storage(0.5 * budget));
   add(time_taylor_green(quick, budget));
