@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
-#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -51,35 +51,25 @@ ComplexVector density_of(Index n) {
 // [scene]
 
 // [sorted]
-/// Nodes and densities in the order of a tree, where a box's nodes follow each other.
+/// Nodes and densities in the order of a tree, in which the nodes of a box follow each other.
 struct SortedNodes {
-  SortedNodes(const std::vector<Curve>& curves, const ComplexVector& density, const Quadtree& tree)
-      : x(tree.x()), y(tree.y()), nx(x), ny(x), least2(x), ex(x), ey(x) {
-    std::vector<Complex> normal;
-    std::vector<double> weight;
-    for (const Curve& curve : curves) {
-      const ComplexVector n = normals(curve);
-      const Eigen::VectorXd w = weights(curve);
-      normal.insert(normal.end(), n.begin(), n.end());
-      weight.insert(weight.end(), w.begin(), w.end());
-    }
-    for (Index i = 0; i < x.size(); ++i) {
-      const auto node = static_cast<std::size_t>(tree.order()[static_cast<std::size_t>(i)]);
-      const Complex n = weight[node] / std::numbers::pi * normal[node];
-      nx[i] = n.real();
-      ny[i] = n.imag();
-      least2[i] = 0.25 * weight[node] * weight[node];
-      ex[i] = density[static_cast<Index>(node)].real();
-      ey[i] = density[static_cast<Index>(node)].imag();
+  SortedNodes(StressletNodes given, const ComplexVector& density, const Quadtree& tree)
+      : nodes(std::move(given)),
+        ex(density(tree.order()).real()),
+        ey(density(tree.order()).imag()) {
+    for (Eigen::VectorXd* part : {&nodes.x, &nodes.y, &nodes.nx, &nodes.ny, &nodes.least2}) {
+      *part = (*part)(tree.order()).eval();
     }
   }
 
   StressletBlock of(const Box& box) const {
     const Index i = box.first;
-    return {&x[i], &y[i], &nx[i], &ny[i], &least2[i], box.size(), &ex[i], &ey[i]};
+    return {&nodes.x[i],      &nodes.y[i], &nodes.nx[i], &nodes.ny[i],
+            &nodes.least2[i], box.size(),  &ex[i],       &ey[i]};
   }
 
-  Eigen::VectorXd x, y, nx, ny, least2, ex, ey;
+  StressletNodes nodes;
+  Eigen::VectorXd ex, ey;
 };
 // [sorted]
 
@@ -112,8 +102,8 @@ void add_velocities(const Box& box, const Expansion& incoming, const std::vector
     std::array<VectorGroup, 1> sum{};
     const Index count = std::min<Index>(VectorGroup::size, box.last - first);
     for (Index i = 0; i < count; ++i) {
-      targets.x[static_cast<std::size_t>(i)] = nodes.x[first + i];
-      targets.y[static_cast<std::size_t>(i)] = nodes.y[first + i];
+      targets.x[static_cast<std::size_t>(i)] = nodes.nodes.x[first + i];
+      targets.y[static_cast<std::size_t>(i)] = nodes.nodes.y[first + i];
     }
     for (const Box& source : near) add_velocities<1>(nodes.of(source), targets, sum);
     add_velocities(box, incoming, targets, sum[0]);
@@ -132,7 +122,7 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
               Index leaf_size) {
   const ComplexVector points = all_nodes(curves);
   const Quadtree tree(points, {}, leaf_size);
-  const SortedNodes nodes(curves, density, tree);
+  const SortedNodes nodes(StressletNodes(curves), density, tree);
   const Translations translations(order);
   const std::vector<Box>& boxes = tree.boxes();
   const auto count = static_cast<Index>(boxes.size());
@@ -201,19 +191,22 @@ void print_errors() {
   }
 }
 
-/// With as many leaves as are best for one level.
+/// One level has the better of some leaf sizes about the best one.
 void print_operations() {
   constexpr int order = 18;
   std::printf("\noperations a node, order %d\n\n%8s %14s %14s %14s\n", order, "nodes", "direct sum",
               "one level", "all levels");
-  for (const Index bodies : {120, 240, 480, 960, 1920}) {
+  for (const Index bodies : {120, 240, 480, 960}) {
     const std::vector<Curve> curves = scene(bodies);
-    const Index n = all_nodes(curves).size();
-    const ComplexVector density = density_of(n);
-    const Index best_leaf = std::lround(std::cbrt(static_cast<double>(n * order * order) / 13.0));
-    std::printf("%8td %14td %14.0f %14.0f\n", n, n,
-                one_level(curves, density, order, best_leaf).operations / static_cast<double>(n),
-                all_levels(curves, density, order, 68).operations / static_cast<double>(n));
+    const ComplexVector density = density_of(all_nodes(curves).size());
+    const auto n = static_cast<double>(density.size());
+    double one = n * n;
+    for (const double size : {0.5, 1.0, 2.0}) {
+      const Index leaf_size = std::lround(size * std::cbrt(n * order * order / 13.0));
+      one = std::min(one, one_level(curves, density, order, leaf_size).operations);
+    }
+    const double all = all_levels(curves, density, order, 68).operations;
+    std::printf("%8.0f %14.0f %14.0f %14.0f\n", n, n, one / n, all / n);
   }
 }
 // [tables]
@@ -303,7 +296,7 @@ Index leaf_at(const Quadtree& tree, Complex z) {
 
 /// A line of the legend, in one of two columns.
 std::string entry(int place, const std::string& colour, const std::string& text) {
-  const Complex at{(panel + gap) * (place % 2), panel + 16.0 + 22.0 * (place / 2)};
+  const Complex at{1.0 + (panel + gap) * (place % 2), panel + 16.0 + 22.0 * (place / 2)};
   return filled(svg::polygon(ComplexVector{
                     {at, at + 14.0, at + Complex{14.0, 12.0}, at + Complex{0.0, 12.0}}}),
                 colour, 0.35) +
@@ -325,7 +318,7 @@ std::string picture_of_tree() {
   }
   boxes += filled(rectangles(tree, seen.near), near_colour, 0.35) +
            filled(rectangle(tree, tree.boxes()[static_cast<std::size_t>(leaf)]), leaf_colour, 0.9);
-  return svg::open({2.0 * panel + gap, panel + 22.0 * (place / 2 + 1)},
+  return svg::open({2.0 * panel + gap, panel + 22.0 * ((place + 1) / 2) + 16.0},
                    "The leaves of a tree, and what acts on one of them") +
          "<g opacity=\"0.55\">" + filled(rectangles(tree, leaves_of(tree)), "currentColor", 0.07) +
          "</g>\n" + dots(tree) + "<g transform=\"translate(" + svg::number(panel + gap) + " 0)\">" +

@@ -87,37 +87,28 @@ Found direct(int) {
 /// The near lists of the plan of an order, and nothing else.
 Found near_field(int order) {
   const Fmm plan(sources().curves, {}, of_order(order));
-  const ComplexVector nodes = all_nodes(sources().curves);
-  ComplexVector strength(nodes.size());  // normal times weight
-  Index first = 0;
-  for (const Curve& curve : sources().curves) {
-    strength.segment(first, curve.size()) = normals(curve).cwiseProduct(weights(curve));
-    first += curve.size();
-  }
+  const StressletNodes nodes(sources().curves);
   const std::vector<Index>& order_of = plan.sources().order();
+  ComplexVector velocity = ComplexVector::Zero(nodes.size());
   double pairs = 0.0;
-  Found found = timed(0.0, [&] {
-    ComplexVector velocity = ComplexVector::Zero(nodes.size());
-    pairs = 0.0;
-    for (std::size_t b = 0; b < plan.targets().boxes().size(); ++b) {
-      const Box& box = plan.targets().boxes()[b];
-      for (const Range range : plan.interactions().near.of(static_cast<Index>(b))) {
-        pairs += static_cast<double>(box.size() * (range.last - range.first));
-        for (Index i = box.first; i < box.last; ++i) {
-          const Index target = order_of[static_cast<std::size_t>(i)];
-          for (Index j = range.first; j < range.last; ++j) {
-            const Index source = order_of[static_cast<std::size_t>(j)];
-            if (source == target) continue;
-            velocity[target] += stresslet(nodes[target] - nodes[source], strength[source],
-                                          sources().density[source]);
-          }
+  const auto add = [&](Index target, Index source) {
+    if (source == target) return;
+    const Complex r{nodes.x[target] - nodes.x[source], nodes.y[target] - nodes.y[source]};
+    velocity[target] += std::numbers::pi * stresslet(r, {nodes.nx[source], nodes.ny[source]},
+                                                     sources().density[source]);
+  };
+  for (std::size_t b = 0; b < plan.targets().boxes().size(); ++b) {
+    const Box& box = plan.targets().boxes()[b];
+    for (const Range range : plan.interactions().near.of(static_cast<Index>(b))) {
+      pairs += static_cast<double>(box.size() * (range.last - range.first));
+      for (Index i = box.first; i < box.last; ++i) {
+        for (Index j = range.first; j < range.last; ++j) {
+          add(order_of[static_cast<std::size_t>(i)], order_of[static_cast<std::size_t>(j)]);
         }
       }
     }
-    return velocity;
-  });
-  found.operations = pairs;
-  return found;
+  }
+  return {velocity, pairs, unmeasured};
 }
 
 using Method = Found (*)(int order);
