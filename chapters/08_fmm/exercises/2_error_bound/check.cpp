@@ -44,7 +44,7 @@ double bound(int p, double rho) {
 }
 
 void check_order() {
-  for (const double rho : {0.2, 0.5, 0.7}) {
+  for (const double rho : {0.5, 0.2, 0.7}) {
     for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
       const int got = order_needed(rho, tolerance);
       const std::string what = "rho = " + exercise::text(rho) + ", tolerance " +
