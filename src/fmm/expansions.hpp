@@ -85,7 +85,8 @@ struct PointForce {
 /// rotlet().
 ///
 /// With \f$ f = F/4\pi\mu \f$: \f$ A_0 = -\frac f2 \f$, \f$ A_k = \frac{f W^k}{2k} \f$,
-/// \f$ B_0 = \frac{\bar f}{2} \f$, \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
+/// \f$ B_0 = \frac{\bar f}{2} \f$,
+/// \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
 /// @param  box    of the point
 /// @param  point  position and strengths
 /// @param  sum    4 x (p + 1), to which is added

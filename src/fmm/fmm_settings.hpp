@@ -20,8 +20,8 @@ struct FmmSettings {
   /// random points, points on a line, in clusters, crowding; many ellipses and one slender one, at
   /// which it is met most narrowly; densities smooth, wavy and random; up to 1e5 nodes.
   /// Not for most points at one place, where errors add: \f$ p\,2^{-p} \le \varepsilon \f$ there.
-  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; rounding leaves
-  ///                    about 1e-14, for which orders stop to grow
+  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; below 1e-14,
+  ///                    which rounding leaves, the order does not grow any more
   /// @return            settings
   /// @par Accuracy      @ref claim_08_14 to @ref claim_08_16; one slender body @ref claim_08_23
   /// @throws std::invalid_argument when the tolerance is not > 0
@@ -32,7 +32,7 @@ struct FmmSettings {
 /// StressletSum: \f$ n = 300 + 18p \f$.
 ///
 /// Measured on ellipses of 16, 32 and 128 nodes with one thread and AVX-512: where an application
-/// takes as long as the direct sum, n = 450, 700, 800, 950 for 3, 6, 9 and 12 digits at the latest.
+/// takes as long as the direct sum, n = 450, 600, 770, 930 for 3, 6, 9 and 12 digits at the latest.
 /// @param  settings  of the Fmm
 /// @return           n; about half of the direct sum's operations are left there, @ref claim_08_30
 Eigen::Index break_even(const FmmSettings& settings);

@@ -13,7 +13,8 @@ using test::relative_error;
 
 namespace {
 
-// p / 2^p, which bounds what one translation leaves out, is below 5e-14: no errors need average out.
+// p / 2^p, which bounds what one translation leaves out, is below 5e-14: no errors need to average
+// out.
 constexpr int order = 50;
 constexpr double bound = 1e-12;
 

@@ -4,8 +4,8 @@
 
 namespace stokesbook {
 
-/// Times the fast multipole sum of ellipses beside the direct one, by the tolerance, one thread: plan,
-/// application, several fields at once; and an application with two threads.
+/// Times the fast multipole sum of ellipses beside the direct one, by the tolerance, one thread:
+/// plan, application, several fields at once; and an application with two threads.
 ///
 /// @param  bodies  number of ellipses of 128 nodes
 /// @param  budget  seconds to spend on each number
