@@ -12,11 +12,13 @@ struct BoxPair {
   Index target, source;
 };
 
+// [well_separated]
 // With rho = 1/2 both conditions together; not for boxes at the same place, however small.
 bool well_separated(const Box& target, const Box& source) {
   const double reach = target.radius + source.radius + std::max(target.radius, source.radius);
   return reach * reach < std::norm(target.centre - source.centre);
 }
+// [well_separated]
 
 class Traversal {
  public:
@@ -28,6 +30,7 @@ class Traversal {
   std::vector<BoxPair> far, near;
 
  private:
+  // [visit]
   void visit(BoxPair pair) {
     const Box& target = targets_[static_cast<std::size_t>(pair.target)];
     const Box& source = sources_[static_cast<std::size_t>(pair.source)];
@@ -42,6 +45,7 @@ class Traversal {
       for (Index c = source.first_child; c < source.last_child; ++c) visit({pair.target, c});
     }
   }
+  // [visit]
 
   const std::vector<Box>&targets_, &sources_;
   Index direct_pairs_;

@@ -80,7 +80,7 @@ void check_least_nodes() {
 void check_best_leaf() {
   for (const int p : {9, 18, 36}) {
     const double got = best_leaf(p);
-    const auto count = [&](double s) { return 9.0 * s + 18.0 * p * p / s; };
+    const auto count = [&](double s) { return 13.0 * s + 26.0 * p * p / s; };
     expect({.what = "order " + std::to_string(p),
             .got = got,
             .expected = p * std::sqrt(2.0),
@@ -120,7 +120,7 @@ int main() {
                          .hint = "divide the inequality by m n",
                          .check = check_least_nodes},
                         {.title = "the best leaf",
-                         .formula = "s = p sqrt(36/(2 9))",
+                         .formula = "s = p sqrt(26/13)",
                          .hint = "both terms are equal where their sum is least",
                          .check = check_best_leaf},
                         {.title = "places for which no tree helps",
