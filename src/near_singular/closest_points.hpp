@@ -41,7 +41,7 @@ struct Foot {
 /// @param  longest  step that is allowed, radians, such as that between nodes
 /// @return          the foot
 /// @par Accuracy    rounding of the positions, where the point is nearer than the curve's centre of
-/// curvature
+/// curvature, @ref claim_06_36
 /// @par Cost        a few evaluations of the curve, 31 at most
 Foot find_foot(const Parametrisation& curve, Complex point, double guess, double longest);
 

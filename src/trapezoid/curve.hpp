@@ -56,7 +56,7 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side);
 /// @param  m      number of new nodes, even
 /// @return        m nodes with the same side, in the same parameter
 /// @throws std::invalid_argument when m is odd or < 2
-/// @par Accuracy  that of resample() for values
+/// @par Accuracy  that of resample() for values, @ref claim_01_7
 /// @par Cost      O(N log N + m log m)
 Curve resample(const Curve& curve, Eigen::Index m);
 
