@@ -10,7 +10,6 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -24,7 +23,6 @@ using Eigen::Index;
 
 namespace {
 
-// [scene]
 /// Ellipses between two circles of radius 0.3 and 1, placed like the seeds of a sunflower.
 std::vector<Curve> scene(Index bodies) {
   std::vector<Curve> curves{sample(Circle{0.3}, 128, Side::fluid_outside),
@@ -48,27 +46,20 @@ ComplexVector density_of(Index n) {
   }
   return density;
 }
-// [scene]
 
 // [sorted]
 /// Nodes and densities in the order of a tree, in which the nodes of a box follow each other.
-struct SortedNodes {
-  SortedNodes(StressletNodes given, const ComplexVector& density, const Quadtree& tree)
-      : nodes(std::move(given)),
-        ex(density(tree.order()).real()),
-        ey(density(tree.order()).imag()) {
-    for (Eigen::VectorXd* part : {&nodes.x, &nodes.y, &nodes.nx, &nodes.ny, &nodes.least2}) {
-      *part = (*part)(tree.order()).eval();
-    }
+struct SortedNodes : StressletNodes {
+  SortedNodes(const std::vector<Curve>& curves, const ComplexVector& density, const Quadtree& tree)
+      : StressletNodes(curves), ex(density(tree.order()).real()), ey(density(tree.order()).imag()) {
+    for (Eigen::VectorXd* part : {&x, &y, &nx, &ny, &least2}) *part = (*part)(tree.order()).eval();
   }
 
   StressletBlock of(const Box& box) const {
     const Index i = box.first;
-    return {&nodes.x[i],      &nodes.y[i], &nodes.nx[i], &nodes.ny[i],
-            &nodes.least2[i], box.size(),  &ex[i],       &ey[i]};
+    return {&x[i], &y[i], &nx[i], &ny[i], &least2[i], box.size(), &ex[i], &ey[i]};
   }
 
-  StressletNodes nodes;
   Eigen::VectorXd ex, ey;
 };
 // [sorted]
@@ -102,8 +93,8 @@ void add_velocities(const Box& box, const Expansion& incoming, const std::vector
     std::array<VectorGroup, 1> sum{};
     const Index count = std::min<Index>(VectorGroup::size, box.last - first);
     for (Index i = 0; i < count; ++i) {
-      targets.x[static_cast<std::size_t>(i)] = nodes.nodes.x[first + i];
-      targets.y[static_cast<std::size_t>(i)] = nodes.nodes.y[first + i];
+      targets.x[static_cast<std::size_t>(i)] = nodes.x[first + i];
+      targets.y[static_cast<std::size_t>(i)] = nodes.y[first + i];
     }
     for (const Box& source : near) add_velocities<1>(nodes.of(source), targets, sum);
     add_velocities(box, incoming, targets, sum[0]);
@@ -122,7 +113,7 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
               Index leaf_size) {
   const ComplexVector points = all_nodes(curves);
   const Quadtree tree(points, {}, leaf_size);
-  const SortedNodes nodes(StressletNodes(curves), density, tree);
+  const SortedNodes nodes(curves, density, tree);
   const Translations translations(order);
   const std::vector<Box>& boxes = tree.boxes();
   const auto count = static_cast<Index>(boxes.size());
@@ -158,7 +149,6 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
 }
 // [one_level]
 
-// [tree]
 /// The sum with all levels: the library's.
 Sum all_levels(const std::vector<Curve>& curves, const ComplexVector& density, int order,
                Index leaf_size) {
@@ -175,9 +165,7 @@ Sum all_levels(const std::vector<Curve>& curves, const ComplexVector& density, i
   }
   return sum;
 }
-// [tree]
 
-// [tables]
 void print_errors() {
   const std::vector<Curve> curves = scene(120);
   const StressletSum direct(curves);
@@ -209,7 +197,6 @@ void print_operations() {
     std::printf("%8.0f %14.0f %14.0f %14.0f\n", n, n, one / n, all / n);
   }
 }
-// [tables]
 
 /// @name The picture: the leaves of a tree, and what acts on one of them
 /// @{
@@ -329,10 +316,8 @@ std::string picture_of_tree() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  //! [main]
   print_errors();
   print_operations();
-  //! [main]
   if (argc > 1) {
     write_atomically(std::filesystem::path(argv[1]) / "chapter_08_tree.svg", picture_of_tree(),
                      SafeFrom::kill);

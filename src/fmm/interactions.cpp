@@ -12,13 +12,11 @@ struct BoxPair {
   Index target, source;
 };
 
-// [well_separated]
 // With rho = 1/2 both conditions together; not for boxes at the same place, however small.
 bool well_separated(const Box& target, const Box& source) {
   const double reach = target.radius + source.radius + std::max(target.radius, source.radius);
   return reach * reach < std::norm(target.centre - source.centre);
 }
-// [well_separated]
 
 class Traversal {
  public:
