@@ -13,6 +13,7 @@ study::Study null_space_study();
 study::Study krylov_study();
 study::Study near_singular_study();
 study::Study stress_study();
+study::Study fmm_study();
 study::Study suspension_study();
 /// @}
 

@@ -69,8 +69,10 @@ class FmmWorkspace {
 /// of stokeslet() with gauge 1, and rotlet(). Another gauge \f$ \ell \f$ adds the uniform velocity
 /// \f$ F\log\ell/4\pi\mu \f$.
 ///
-/// @par Accuracy  the tolerance of FmmSettings::for_tolerance(), relative in the 2-norm
-/// @par Cost      O(n) an application; the same bits for any number of threads
+/// @par Accuracy  the tolerance of FmmSettings::for_tolerance(), relative in the 2-norm:
+///                @ref claim_08_14 to @ref claim_08_16, ill cases @ref claim_08_21 to
+///                @ref claim_08_26
+/// @par Cost      O(n) an application, @ref claim_08_28; the same bits for any number of threads
 /// @sa source: Greengard and Rokhlin, J. Comput. Phys. 73 (1987), 325; Greengard, Kropinski, Mayo,
 /// J. Comput. Phys. 125 (1996), 403
 class Fmm {
@@ -124,7 +126,8 @@ class Fmm {
   /// @return            at the targets, field after field, 1 / time; overwritten by the next
   ///                    application with this workspace
   /// @throws std::invalid_argument when the strengths are not of the plan's and workspace's size
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm
+  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the sets of the
+  ///                    study keep the tolerance itself, @ref claim_08_17 to @ref claim_08_20
   const std::vector<FlowDerivatives>& derivatives(const FmmStrengths& strengths,
                                                   FmmWorkspace& workspace) const;
 
@@ -132,7 +135,8 @@ class Fmm {
   ///
   /// @param  strengths  of nodes and points, k columns
   /// @return            at the targets, field after field, 1 / time
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm
+  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the sets of the
+  ///                    study keep the tolerance itself, @ref claim_08_17 to @ref claim_08_20
   std::vector<FlowDerivatives> derivatives(const FmmStrengths& strengths) const;
 
   /// Returns the tree of the sources.

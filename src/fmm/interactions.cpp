@@ -28,6 +28,7 @@ class Traversal {
   std::vector<BoxPair> far, near;
 
  private:
+  // [visit]
   void visit(BoxPair pair) {
     const Box& target = targets_[static_cast<std::size_t>(pair.target)];
     const Box& source = sources_[static_cast<std::size_t>(pair.source)];
@@ -42,6 +43,7 @@ class Traversal {
       for (Index c = source.first_child; c < source.last_child; ++c) visit({pair.target, c});
     }
   }
+  // [visit]
 
   const std::vector<Box>&targets_, &sources_;
   Index direct_pairs_;

@@ -59,6 +59,8 @@ class Translations {
   /// @param  field     index of the field
   /// @param  target    box of the targets
   /// @param  sum       4 x (p + 1), to which is added
+  /// @par Accuracy     leaves out \f$ p\rho^p \f$ of a velocity at the ratio \f$ \rho \f$ of a
+  ///                   radius to the distance of the other disk, @ref claim_08_2
   /// @par Cost         4 p^2 real multiplications a source box, as many boxes at a time as a
   ///                   register has lanes
   void convert(const std::vector<Box>& boxes, const Expansions& outgoing,

@@ -6,7 +6,7 @@
 #include "double_layer/kernels.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm.hpp"
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -20,7 +20,7 @@ constexpr double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12};
 // At the nodes themselves, and derivatives at points elsewhere.
 void check_tolerances(const std::vector<Curve>& curves, const ComplexVector& density) {
   const StressletSum sum(curves);
-  const ComplexVector exact = sum(density), nodes = test::all_nodes(curves);
+  const ComplexVector exact = sum(density), nodes = all_nodes(curves);
   const ComplexVector elsewhere = nodes.head(500) + 0.1 * random_vector(500, 4);
   const auto exact_derivatives = sum.derivatives(elsewhere, density);
   for (const double tolerance : tolerances) {

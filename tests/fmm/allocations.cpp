@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "fmm/fmm.hpp"
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include "double_layer/kernels.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm.hpp"
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(any_length) {
     const StressletSum sum(curves);
     BOOST_TEST(relative_error(fmm.velocity(density), sum(density)) < bound);
     BOOST_TEST(relative_error(fmm.derivatives(density),
-                              sum.derivatives(test::all_nodes(curves), density)) < 100.0 * bound);
+                              sum.derivatives(all_nodes(curves), density)) < 100.0 * bound);
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include "fmm/fmm.hpp"
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

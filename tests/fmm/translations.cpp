@@ -7,7 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/kernels.hpp"
-#include "fmm/sets.hpp"
+#include "support/point_sets.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -31,32 +32,46 @@ inline std::vector<Curve> ellipses(int side, Eigen::Index n) {
   return curves;
 }
 
-/// Nodes of all curves after each other.
-inline ComplexVector all_nodes(const std::vector<Curve>& curves) {
-  std::vector<Complex> nodes;
-  for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
-  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
+/// @name Sets of n points, in a square of side 2 unless said
+/// @{
+inline ComplexVector points_in_a_square(Eigen::Index n) {
+  return random_vector(n, 1);
 }
+inline ComplexVector points_on_a_line(Eigen::Index n) {
+  return random_vector(n, 1).real().cast<Complex>();
+}
+/// Two squares, ten thousand apart.
+inline ComplexVector two_clusters(Eigen::Index n) {
+  ComplexVector points = random_vector(n, 1);
+  for (Eigen::Index i = 1; i < n; i += 2) points[i] += 1e4;
+  return points;
+}
+/// Towards the origin, over eight decades.
+inline ComplexVector crowding_points(Eigen::Index n) {
+  const Eigen::ArrayXd exponents = -9.0 * (1.0 + random_vector(n, 2).real().array());
+  return (random_vector(n, 1).array() * exponents.exp()).matrix();
+}
+/// Three quarters of them at one place.
+inline ComplexVector coincident_points(Eigen::Index n) {
+  ComplexVector points = random_vector(n, 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (i % 4 != 0) points[i] = {0.3, 0.4};
+  }
+  return points;
+}
+/// @}
 
-/// Sets of n points that a tree may find hard, in a square of side 2 unless said.
+/// Sets of n points that a tree may find hard.
 struct PointSet {
   const char* name;
   ComplexVector points;
 };
 inline std::vector<PointSet> point_sets(Eigen::Index n) {
-  const ComplexVector square = random_vector(n, 1), exponents = random_vector(n, 2);
-  ComplexVector line(n), clusters(n), crowding(n), coincident(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    line[i] = {square[i].real(), 0.0};
-    clusters[i] = square[i] + (i % 2 == 0 ? 0.0 : 1e4);
-    crowding[i] = square[i] * std::exp(-9.0 * (1.0 + exponents[i].real()));
-    coincident[i] = i % 4 == 0 ? square[i] : Complex{0.3, 0.4};
-  }
-  return {{"square", square},
-          {"line", line},
-          {"two clusters", clusters},
-          {"crowding", crowding},
-          {"coincident", coincident}};
+  return {{"square", points_in_a_square(n)},
+          {"line", points_on_a_line(n)},
+          {"two clusters", two_clusters(n)},
+          {"crowding", crowding_points(n)},
+          {"coincident", coincident_points(n)}};
 }
 
 /// Relative error in the 2-norm.
