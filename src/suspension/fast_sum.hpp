@@ -14,7 +14,7 @@ namespace stokesbook {
 /// Double layer and singularities of a problem by the fast multipole method.
 ///
 /// Applications share scratch memory: not in two threads at a time.
-/// @par Accuracy  the tolerance, @ref claim_08_5
+/// @par Accuracy  the tolerance, @ref claim_08_15
 class FastSum {
  public:
   /// Plans the sum at the nodes themselves.
@@ -45,7 +45,7 @@ class FastSum {
   /// @param  density  of the layer at all n nodes, length / time
   /// @param  loads    of every component
   /// @return          at the targets, 1 / time
-  /// @par Accuracy    a hundred times the tolerance, @ref claim_08_6
+  /// @par Accuracy    a hundred times the tolerance, @ref claim_08_18
   /// @par Cost        O(n + m)
   std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
                                            const std::vector<Load>& loads) const;

@@ -225,7 +225,7 @@ Experiment break_even() {
                      .claim = Claim{.id = "08_30",
                                     .statement = "Where the library changes from the direct sum "
                                                  "to multipoles, they take half of the operations.",
-                                    .law = Floor{0.5, 1.6},
+                                    .law = Floor{0.5, 1.5},
                                     .reason = "by time: an operation of the direct sum, in one "
                                               "long loop, takes half as long",
                                     .api = {"stokesbook::break_even"}},
