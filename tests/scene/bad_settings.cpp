@@ -79,10 +79,8 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:2:24: solver.gmres_max_iterations = 0: must be an integer >= 1"},
       {"[solver]\ngmres_max_iterations = 1e3\n",
        "s.toml:2:24: solver.gmres_max_iterations = 1000.0: must be an integer >= 1, not a float"},
-      {"[solver]\nsummation = 'fmm'\n",
-       "s.toml:2:13: solver.summation = \"fmm\": not available yet: must be one of auto, direct"},
       {"[solver]\nsummation = 'tree'\n",
-       "s.toml:2:13: solver.summation = \"tree\": must be one of auto, direct"},
+       "s.toml:2:13: solver.summation = \"tree\": must be one of auto, direct, fmm"},
       {"[solver]\nnear_singular = 'interpolated'\n",
        "s.toml:2:17: solver.near_singular = \"interpolated\": must be one of auto, cauchy, "
        "interpolation, off"},

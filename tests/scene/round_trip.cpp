@@ -104,7 +104,8 @@ void add_settings(Scene& scene, Dice& dice) {
   scene.solver.tolerance = dice.uniform(1e-14, 0.1);
   if (dice.coin()) scene.solver.gmres_tol = dice.uniform(1e-16, 0.9);
   scene.solver.gmres_max_iterations = dice.integer(1, 1000);
-  scene.solver.summation = dice.one_of<Summation>({Summation::automatic, Summation::direct});
+  scene.solver.summation =
+      dice.one_of<Summation>({Summation::automatic, Summation::direct, Summation::fmm});
   scene.solver.near_singular =
       dice.one_of<NearSingular>({NearSingular::automatic, NearSingular::cauchy, NearSingular::off});
   scene.solver.preconditioner =

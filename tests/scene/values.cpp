@@ -183,6 +183,7 @@ BOOST_AUTO_TEST_CASE(solver_settings) {
   BOOST_TEST(solver("gmres_max_iterations = 1").gmres_max_iterations == 1);
   BOOST_TEST((solver("summation = 'auto'").summation == Summation::automatic));
   BOOST_TEST((solver("summation = 'direct'").summation == Summation::direct));
+  BOOST_TEST((solver("summation = 'fmm'").summation == Summation::fmm));
   BOOST_TEST((solver("near_singular = 'auto'").near_singular == NearSingular::automatic));
   BOOST_TEST((solver("near_singular = 'cauchy'").near_singular == NearSingular::cauchy));
   BOOST_TEST(
