@@ -89,7 +89,10 @@ Table time_close_evaluation(double budget) {
               {"nodes", "plain", "Cauchy", "derivatives", "published", "for 1e-6", "Cauchy/plain",
                "derivs/plain", "publ/Cauchy", "1e-6/Cauchy"},
               {},
-              "  bounds, at 128 nodes: Cauchy/plain at most 3, interpolation/Cauchy at least 20"};
+              "  bounds, at 128 nodes: Cauchy/plain at most 3, interpolation/Cauchy at least 20",
+              "ns a target",
+              1,
+              5};
   with_one_thread([&] {
     for (const Index n : {64, 128, 256, 512}) {
       const Curve curve = ellipse(n);
@@ -120,7 +123,10 @@ Table time_near_storage(double budget) {
   Table table{"Near corrections: time of explicit rows over factored, by targets a curve",
               {"nodes", "8", "16", "24", "32", "48", "64", "kept up to"},
               {},
-              "  the plan and thirty applications, 64 bodies of one shape, one thread"};
+              "  the plan and thirty applications, 64 bodies of one shape, one thread",
+              "time of rows over factored",
+              1,
+              6};
   with_one_thread([&] {
     for (const Index n : {32, 64, 128, 256}) {
       const auto scheme = std::make_shared<const CauchyCurve>(ellipse(n));

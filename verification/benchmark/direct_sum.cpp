@@ -35,7 +35,10 @@ Table time_direct_sum(double peak, int most, double budget) {
       {},
       "  % of peak: 19 operations a pair, as 2 (r) + 3 (rho^2) + 3 (r.n) + 3 (r.eta) +\n"
       "  3 (product, 1/rho^4 with one division) + 1 (factor) + 4 (accumulate), one thread;\n"
-      "  two threads: how many times as fast as one"};
+      "  two threads: how many times as fast as one",
+      "% of the peak of one core",
+      3,
+      3};
   for (int n = 128; n <= most; n *= 2) {
     const StressletSum sum(row_of_ellipses(n));
     const double one = seconds_per_application(sum, 1, budget);
@@ -51,7 +54,10 @@ Table time_storage(double budget) {
   Table table{"Stored matrix beside streamed sum, one thread",
               {"nodes", "streamed ms", "stored ms", "stored/streamed"},
               {},
-              ""};
+              "",
+              "ms an application",
+              1,
+              2};
   int break_even = 0;
   for (int n : {32, 64, 96, 128, 160, 192, 256, 320, 384, 512, 768, 1024}) {
     const std::vector<Curve> curves = row_of_ellipses(n);

@@ -2,6 +2,7 @@
 // ratios are of times of one run: nothing here fails for being slow.
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <omp.h>
@@ -18,10 +19,12 @@ namespace stokesbook {
 
 namespace {
 
-void print_machine() {
+std::string machine() {
   const BuildInfo build = build_info();
-  std::cout << "processor  " << machine_name() << "\nthreads    " << omp_get_max_threads()
-            << "\ncompiler   " << build.compiler << "\nflags      " << build.flags << '\n';
+  std::ostringstream text;
+  text << "processor  " << machine_name() << "\nthreads    " << omp_get_max_threads()
+       << "\ncompiler   " << build.compiler << "\nflags      " << build.flags << '\n';
+  return text.str();
 }
 
 std::vector<Table> run_benchmarks(bool quick) {
@@ -52,20 +55,25 @@ std::vector<Table> run_benchmarks(bool quick) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Speed of the sums and of the solver on this machine"};
-  std::string csv;
+  std::string csv, html;
   bool quick = false;
   app.add_option("--csv", csv, "also write the numbers to a file");
+  app.add_option("--html", html, "also write tables and figures to a file");
   app.add_flag("--quick", quick, "fewer sizes and repeats");
   CLI11_PARSE(app, argc, argv);
-  stokesbook::print_machine();
+  std::cout << stokesbook::machine();
   const std::vector<stokesbook::Table> tables = stokesbook::run_benchmarks(quick);
-  if (csv.empty()) return 0;
-  std::ofstream file(csv);
-  stokesbook::write_csv(file, tables);
-  file.close();
-  if (!file) {
-    std::cerr << "stokes_bench: cannot write " << csv << '\n';
-    return 3;
-  }
-  return 0;
+  const auto write = [](const std::string& path, const auto& write_to) {
+    if (path.empty()) return true;
+    std::ofstream file(path);
+    write_to(file);
+    file.close();
+    if (!file) std::cerr << "stokes_bench: cannot write " << path << '\n';
+    return static_cast<bool>(file);
+  };
+  const bool written = write(csv, [&](std::ostream& out) { stokesbook::write_csv(out, tables); }) &&
+                       write(html, [&](std::ostream& out) {
+                         stokesbook::write_page(out, stokesbook::machine(), tables);
+                       });
+  return written ? 0 : 3;
 }

@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <ostream>
 
+#include "study/html.hpp"
+#include "study/plot.hpp"
+
 namespace stokesbook {
 
 namespace {
@@ -12,6 +15,17 @@ std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+// The columns that are drawn, over the first one.
+std::string figure(const Table& table) {
+  study::Plot plot{.title = table.title, .x_label = table.columns[0], .y_label = table.drawn};
+  for (std::size_t c = table.first; c <= table.last; ++c) {
+    study::PlotLine line{.label = table.columns[c]};
+    for (const std::vector<double>& row : table.rows) line.points.push_back({row[0], row[c]});
+    plot.lines.push_back(std::move(line));
+  }
+  return study::draw_plot(plot);
 }
 
 }  // namespace
@@ -30,6 +44,26 @@ void print(std::ostream& out, const Table& table) {
   }
   if (!table.note.empty()) out << table.note << '\n';
   out << std::flush;
+}
+
+void write_page(std::ostream& out, const std::string& machine, const std::vector<Table>& tables) {
+  out << "<pre class=\"fragment\">" << study::escaped(machine) << "</pre>\n";
+  for (const Table& table : tables) {
+    out << "<div class=\"study-table\"><table>\n<caption>" << study::escaped(table.title)
+        << "</caption>\n<tr>";
+    for (const std::string& column : table.columns) {
+      out << "<th>" << study::escaped(column) << "</th>";
+    }
+    out << "</tr>\n";
+    for (const std::vector<double>& row : table.rows) {
+      out << "<tr>";
+      for (const double value : row) out << "<td>" << study::html_number(value) << "</td>";
+      out << "</tr>\n";
+    }
+    out << "</table></div>\n";
+    if (!table.note.empty()) out << "<p>" << study::escaped(table.note) << "</p>\n";
+    if (!table.drawn.empty()) out << figure(table);
+  }
 }
 
 void write_csv(std::ostream& out, const std::vector<Table>& tables) {

@@ -11,11 +11,17 @@ struct Table {
   std::string title;
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;
-  std::string note;  ///< printed below; may be empty
+  std::string note;        ///< printed below; may be empty
+  std::string drawn = {};  ///< what the columns of its figure have in common; empty: no figure
+  std::size_t first = 1;   ///< the first column of the figure
+  std::size_t last = 1;    ///< the last one
 };
 
 /// Prints a table in aligned columns.
 void print(std::ostream& out, const Table& table);
+
+/// Writes tables and their figures for a page of the book, as HTML.
+void write_page(std::ostream& out, const std::string& machine, const std::vector<Table>& tables);
 
 /// Writes tables as CSV, one number a line: table, first column's name and value, column, value.
 void write_csv(std::ostream& out, const std::vector<Table>& tables);
