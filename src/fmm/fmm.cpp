@@ -182,6 +182,7 @@ StressletBlock Fmm::nodes(Range sources, Index field, const FmmWorkspace& work) 
 
 std::span<const PointForce> Fmm::points(Range sources, Index field,
                                         const FmmWorkspace& work) const {
+  if (work.without_points_) return {};
   const PointForce* const all = work.points_.data() + field * point_count_;
   return {all + points_before_[static_cast<std::size_t>(sources.first)],
           all + points_before_[static_cast<std::size_t>(sources.last)]};
@@ -189,7 +190,7 @@ std::span<const PointForce> Fmm::points(Range sources, Index field,
 
 void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const {
   check(strengths, work);
-  const bool without_points = strengths.force.rows() == 0;
+  work.without_points_ = strengths.force.rows() == 0;
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < sources_.size(); ++i) {
     const Index source = sources_.order()[static_cast<std::size_t>(i)];
@@ -198,12 +199,11 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
       const Complex density = point < 0 ? strengths.density(source, field) : 0.0;
       work.ex_(i, field) = density.real();
       work.ey_(i, field) = density.imag();
-      if (point < 0) continue;
+      if (point < 0 || work.without_points_) continue;
       const Index place = points_before_[static_cast<std::size_t>(i)] + field * point_count_;
-      work.points_[static_cast<std::size_t>(place)] = {
-          {sources_.x()[i], sources_.y()[i]},
-          without_points ? 0.0 : strengths.force(point, field),
-          without_points ? 0.0 : strengths.torque(point, field)};
+      work.points_[static_cast<std::size_t>(place)] = {{sources_.x()[i], sources_.y()[i]},
+                                                       strengths.force(point, field),
+                                                       strengths.torque(point, field)};
     }
   }
 }

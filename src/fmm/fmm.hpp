@@ -57,6 +57,7 @@ class FmmWorkspace {
 
   Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, a column a field
   std::vector<PointForce> points_;  // in the sources' order, field after field
+  bool without_points_ = false;     // this time they carry nothing
   Expansions outgoing_, incoming_;
   Eigen::MatrixXcd velocity_;
   std::vector<FlowDerivatives> derivatives_;
