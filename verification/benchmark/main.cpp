@@ -45,7 +45,7 @@ std::vector<Table> run_benchmarks(bool quick) {
   add(time_break_even(0.1 * budget));
   add(time_close_evaluation(0.5 * budget));
   add(time_near_storage(0.5 * budget));
-  add(time_taylor_green(quick, budget));
+  add(time_taylor_green(budget));
   return tables;
 }
 

@@ -7,8 +7,7 @@ namespace stokesbook {
 /// Times set-up, matrix-vector product and solve for 48 slender ellipses in a Taylor-Green flow,
 /// where their published simulation starts, with all threads.
 ///
-/// @param  quick   only the published 32 nodes an ellipse
 /// @param  budget  seconds to spend on each number
-Table time_taylor_green(bool quick, double budget);
+Table time_taylor_green(double budget);
 
 }  // namespace stokesbook
