@@ -261,6 +261,13 @@ void Fmm::sum_incoming(FmmWorkspace& work) const {
   }
 }
 
+// All that does not depend on what is evaluated.
+void Fmm::expand(const FmmStrengths& strengths, FmmWorkspace& work) const {
+  sort_strengths(strengths, work);
+  sum_outgoing(work);
+  sum_incoming(work);
+}
+
 // Velocities of some fields at sixteen targets of a leaf.
 template <int fields>
 void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const {
@@ -289,9 +296,7 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
 }
 
 const Eigen::MatrixXcd& Fmm::velocity(const FmmStrengths& strengths, FmmWorkspace& work) const {
-  sort_strengths(strengths, work);
-  sum_outgoing(work);
-  sum_incoming(work);
+  expand(strengths, work);
 #pragma omp parallel for schedule(dynamic, 4)
   for (Index b = 0; b < box_count(targets()); ++b) {
     const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
@@ -327,9 +332,7 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
 
 const std::vector<FlowDerivatives>& Fmm::derivatives(const FmmStrengths& strengths,
                                                      FmmWorkspace& work) const {
-  sort_strengths(strengths, work);
-  sum_outgoing(work);
-  sum_incoming(work);
+  expand(strengths, work);
   const Index fields = work.velocity_.cols();
   work.derivatives_.resize(static_cast<std::size_t>(target_count_ * fields));
 #pragma omp parallel for schedule(dynamic, 4)

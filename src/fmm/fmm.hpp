@@ -165,6 +165,7 @@ class Fmm {
   void sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const;
   void sum_outgoing(FmmWorkspace& work) const;
   void sum_incoming(FmmWorkspace& work) const;
+  void expand(const FmmStrengths& strengths, FmmWorkspace& work) const;
   template <int fields>
   void sum_group(Eigen::Index box, Eigen::Index first, Eigen::Index field,
                  FmmWorkspace& work) const;

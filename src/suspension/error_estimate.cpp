@@ -23,11 +23,6 @@ double correction_tolerance(double relative, double iteration) {
   return std::clamp(std::min(100.0 * relative, 0.1 * iteration / relative), 1e-8, 0.03);
 }
 
-double relative_residual(const DiscreteProblem& discrete, const ComplexVector& density) {
-  const ComplexVector rhs = discrete.system.right_hand_side();
-  return (rhs - discrete.system(density)).norm() / rhs.norm();
-}
-
 // Interpolates, component by component, from the nodes of one system to those of another.
 ComplexVector transferred(const ComplexVector& density, const DiscreteProblem& from,
                           const DiscreteProblem& to) {
@@ -68,21 +63,21 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
   return std::max(motions / scale, loads / load_scale);
 }
 
-ErrorEstimate estimate_error(const DiscreteProblem& coarse, const ComplexVector& density,
+ErrorEstimate estimate_error(const DiscreteProblem& coarse, const GmresResult& solution,
                              const DiscreteProblem& fine, double scale) {
   const Closure& closure = fine.system.closure();
+  const ComplexVector density = deinterleaved(solution.solution);
   const ComplexVector interpolated = transferred(density, coarse, fine);
   const ComplexVector rhs = fine.system.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);
-  const double tolerance =
-      correction_tolerance(residual.norm() / rhs.norm(), relative_residual(coarse, density));
+  const double tolerance = correction_tolerance(residual.norm() / rhs.norm(), solution.residual);
   const GmresResult correction =
       solve(fine, residual, {tolerance, static_cast<int>(2 * residual.size())});
   const ComplexVector change = deinterleaved(correction.solution);
   const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
                                        closure.complete(interpolated + change), scale)
                            .value_or(change.cwiseAbs().maxCoeff() / scale);
-  return {safety * moved, correction.iterations + 3};
+  return {safety * moved, correction.iterations + 2};
 }
 
 }  // namespace stokesbook

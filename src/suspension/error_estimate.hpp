@@ -40,17 +40,17 @@ struct ErrorEstimate {
 /// ill-conditioned. So the correction is solved to a residual of the lesser of
 /// \f$ 100\,|r|^2/|b| \f$ and \f$ 0.1\,|r_0| \f$: the less there is to find, the closer one has
 /// to look.
-/// @param  coarse   the system that was solved
-/// @param  density  its solution, at all coarse nodes, length / time
-/// @param  fine     the same problem at a quarter more nodes or so, each component's parameter the
-///                  same
-/// @param  scale    of velocities, > 0, length / time
-/// @return          the estimate
+/// @param  coarse    the system that was solved
+/// @param  solution  of it, by solve()
+/// @param  fine      the same problem at a quarter more nodes or so, each component's parameter the
+///                   same
+/// @param  scale     of velocities, > 0, length / time
+/// @return           the estimate
 /// @throws std::domain_error as gmres() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of it, @ref claim_12_2
 /// @par Cost      about as many iterations of GMRES as the solution took, with a quarter more nodes
-ErrorEstimate estimate_error(const DiscreteProblem& coarse, const ComplexVector& density,
+ErrorEstimate estimate_error(const DiscreteProblem& coarse, const GmresResult& solution,
                              const DiscreteProblem& fine, double scale);
 
 /// @}

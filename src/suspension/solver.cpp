@@ -71,18 +71,17 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
 }
 
 // Sums fast or directly, whichever takes less for the targets that come.
-template <class Evaluate>
-auto chosen_sum(const Plan& plan, Evaluate PlainSum::*evaluate) {
-  const double tolerance = plan.sum_tolerance;
-  return [=](const SolvedFlow& flow, const ComplexVector& targets) {
+PlainSum planned_sum(const Plan& plan) {
+  const auto choice = [=](const SolvedFlow& flow, const ComplexVector& targets) {
     const bool fast = plan.is_fast_at(targets.size(), flow.density().size());
-    return ((fast ? fast_sum(tolerance) : direct_sum()).*evaluate)(flow, targets);
+    return fast ? fast_sum(plan.sum_tolerance) : direct_sum();
   };
-}
-
-FlowSettings flow_settings(const Plan& plan) {
-  return {plan.near_tolerance,
-          {chosen_sum(plan, &PlainSum::velocity), chosen_sum(plan, &PlainSum::derivatives)}};
+  return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return choice(flow, targets).velocity(flow, targets);
+          },
+          [=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return choice(flow, targets).derivatives(flow, targets);
+          }};
 }
 
 // A component that is alone has none: only the flow near it asks for one.
@@ -246,7 +245,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
       const DiscreteProblem fine =
           discretise(configuration, references(finer(effort.resolutions)), drive);
       const ErrorEstimate estimate =
-          estimate_error(discrete, solution.density, fine, solution.velocity_scale);
+          estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
       solution.error_estimate = estimate.error;
       cost.matvecs += estimate.matvecs;
     }
@@ -297,7 +296,8 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
                                ? std::vector<PlacedCurve>{}
                                : placed(configuration, solution.references);
   ComplexVector velocity =
-      SolvedFlow(problem, near_curves, solution.density, flow_settings(plan_)).velocity(points);
+      SolvedFlow(problem, near_curves, solution.density, {plan_.near_tolerance, planned_sum(plan_)})
+          .velocity(points);
   if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
   return velocity;
 }
@@ -309,8 +309,10 @@ SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
     const auto [position, orientation] = configuration[k];
     curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
   }
-  return {problem(configuration, solution.references, drive), std::move(curves), solution.density,
-          flow_settings(plan_)};
+  return {problem(configuration, solution.references, drive),
+          std::move(curves),
+          solution.density,
+          {plan_.near_tolerance, planned_sum(plan_)}};
 }
 
 std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& configuration,
