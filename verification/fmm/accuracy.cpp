@@ -18,7 +18,8 @@ struct Quantity {
   double (*error)(const Summed&, const FmmSettings&);
   double power;
 };
-constexpr Quantity velocity{velocity_error, 0.0}, derivatives{derivative_error, 1.0};
+constexpr Quantity velocity{velocity_error, 0.0}, derivatives{derivative_error, 1.0},
+    point_forces{point_force_error, 0.0};
 
 /// The tree stays the same: boxes of at most 80 nodes.
 Measure over_orders(Set set, const Quantity& quantity, int most) {
@@ -78,8 +79,9 @@ Line tolerance_line(const std::string& key, const std::string& id, const std::st
                          .law = law,
                          .reason = "the order is that of velocities at one slender body, "
                                    "the worst case; random sets are up to a hundred times "
-                                   "better, and derivatives, in which the near field is "
-                                   "larger, more",
+                                   "better, and more so derivatives, in which the near field is "
+                                   "larger, and Stokeslets, whose series is the integral of "
+                                   "the layer's",
                          .api = {"stokesbook::Fmm", "stokesbook::FmmSettings::for_tolerance"}},
           .control = Control{"the order of half of the digits",
                              over_tolerances(set, quantity, for_half_of_the_digits)}};
@@ -118,12 +120,15 @@ Experiment tolerances() {
           .title = "Velocities for a tolerance",
           .x = "tolerance e",
           .error = "error of the velocity in the 2-norm, relative",
-          .lines = {tolerance_line("square", "08_14", "at nodes uniform in a square", summed_square,
-                                   velocity, law),
-                    tolerance_line("ellipses", "08_15", "at nodes on ellipses", summed_ellipses,
-                                   velocity, law),
-                    tolerance_line("crowd", "08_16", "at nodes crowding over eight decades",
-                                   summed_crowd, velocity, law)}};
+          .lines = {
+              tolerance_line("square", "08_14", "at nodes uniform in a square", summed_square,
+                             velocity, law),
+              tolerance_line("ellipses", "08_15", "at nodes on ellipses", summed_ellipses, velocity,
+                             law),
+              tolerance_line("crowd", "08_16", "at nodes crowding over eight decades", summed_crowd,
+                             velocity, law),
+              tolerance_line("forces", "08_34", "beside Stokeslets and rotlets uniform in a square",
+                             summed_square, point_forces, {1.0, 1e-3})}};
 }
 
 Experiment derivative_tolerances() {

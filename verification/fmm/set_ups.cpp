@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "double_layer/kernels.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "support/point_sets.hpp"
 
@@ -77,6 +78,20 @@ double velocity_error(const Summed& exact, const FmmSettings& settings) {
 double derivative_error(const Summed& exact, const FmmSettings& settings) {
   const Fmm plan(exact.curves, {}, exact.elsewhere, settings);
   return test::relative_error(plan.derivatives(exact.density), exact.derivatives);
+}
+
+double point_force_error(const Summed& exact, const FmmSettings& settings) {
+  const ComplexVector points = all_nodes(exact.curves), &force = exact.density;
+  const Eigen::VectorXd torque = force.real().reverse();
+  ComplexVector velocity = ComplexVector::Zero(exact.elsewhere.size());
+  for (Index i = 0; i < velocity.size(); ++i) {
+    for (Index j = 0; j < points.size(); ++j) {
+      const Complex r = exact.elsewhere[i] - points[j];
+      velocity[i] += stokeslet(r, force[j], 1.0, 1.0) + rotlet(r, torque[j], 1.0);
+    }
+  }
+  const Fmm plan({}, points, exact.elsewhere, settings);
+  return test::relative_error(plan.velocity({ComplexVector(0), force, torque}), velocity);
 }
 
 FmmSettings of_order(int order) {

@@ -46,6 +46,10 @@ double velocity_error(const Summed& exact, const FmmSettings& settings);
 /// Error of pressure, vorticity and strain beside the nodes in the 2-norm, relative.
 double derivative_error(const Summed& exact, const FmmSettings& settings);
 
+/// Error of the velocities beside the nodes in the 2-norm, relative, with a Stokeslet and a rotlet
+/// at every node instead of the layer.
+double point_force_error(const Summed& exact, const FmmSettings& settings);
+
 /// Settings of an order, with leaves as for the tolerance that asks for it.
 FmmSettings of_order(int order);
 
