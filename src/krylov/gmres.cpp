@@ -68,21 +68,32 @@ class HessenbergLeastSquares {
 }  // namespace
 
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const VectorXd& b,
-                  const GmresOptions& options) {
+                  const GmresOptions& options, const VectorXd& guess) {
   require_finite(b, "the right-hand side", 0);
-  GmresResult result;
   const double norm = b.norm();
-  result.history.push_back(norm > 0.0 ? 1.0 : 0.0);
+  GmresResult result;
   result.solution = VectorXd::Zero(b.size());
-  result.converged = norm == 0.0;
+  VectorXd rest = b;
+  if (guess.size() > 0) {
+    const VectorXd left = b - apply(guess);
+    ++result.applications;
+    if (left.norm() < norm) {
+      rest = left;
+      result.solution = guess;
+    }
+  }
+  const double first = rest.norm();
+  result.residual = norm > 0.0 ? first / norm : 0.0;
+  result.history.push_back(result.residual);
+  result.converged = result.residual <= options.tolerance;
   if (result.converged) return result;
 
   const auto preconditioned = [&](const VectorXd& v) { return precondition ? precondition(v) : v; };
   const Index most = std::min<Index>(options.max_iterations, b.size());
   // Grown by columns as needed: most solves take far fewer than the most allowed.
   MatrixXd basis(b.size(), std::min<Index>(most, 31) + 1);
-  basis.col(0) = b / norm;
-  HessenbergLeastSquares least_squares(norm);
+  basis.col(0) = rest / first;
+  HessenbergLeastSquares least_squares(first);
   for (Index k = 0; k < most; ++k) {
     //! [arnoldi]
     VectorXd w = apply(preconditioned(basis.col(k)));
@@ -105,8 +116,9 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     basis.col(k + 1) = w / column[k + 1];
   }
   const VectorXd y = least_squares.solve();
-  result.solution = preconditioned(basis.leftCols(y.size()) * y);
+  result.solution += preconditioned(basis.leftCols(y.size()) * y);
   result.residual = (b - apply(result.solution)).norm() / norm;
+  result.applications += result.iterations + 1;
   // Rounding alone parts the two residuals by less. On a singular operator the recurrence's
   // vanishes.
   if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {

@@ -23,6 +23,7 @@ struct GmresOptions {
 struct GmresResult {
   Eigen::VectorXd solution;  ///< x, as long as b
   int iterations = 0;        ///< dimension of the Krylov space
+  int applications = 0;      ///< of A
   bool converged = false;    ///< the recurrence's residual met the tolerance
   double residual = 0.0;     ///< true relative residual |b - A x| / |b|
   std::vector<double>
@@ -41,16 +42,18 @@ struct GmresResult {
 /// @param  precondition  r -> M^{-1} r; empty: none
 /// @param  b             right-hand side, finite
 /// @param  options       when to stop
+/// @param  guess         x_0, where the iteration begins, which goes on with
+///                       \f$ A d = b - A x_0 \f$; empty, or no better than zero: zero
 /// @return               solution and history; a solution that has not converged is returned too
 /// @throws std::domain_error when b or A x is not finite, or when the solution does not have the
 ///                residual that the recurrence converged to, as A is singular to rounding
 /// @par Accuracy  residuals by the recurrence and true ones agree to rounding, @ref claim_05_7; of
 /// the reduced form, error and tolerance within a factor 10, @ref claim_05_23
-/// @par Cost      iterations + 1 applications of each map, 4 n k^2 operations and n k numbers of
+/// @par Cost      iterations + 1 applications of each map, one more of A with a guess, 4 n k^2 operations and n k numbers of
 /// memory for k iterations
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
-                  const GmresOptions& options);
+                  const GmresOptions& options, const Eigen::VectorXd& guess = {});
 
 /// @}
 

@@ -5,12 +5,12 @@
 namespace stokesbook {
 
 GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
-                  const GmresOptions& options) {
+                  const GmresOptions& options, const ComplexVector& guess) {
   const LinearMap apply = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
     const ComplexVector velocity = discrete.system(deinterleaved(v));
     return interleaved(velocity);
   };
-  return gmres(apply, discrete.precondition, interleaved(rhs), options);
+  return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
 }
 
 }  // namespace stokesbook

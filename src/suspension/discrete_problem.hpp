@@ -21,11 +21,12 @@ struct DiscreteProblem {
 /// @param  discrete  the system, n nodes in all
 /// @param  rhs       velocities at all n nodes, length / time
 /// @param  options   when to stop
+/// @param  guess     density at all n nodes to begin with; empty: none
 /// @return           solution and history, interleaved
 /// @throws std::domain_error as gmres() does
 /// @par Cost         that of gmres()
 GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
-                  const GmresOptions& options);
+                  const GmresOptions& options, const ComplexVector& guess = {});
 
 /// @}
 

@@ -8,6 +8,7 @@
 #include "record/number_text.hpp"
 #include "suspension/background_flow.hpp"
 #include "suspension/component_data.hpp"
+#include "suspension/density_history.hpp"
 #include "suspension/error_estimate.hpp"
 #include "suspension/grading_for_gaps.hpp"
 #include "suspension/node_choice.hpp"
@@ -185,30 +186,16 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
   return gaps;
 }
 
-Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const References& references,
-                                    double gmres_tolerance, double drive) const {
+Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
   Solution solution;
-  solution.references = references;
-  const ComplexVector rhs = discrete.system.right_hand_side();
-  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
-  try {
-    solution.gmres =
-        stokesbook::solve(discrete, rhs, {gmres_tolerance, scene_.solver.gmres_max_iterations});
-  } catch (const std::domain_error& error) {
-    throw NumericsRefused(error.what());
-  }
-  if (!solution.gmres.converged) {
-    throw NumericsRefused(
-        "GMRES stopped at a relative residual of " + short_number(solution.gmres.history.back()) +
-        " after " + std::to_string(solution.gmres.iterations) + " iterations, asked " +
-        short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
-  }
+  solution.references = system.references;
+  solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
-  const Completion completion = discrete.system.closure().complete(solution.density);
+  const Completion completion = system.discrete.system.closure().complete(solution.density);
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
-  for (std::size_t k = 0; k < references.size(); ++k) {
+  for (std::size_t k = 0; k < system.references.size(); ++k) {
     if (k >= scene_.bodies.size()) {
       const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
       solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
@@ -219,28 +206,54 @@ Solution SuspensionSolver::solve_at(const DiscreteProblem& discrete, const Refer
   return solution;
 }
 
-SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configuration,
-                                                    const std::vector<Gap>& gaps,
-                                                    const Effort& effort, double drive) const {
-  refuse(limit_refusal(scene_, effort.resolutions, gaps));
-  const References references = this->references(effort.resolutions);
+SuspensionSolver::System SuspensionSolver::system(const Configuration& configuration,
+                                                  const std::vector<Gap>& gaps,
+                                                  const Resolutions& resolutions,
+                                                  double drive) const {
+  refuse(limit_refusal(scene_, resolutions, gaps));
+  References references = this->references(resolutions);
   refuse(geometry_refusal(scene_, gaps, configuration, references));
   const StokesProblem problem = this->problem(configuration, references, drive);
   refuse(data_refusal(scene_, problem));
   DiscreteProblem discrete = discretise(problem, configuration, references);
-  Solution solution = solve_at(discrete, references, effort.gmres_tolerance, drive);
-  solution.gaps = gaps;
-  return {std::move(discrete), std::move(solution)};
+  return {std::move(references), std::move(discrete)};
 }
 
-Solution SuspensionSolver::solve(const Configuration& configuration, double drive) const {
+SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configuration,
+                                                    const std::vector<Gap>& gaps,
+                                                    const Effort& effort, double drive) const {
+  System system = this->system(configuration, gaps, effort.resolutions, drive);
+  const ComplexVector rhs = system.discrete.system.right_hand_side();
+  const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
+  GmresResult gmres;
+  try {
+    gmres = stokesbook::solve(system.discrete, rhs,
+                              {effort.gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused(error.what());
+  }
+  if (!gmres.converged) {
+    throw NumericsRefused("GMRES stopped at a relative residual of " +
+                          short_number(gmres.history.back()) + " after " +
+                          std::to_string(gmres.iterations) + " iterations, asked " +
+                          short_number(effort.gmres_tolerance) +
+                          ": raise solver.gmres_max_iterations or solver.tolerance");
+  }
+  Solution solution = completed(system, std::move(gmres), drive);
+  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
+  solution.gaps = gaps;
+  return {std::move(system.discrete), std::move(solution)};
+}
+
+Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
+                                 const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
-  Effort effort{first_resolutions(configuration, gaps), plan_.gmres_tolerance};
+  Effort effort{first_resolutions(configuration, gaps), plan_.gmres_tolerance, guess};
   SolveCost cost;
   while (true) {
     auto [discrete, solution] = attempt(configuration, gaps, effort, drive);
     cost.gmres_iterations += solution.gmres.iterations;
-    cost.matvecs += solution.gmres.iterations + 1;
+    cost.matvecs += solution.gmres.applications;
     if (solution.velocity_scale > 0.0) {
       const DiscreteProblem fine =
           discretise(configuration, references(finer(effort.resolutions)), drive);
@@ -252,12 +265,17 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     solution.cost = cost;
     if (solution.error_estimate <= scene_.solver.tolerance) return solution;
     const std::vector<TailEstimate> tails = tails_of(discrete, solution);
-    const Effort next = greater(effort, tails, solution.error_estimate);
+    Effort next = greater(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
       throw NumericsRefused(
           accuracy_refusal(scene_, effort.resolutions, tails, solution.error_estimate, gaps));
     }
-    effort = next;
+    DensityHistory found(1);
+    found.add(0.0, configuration, solution.references, solution.density);
+    next.guess = [&configuration, found](const References& references) {
+      return found.guess(0.0, configuration, references);
+    };
+    effort = std::move(next);
   }
 }
 
@@ -265,7 +283,7 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
                                                    const std::vector<TailEstimate>& tails,
                                                    double error) const {
   const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
-  Effort next{raised(scene_, effort.resolutions, tails, error), effort.gmres_tolerance};
+  Effort next{raised(scene_, effort.resolutions, tails, error), effort.gmres_tolerance, {}};
   // The nodes do: the system is so ill-conditioned that its residual says little.
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
     next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
@@ -274,7 +292,7 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
 }
 
 Solution SuspensionSolver::solve_nearby(const Configuration& configuration, const Solution& earlier,
-                                        double drive) const {
+                                        double drive, const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
   Resolutions resolutions = first_resolutions(configuration, gaps);
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
@@ -282,8 +300,27 @@ Solution SuspensionSolver::solve_nearby(const Configuration& configuration, cons
     nodes = std::max(nodes, earlier.references[k]->resolution.n_nodes);
   }
   Solution solution =
-      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance}, drive).solution;
-  solution.cost = {solution.gmres.iterations, solution.gmres.iterations + 1};
+      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive).solution;
+  solution.cost = {solution.gmres.iterations, solution.gmres.applications};
+  solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
+  return solution;
+}
+
+Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
+                                        const DensityGuess& guess, double drive) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  const System system =
+      this->system(configuration, gaps, first_resolutions(configuration, gaps), drive);
+  const auto& [problem, apply, precondition] = system.discrete;
+  const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
+  const ComplexVector residual = rhs - apply(before);
+  GmresResult sweep;
+  sweep.solution = interleaved(before) + precondition(interleaved(residual));
+  sweep.residual = residual.norm() / rhs.norm();
+  Solution solution = completed(system, std::move(sweep), drive);
+  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
+  solution.gaps = gaps;
+  solution.cost = {0, 1};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;
 }

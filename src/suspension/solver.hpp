@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,9 @@ namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// Guesses the density on the nodes of some references, one a component; empty: from nothing.
+using DensityGuess = std::function<ComplexVector(const References&)>;
 
 /// What a solution has cost, attempts at fewer nodes included.
 struct SolveCost {
@@ -70,6 +74,7 @@ class SuspensionSolver {
   /// estimate exceeds the tolerance. Where the nodes do and GMRES does not, it goes on.
   /// @param  configuration  where the components are
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
+  /// @param  guess          of the density, where GMRES begins
   /// @return                density, motions and loads of all components, and the error estimate
   /// @throws NumericsRefused on overlap, net flux, net force without gauge, a gauge length not
   ///                large against held components, hopeless shapes and gaps, an estimate above the
@@ -77,7 +82,8 @@ class SuspensionSolver {
   ///                no convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
-  Solution solve(const Configuration& configuration, double drive = 1.0) const;
+  Solution solve(const Configuration& configuration, double drive = 1.0,
+                 const DensityGuess& guess = {}) const;
 
   /// Solves a configuration near one that was solved before, without an estimate: for the inner
   /// stages of a time step.
@@ -85,11 +91,27 @@ class SuspensionSolver {
   /// @param  configuration  where the components are
   /// @param  earlier        solution whose resolution will do, unless gaps have closed
   /// @param  drive          as in solve()
+  /// @param  guess          as in solve()
   /// @return                density, motions and loads of all components
   /// @throws NumericsRefused as solve() does, but for estimates
   /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES
   Solution solve_nearby(const Configuration& configuration, const Solution& earlier,
+                        double drive = 1.0, const DensityGuess& guess = {}) const;
+
+  /// Solves every component alone in the flow that all others had before: the lagged, "locally
+  /// implicit" coupling, one sweep of block Jacobi,
+  /// \f$ \eta = \eta' + M^{-1}(b - A\eta') \f$ with the block diagonal M of A.
+  ///
+  /// Its error does not depend on how well nodes resolve, nor on tolerances; there is no estimate.
+  /// @param  configuration  where the components are
+  /// @param  guess          of the density before, not empty
+  /// @param  drive          as in solve()
+  /// @return                density, motions and loads of all components
+  /// @throws NumericsRefused as solve() does, but for estimates and convergence
+  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner
+  /// @par Not for   a plan without block_diagonal
+  Solution solve_lagged(const Configuration& configuration, const DensityGuess& guess,
                         double drive = 1.0) const;
 
   /// Evaluates the fluid's velocity in a solution.
@@ -213,6 +235,11 @@ class SuspensionSolver {
   struct Effort {
     Resolutions resolutions;
     double gmres_tolerance;
+    DensityGuess guess;
+  };
+  struct System {
+    References references;
+    DiscreteProblem discrete;
   };
   struct Attempt {
     DiscreteProblem discrete;
@@ -224,9 +251,10 @@ class SuspensionSolver {
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
                              const References& references) const;
+  System system(const Configuration& configuration, const std::vector<Gap>& gaps,
+                const Resolutions& resolutions, double drive) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
-  Solution solve_at(const DiscreteProblem& discrete, const References& references,
-                    double gmres_tolerance, double drive) const;
+  Solution completed(const System& system, GmresResult gmres, double drive) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;
 

@@ -176,6 +176,16 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   return parameters;
 }
 
+double graded_position(const Grading& grading, double parameter) {
+  require_valid(grading);
+  double sum = 0.0;
+  for (const Cluster& cluster : grading.clusters) {
+    sum += integral(parameter - cluster.parameter, cluster.width) -
+           integral(-cluster.parameter, cluster.width);
+  }
+  return (parameter + grading.strength * sum) / mean_density(grading);
+}
+
 double graded_depth(const Grading& grading, double parameter, double depth) {
   require_valid(grading);
   double sum = 0.0;

@@ -67,6 +67,15 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::In
 /// @par Cost        as graded_parameters(); for a NodalCurve with p points n p more
 Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
 
+/// Computes where a parameter lies among graded nodes: the inverse of graded_parameters().
+///
+/// @param  grading    where nodes crowd
+/// @param  parameter  t, radians
+/// @return            s(t), radians; t itself without clusters
+/// @throws std::invalid_argument as graded_parameters()
+/// @par Accuracy      rounding of t, stretched by dt/ds
+double graded_position(const Grading& grading, double parameter);
+
 /// Computes how far from the real s axis a singularity at \f$ t = p + id \f$ comes to lie:
 /// \f[ |\mathrm{Im}\,s| = \frac1C\Bigl(d + b\sum_c \mathrm{Im}\int_0^{p+id-t_c}
 ///     \frac{d\tau}{\sqrt{4\sin^2\frac\tau2+\delta_c^2}}\Bigr). \f]
