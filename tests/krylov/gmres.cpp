@@ -124,3 +124,39 @@ BOOST_AUTO_TEST_CASE(the_unit_of_the_data_does_not_matter) {
     BOOST_TEST((other.solution / scale - one.solution).norm() < 1e-13);
   }
 }
+
+BOOST_AUTO_TEST_CASE(a_guess_saves_iterations_but_not_digits) {
+  const MatrixXd a = well_conditioned_matrix(80, 16);
+  const VectorXd b = normal_matrix(80, 1, 17), exact = test::solve(a, b);
+  int applications = 0;
+  const LinearMap count = [&](const VectorXd& v) -> VectorXd {
+    ++applications;
+    return a * v;
+  };
+  const int cold = gmres(map_of(a), {}, b, {1e-10, 500}).iterations;
+  int before = cold;
+  for (double error : {1e-2, 1e-4, 1e-8}) {
+    applications = 0;
+    const VectorXd guess = exact + error * exact.norm() * normal_matrix(80, 1, 18).normalized();
+    const GmresResult result = gmres(count, {}, b, {1e-10, 500}, guess);
+    BOOST_TEST(result.converged);
+    BOOST_TEST(residual(a, result.solution, b) <= 1.001e-10);
+    BOOST_TEST(result.history.front() == residual(a, guess, b));
+    BOOST_TEST(result.iterations < before);
+    BOOST_TEST(result.applications == applications);
+    before = result.iterations;
+  }
+  BOOST_TEST(gmres(map_of(a), {}, b, {1e-10, 500}, exact).iterations == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_guess_that_is_worse_than_nothing_is_ignored) {
+  const MatrixXd a = well_conditioned_matrix(30, 19);
+  const VectorXd b = normal_matrix(30, 1, 20);
+  const GmresResult cold = gmres(map_of(a), {}, b, {1e-10, 500});
+  for (const VectorXd& guess :
+       {VectorXd{100.0 * b}, VectorXd{VectorXd::Constant(30, std::nan(""))}}) {
+    const GmresResult result = gmres(map_of(a), {}, b, {1e-10, 500}, guess);
+    BOOST_TEST((result.solution - cold.solution).norm() == 0.0);
+    BOOST_TEST(result.applications == cold.applications + 1);
+  }
+}

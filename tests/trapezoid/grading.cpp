@@ -118,6 +118,22 @@ BOOST_AUTO_TEST_CASE(a_cluster_at_zero_keeps_the_digits_of_small_parameters) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(positions_among_graded_nodes_invert_parameters) {
+  for (const Grading& grading : gradings) {
+    const Index n = 101;
+    const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
+    for (Index j = 0; j < n; ++j) {
+      const auto [t, dt, ddt] = nodes[static_cast<std::size_t>(j)];
+      const double s = 2.0 * pi * static_cast<double>(j) / static_cast<double>(n);
+      BOOST_TEST(std::abs(std::remainder(graded_position(grading, t) - s, 2.0 * pi)) <
+                 1e-13 + 4e-15 / dt);  // t has a unit roundoff of 1e-15
+      BOOST_TEST(std::abs(graded_position(grading, t + 2.0 * pi) - graded_position(grading, t) -
+                          2.0 * pi) < 1e-13 + 4e-15 / dt);
+    }
+  }
+  BOOST_TEST(graded_position({}, 1.7) == 1.7);
+}
+
 BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) {
   // Central differences of order 2.
   for (const Grading& grading : gradings) {

@@ -1,0 +1,71 @@
+// The lagged coupling is block Jacobi: the coupled solution is its fixed point, and its sweeps
+// contract by the spectral radius of I - M^{-1} A, or do not contract.
+#include <Eigen/Eigenvalues>
+
+#include "double_layer/double_layer.hpp"
+#include "scenes.hpp"
+
+namespace stokesbook::test {
+namespace {
+
+Scene pair(double gap) {
+  Scene pair = scene({body(Circle{1.0}, 96, {-1.0 - 0.5 * gap, 0.0}),
+                      body(Circle{1.0}, 96, {1.0 + 0.5 * gap, 0.1})},
+                     ShearFlow{1.0});
+  pair.solver.tolerance = 1e-9;
+  pair.solver.preconditioner = PreconditionerKind::block_diagonal;
+  return pair;
+}
+
+// Largest modulus of an eigenvalue of I - M^{-1} A.
+double spectral_radius(const Solved& solved) {
+  const DiscreteProblem discrete =
+      solved.solver.discretise(solved.configuration, solved.solution.references);
+  const Eigen::Index n = 2 * solved.solution.density.size();
+  Eigen::MatrixXd sweep(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j);
+    const ComplexVector image = discrete.system(deinterleaved(unit));
+    sweep.col(j) = unit - discrete.precondition(interleaved(image));
+  }
+  return Eigen::EigenSolver<Eigen::MatrixXd>(sweep, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(couplings)
+
+BOOST_AUTO_TEST_CASE(sweeps_contract_to_the_coupled_solution_by_the_spectral_radius) {
+  for (double gap : {1.0, 0.3, 0.1}) {
+    const Solved solved(pair(gap));
+    const double radius = spectral_radius(solved);
+    const auto lagged = [&](const ComplexVector& before) {
+      return solved.solver.solve_lagged(solved.configuration,
+                                        [&](const References&) { return before; });
+    };
+    const ComplexVector& exact = solved.solution.density;
+    BOOST_TEST((lagged(exact).density - exact).norm() < 1e-8 * exact.norm());
+    ComplexVector density = ComplexVector::Zero(exact.size());
+    double error = exact.norm(), factor = 0.0;
+    for (int sweep = 0; sweep < 14; ++sweep) {
+      density = lagged(density).density;
+      factor = (density - exact).norm() / std::exchange(error, (density - exact).norm());
+    }
+    BOOST_TEST(factor < 1.02 * radius);
+    BOOST_TEST(factor > 0.6 * radius);
+  }
+}
+
+// Values of the specification.
+BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
+  const double gaps[] = {1.0, 0.5, 0.2, 0.1, 0.05}, radii[] = {0.29, 0.48, 0.72, 0.86, 0.94};
+  for (std::size_t k = 0; k < 5; ++k) {
+    Scene aligned = pair(gaps[k]);
+    for (Body& body : aligned.bodies) body.position.imag(0.0);
+    BOOST_TEST(std::abs(spectral_radius(Solved(aligned)) - radii[k]) < 0.006);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test
