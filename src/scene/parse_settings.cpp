@@ -1,5 +1,4 @@
 #include <string>
-#include <variant>
 
 #include "scene/sections.hpp"
 
@@ -14,10 +13,6 @@ constexpr Requirement<double> residual{"a number > 0 and < 1",
 constexpr Requirement<int> resolution{
     "an integer from 2 to 2000: points along the box's longer side",
     [](const int& k) { return k >= 2 && k <= 2000; }};
-constexpr Words<std::monostate, 2> couplings{{
-    {"global", std::monostate{}},
-    {"local", not_yet},
-}};
 
 FieldSettings read_fields(const Node& node) {
   const TableReader table(node, {"box", "resolution", "quantities"});
@@ -47,7 +42,7 @@ SolverSettings read_solver(const TableReader& root) {
       table.get("near_singular", near_singular_schemes).value_or(solver.near_singular);
   solver.preconditioner =
       table.get("preconditioner", preconditioners).value_or(solver.preconditioner);
-  table.get("coupling", couplings);
+  solver.coupling = table.get("coupling", couplings).value_or(solver.coupling);
   return solver;
 }
 

@@ -188,6 +188,13 @@ enum class PreconditionerKind {
   block_diagonal  ///< every component alone, see BlockDiagonalPreconditioner
 };
 
+/// How components see each other at one instant.
+enum class Coupling {
+  global,  ///< all at once, as they are
+  local    ///< each sees the others' densities of the instant before, see
+           ///< SuspensionSolver::solve_lagged(); for comparison
+};
+
 /// Method that advances the bodies in time.
 enum class SteppingMethod {
   euler,             ///< order 1, see euler_step()
@@ -219,6 +226,7 @@ struct SolverSettings {
   Summation summation = Summation::automatic;  ///< of the double layer
   NearSingular near_singular = NearSingular::automatic;               ///< corrections
   PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< of GMRES
+  Coupling coupling = Coupling::global;                               ///< of components
 
   /// @return true when all members are equal
   bool operator==(const SolverSettings&) const = default;

@@ -65,6 +65,12 @@ inline constexpr Words<PreconditionerKind, 3> preconditioners{{
     {"block_diagonal", PreconditionerKind::block_diagonal},
 }};
 
+/// Words of `coupling` in [solver].
+inline constexpr Words<Coupling, 2> couplings{{
+    {"global", Coupling::global},
+    {"local", Coupling::local},
+}};
+
 /// Words of `method` in [time].
 inline constexpr Words<SteppingMethod, 6> stepping_methods{{
     {"euler", SteppingMethod::euler},

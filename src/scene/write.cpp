@@ -85,7 +85,8 @@ std::string section(const SolverSettings& solver) {
   return text + lines({{"gmres_max_iterations", solver.gmres_max_iterations},
                        {"summation", name_of(solver.summation, summations)},
                        {"near_singular", name_of(solver.near_singular, near_singular_schemes)},
-                       {"preconditioner", name_of(solver.preconditioner, preconditioners)}});
+                       {"preconditioner", name_of(solver.preconditioner, preconditioners)},
+                       {"coupling", name_of(solver.coupling, couplings)}});
 }
 
 std::string section(const TimeSettings& time) {

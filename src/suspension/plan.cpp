@@ -122,8 +122,9 @@ Plan make_plan(const Scene& scene) {
   plan.near_correction = scene.solver.near_singular != NearSingular::off && census.components > 1;
   // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
   const bool only_circles = census.circles == census.components;
+  const bool local = scene.solver.coupling == Coupling::local;
   plan.block_diagonal =
-      scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
+      local || scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
       (scene.solver.preconditioner == PreconditionerKind::automatic && !only_circles);
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
@@ -148,9 +149,14 @@ Plan make_plan(const Scene& scene) {
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
   plan.lines.push_back(
       {"preconditioner", plan.block_diagonal ? "block diagonal, from the right" : "none",
-       scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
+       local ? "solver.coupling = \"local\""
+       : scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
        : only_circles ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
                       : "own blocks of slender and lobed shapes spread the spectrum"});
+  if (local) {
+    plan.lines.push_back({"coupling", "lagged: one sweep of block Jacobi a step after the first",
+                          "solver.coupling; its error is reported, and not bounded"});
+  }
   plan.lines.push_back({"GMRES", "to " + short_number(plan.gmres_tolerance) + ", without restart",
                         scene.solver.gmres_tol
                             ? "solver.gmres_tol"

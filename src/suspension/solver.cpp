@@ -9,7 +9,6 @@
 #include "suspension/background_flow.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/density_history.hpp"
-#include "suspension/error_estimate.hpp"
 #include "suspension/grading_for_gaps.hpp"
 #include "suspension/node_choice.hpp"
 #include "suspension/refusal.hpp"
@@ -245,6 +244,15 @@ SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configu
   return {std::move(system.discrete), std::move(solution)};
 }
 
+ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
+                                         const Configuration& configuration,
+                                         const Solution& solution, double drive) const {
+  if (solution.velocity_scale == 0.0) return {};
+  const Resolutions resolutions = finer(resolutions_of(solution.references));
+  const DiscreteProblem fine = discretise(configuration, references(resolutions), drive);
+  return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
+}
+
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
                                  const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
@@ -252,16 +260,10 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
   SolveCost cost;
   while (true) {
     auto [discrete, solution] = attempt(configuration, gaps, effort, drive);
+    const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
     cost.gmres_iterations += solution.gmres.iterations;
-    cost.matvecs += solution.gmres.applications;
-    if (solution.velocity_scale > 0.0) {
-      const DiscreteProblem fine =
-          discretise(configuration, references(finer(effort.resolutions)), drive);
-      const ErrorEstimate estimate =
-          estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
-      solution.error_estimate = estimate.error;
-      cost.matvecs += estimate.matvecs;
-    }
+    cost.matvecs += solution.gmres.applications + estimate.matvecs;
+    solution.error_estimate = estimate.error;
     solution.cost = cost;
     if (solution.error_estimate <= scene_.solver.tolerance) return solution;
     const std::vector<TailEstimate> tails = tails_of(discrete, solution);
@@ -320,8 +322,9 @@ Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
   Solution solution = completed(system, std::move(sweep), drive);
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   solution.gaps = gaps;
-  solution.cost = {0, 1};
-  solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
+  const ErrorEstimate estimate = this->estimate(system.discrete, configuration, solution, drive);
+  solution.error_estimate = estimate.error;
+  solution.cost = {0, 1 + estimate.matvecs};
   return solution;
 }
 

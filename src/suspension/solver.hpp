@@ -11,6 +11,7 @@
 #include "stress/solved_flow.hpp"
 #include "suspension/configuration.hpp"
 #include "suspension/discrete_problem.hpp"
+#include "suspension/error_estimate.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/numerics_refused.hpp"
 #include "suspension/plan.hpp"
@@ -103,13 +104,15 @@ class SuspensionSolver {
   /// implicit" coupling, one sweep of block Jacobi,
   /// \f$ \eta = \eta' + M^{-1}(b - A\eta') \f$ with the block diagonal M of A.
   ///
-  /// Its error does not depend on how well nodes resolve, nor on tolerances; there is no estimate.
+  /// The error of the sweep is part of the estimate, which refuses nothing; the residual is that of
+  /// the density before.
   /// @param  configuration  where the components are
   /// @param  guess          of the density before, not empty
   /// @param  drive          as in solve()
-  /// @return                density, motions and loads of all components
+  /// @return                density, motions and loads of all components, and the error estimate
   /// @throws NumericsRefused as solve() does, but for estimates and convergence
-  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner
+  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
+  ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
   Solution solve_lagged(const Configuration& configuration, const DensityGuess& guess,
                         double drive = 1.0) const;
@@ -248,6 +251,8 @@ class SuspensionSolver {
   /// @endcond
   Attempt attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
                   const Effort& effort, double drive) const;
+  ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
+                         const Solution& solution, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
                              const References& references) const;

@@ -89,10 +89,8 @@ BOOST_AUTO_TEST_CASE(settings) {
        "interpolation, off, not a boolean"},
       {"[solver]\npreconditioner = 'ilu'\n",
        "s.toml:2:18: solver.preconditioner = \"ilu\": must be one of auto, none, block_diagonal"},
-      {"[solver]\ncoupling = 'local'\n",
-       "s.toml:2:12: solver.coupling = \"local\": not available yet: must be one of global"},
       {"[solver]\ncoupling = 'loose'\n",
-       "s.toml:2:12: solver.coupling = \"loose\": must be one of global"},
+       "s.toml:2:12: solver.coupling = \"loose\": must be one of global, local"},
       {"[solver]\ngmres_tolerance = 1e-3\n",
        "s.toml:2:1: solver.gmres_tolerance = 0.001: unknown key; known here: tolerance, gmres_tol, "
        "gmres_max_iterations, summation, near_singular, preconditioner, coupling"},

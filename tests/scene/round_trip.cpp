@@ -111,6 +111,7 @@ void add_settings(Scene& scene, Dice& dice) {
   scene.solver.preconditioner =
       dice.one_of<PreconditionerKind>({PreconditionerKind::automatic, PreconditionerKind::none,
                                        PreconditionerKind::block_diagonal});
+  scene.solver.coupling = dice.one_of<Coupling>({Coupling::global, Coupling::local});
   if (dice.coin()) {
     scene.time = {
         dice.positive(), dice.positive(),
@@ -213,6 +214,7 @@ gmres_max_iterations = 500
 summation = "auto"
 near_singular = "auto"
 preconditioner = "auto"
+coupling = "global"
 
 [output]
 formats = ["csv"]
