@@ -174,11 +174,12 @@ int run_scene(const RunOptions& options) {
   finish(exit_done, "done");
   if (!options.quiet) {
     std::printf(
-        "%lld steps, %lld solves, %lld GMRES iterations, error estimate %s, %.1f s, %lld MB; "
+        "%lld steps, %lld more rejected, %lld solves, %lld GMRES iterations, error estimate %s, "
+        "%.1f s, %lld MB; "
         "results in %s\n",
-        info.totals.steps, info.totals.solves, info.totals.gmres_iterations,
-        short_number(info.resolution.error_estimate).c_str(), info.wall_seconds,
-        info.peak_memory / 1'000'000, out.c_str());
+        info.totals.steps, info.totals.rejected_steps, info.totals.solves,
+        info.totals.gmres_iterations, short_number(info.resolution.error_estimate).c_str(),
+        info.wall_seconds, info.peak_memory / 1'000'000, out.c_str());
   }
   return exit_done;
 }

@@ -13,7 +13,7 @@ namespace stokesbook {
 
 namespace {
 
-const std::string magic = "stokesbook checkpoint 1\n";
+const std::string magic = "stokesbook checkpoint 2\n";
 
 std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';

@@ -16,10 +16,11 @@ namespace stokesbook {
 
 /// What a solver needs to go on exactly where it stopped.
 struct Checkpoint {
-  double t = 0.0;         ///< time reached
+  double t = 0.0;         ///< time reached, or the beginning of a step that is to be repeated
   long long step = 0;     ///< steps done
   Eigen::VectorXd state;  ///< what the solver advances, in its own order
-  /// What the time stepper remembers, by name (one word each): earlier rates, the last step length.
+  /// What the time stepper remembers, by name (one word each): earlier rates, the next step's length,
+  /// the last time on record.
   std::map<std::string, Eigen::VectorXd> history;
 };
 

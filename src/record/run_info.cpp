@@ -15,6 +15,7 @@ std::string to_json(const RunInfo& info) {
       {"plan", info.plan},
       {"totals",
        {{"steps", info.totals.steps},
+        {"rejected_steps", info.totals.rejected_steps},
         {"solves", info.totals.solves},
         {"gmres_iterations", info.totals.gmres_iterations},
         {"matvecs", info.totals.matvecs}}},

@@ -11,6 +11,7 @@ namespace stokesbook {
 /// What a run has cost.
 struct RunTotals {
   long long steps = 0;             ///< of time
+  long long rejected_steps = 0;    ///< tries that were longer than the step that was taken
   long long solves = 0;            ///< of the linear system
   long long gmres_iterations = 0;  ///< of all solves
   long long matvecs = 0;           ///< applications of the operator

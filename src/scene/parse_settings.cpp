@@ -13,6 +13,8 @@ constexpr Requirement<double> residual{"a number > 0 and < 1",
 constexpr Requirement<int> resolution{
     "an integer from 2 to 2000: points along the box's longer side",
     [](const int& k) { return k >= 2 && k <= 2000; }};
+constexpr Requirement<double> step_tolerance{
+    "a number from 1e-13 to 0.1", [](const double& x) { return x >= 1e-13 && x <= 0.1; }};
 
 FieldSettings read_fields(const Node& node) {
   const TableReader table(node, {"box", "resolution", "quantities"});
@@ -23,6 +25,36 @@ FieldSettings read_fields(const Node& node) {
     fields.quantities = read_distinct(*quantities, field_quantities);
   }
   return fields;
+}
+
+std::string adaptive_methods() {
+  std::string names;
+  for (const auto& [name, method] : stepping_methods) {
+    if (!adapts_steps(*method)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
+
+std::optional<EffortBounds> read_effort(const TableReader& time) {
+  const Node* node = time.find("effort");
+  if (node == nullptr) return std::nullopt;
+  const TableReader table(*node, {"few", "many"});
+  const EffortBounds effort{table.require("few", positive_integer),
+                            table.require("many", positive_integer)};
+  if (effort.few >= effort.many) fail(*table.find("many"), "must be more than few");
+  return effort;
+}
+
+// dt_min <= dt <= dt_max, as far as they are given.
+void check_limits(const TableReader& table, const TimeSettings& time) {
+  const auto ordered = [&](std::optional<double> low, std::optional<double> high,
+                           std::string_view key, const std::string& problem) {
+    if (low && high && *low > *high) fail(*table.find(key), problem);
+  };
+  ordered(time.dt_min, time.dt, "dt_min", "must be at most time.dt");
+  ordered(time.dt_min, time.dt_max, "dt_min", "must be at most time.dt_max");
+  ordered(time.dt, time.dt_max, "dt_max", "must be at least time.dt");
 }
 
 }  // namespace
@@ -49,13 +81,28 @@ SolverSettings read_solver(const TableReader& root) {
 std::optional<TimeSettings> read_time(const TableReader& root) {
   const Node* node = root.find("time");
   if (node == nullptr) return std::nullopt;
-  const TableReader table(*node, {"t_final", "dt", "method", "tolerance", "dt_min", "dt_max"});
-  table.refuse({"tolerance", "dt_min", "dt_max"},
-               "not available yet: it belongs to the embedded methods");
+  const TableReader table(*node,
+                          {"t_final", "dt", "method", "tolerance", "dt_min", "dt_max", "effort"});
   TimeSettings time;
   time.t_final = table.require("t_final", positive_number);
-  time.dt = table.require("dt", positive_number);
   time.method = table.get("method", stepping_methods).value_or(time.method);
+  if (adapts_steps(time.method)) {
+    table.refuse({"effort"},
+                 "belongs to methods of fixed steps: this one adapts them to the error");
+    time.dt = table.get("dt", positive_number);
+    time.tolerance = table.get("tolerance", step_tolerance).value_or(time.tolerance);
+  } else {
+    table.refuse({"tolerance"},
+                 "belongs to " + adaptive_methods() + ": this method has fixed steps");
+    time.dt = table.require("dt", positive_number);
+    time.effort = read_effort(table);
+    if (!time.effort) {
+      table.refuse({"dt_max"}, "belongs to " + adaptive_methods() + ", and to time.effort");
+    }
+  }
+  time.dt_min = table.get("dt_min", positive_number);
+  time.dt_max = table.get("dt_max", positive_number);
+  check_limits(table, time);
   return time;
 }
 

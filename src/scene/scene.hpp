@@ -195,12 +195,24 @@ enum class Coupling {
            ///< SuspensionSolver::solve_lagged(); for comparison
 };
 
-/// Method that advances the bodies in time.
+/// Method that advances the bodies in time, see Method.
 enum class SteppingMethod {
-  euler,             ///< order 1, see euler_step()
-  adams_bashforth2,  ///< order 2, see adams_bashforth2_step()
-  rk4                ///< order 4, see runge_kutta4_step()
+  euler,               ///< order 1
+  adams_bashforth2,    ///< order 2
+  heun,                ///< order 2
+  rk4,                 ///< order 4
+  bogacki_shampine32,  ///< order 3, adapts its steps
+  dormand_prince54,    ///< order 5, adapts its steps
+  prince_dormand87     ///< order 8, adapts its steps
 };
+
+/// Tells whether a method estimates its error and adapts its steps to it.
+///
+/// @param  method  any
+/// @return         whether it is an embedded one
+constexpr bool adapts_steps(SteppingMethod method) {
+  return method >= SteppingMethod::bogacki_shampine32;
+}
 
 /// What a run writes.
 enum class OutputFormat {
@@ -232,11 +244,27 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 };
 
+/// Steps that grow and shrink with the effort of their solves, the heuristic of the literature.
+struct EffortBounds {
+  int few = 0;   ///< dt doubles after a step of fewer GMRES iterations
+  int many = 0;  ///< dt halves after a step of more, > few
+
+  /// @return true when all members are equal
+  bool operator==(const EffortBounds&) const = default;
+};
+
 /// How a run advances in time.
 struct TimeSettings {
   double t_final = 0.0;                           ///< end of the run, > 0; it starts at 0
-  double dt = 0.0;                                ///< longest step, > 0, time
+  std::optional<double> dt{};                     ///< longest step, > 0, time; of methods that
+                                                  ///< adapt steps the first, none: chosen
   SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
+  double tolerance = 1e-6;         ///< of methods that adapt steps: error of positions in units of
+                                   ///< the largest body's radius, and of angles, radians
+  std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of dt, or of t_final
+                                   ///< where the method adapts steps
+  std::optional<double> dt_max{};  ///< longest step of methods that adapt, and by effort
+  std::optional<EffortBounds> effort{};  ///< of methods of fixed steps; none: dt stays
 
   /// @return true when all members are equal
   bool operator==(const TimeSettings&) const = default;

@@ -72,13 +72,14 @@ inline constexpr Words<Coupling, 2> couplings{{
 }};
 
 /// Words of `method` in [time].
-inline constexpr Words<SteppingMethod, 6> stepping_methods{{
+inline constexpr Words<SteppingMethod, 7> stepping_methods{{
     {"euler", SteppingMethod::euler},
     {"adams_bashforth2", SteppingMethod::adams_bashforth2},
+    {"heun", SteppingMethod::heun},
     {"rk4", SteppingMethod::rk4},
-    {"heun", not_yet},
-    {"bogacki_shampine", not_yet},
-    {"dormand_prince", not_yet},
+    {"bogacki_shampine32", SteppingMethod::bogacki_shampine32},
+    {"dormand_prince54", SteppingMethod::dormand_prince54},
+    {"prince_dormand87", SteppingMethod::prince_dormand87},
 }};
 
 /// Words of `formats` in [output].

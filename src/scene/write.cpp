@@ -90,9 +90,16 @@ std::string section(const SolverSettings& solver) {
 }
 
 std::string section(const TimeSettings& time) {
-  return "\n[time]\n" + lines({{"t_final", time.t_final},
-                               {"dt", time.dt},
-                               {"method", name_of(time.method, stepping_methods)}});
+  std::string text = "\n[time]\n" + lines({{"t_final", time.t_final},
+                                           {"method", name_of(time.method, stepping_methods)}});
+  if (adapts_steps(time.method)) text += lines({{"tolerance", time.tolerance}});
+  if (time.dt) text += lines({{"dt", *time.dt}});
+  if (time.dt_min) text += lines({{"dt_min", *time.dt_min}});
+  if (time.dt_max) text += lines({{"dt_max", *time.dt_max}});
+  if (const std::optional<EffortBounds>& effort = time.effort) {
+    text += "effort = " + inline_table({{"few", effort->few}, {"many", effort->many}}) + "\n";
+  }
+  return text;
 }
 
 std::string section(const OutputSettings& output) {

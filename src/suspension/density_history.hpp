@@ -24,6 +24,10 @@ class DensityHistory {
   /// @param  most  number of densities that are kept, >= 1; the polynomial's degree is one less
   explicit DensityHistory(std::size_t most) : most_(most) {}
 
+  /// Tells whether nothing is kept.
+  /// @return true at the start
+  bool empty() const { return entries_.empty(); }
+
   /// Adds a density; it takes the place of one at the same time, or else of the oldest one if all
   /// places are taken.
   ///

@@ -103,11 +103,22 @@ std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& g
 
 std::string time_line(const Scene& scene) {
   if (!scene.time) return "none: one solve at t = 0";
-  const char* names[] = {"explicit Euler", "Adams-Bashforth 2", "Runge-Kutta 4"};
-  const double steps = std::ceil(scene.time->t_final / scene.time->dt - 1e-9);
-  return std::string(names[static_cast<int>(scene.time->method)]) + ", about " +
-         short_number(steps, 9) + " steps of " + short_number(scene.time->dt) +
-         " to t = " + short_number(scene.time->t_final, 6);
+  constexpr const char* names[] = {
+      "explicit Euler",      "Adams-Bashforth 2",  "Heun", "Runge-Kutta 4", "Bogacki-Shampine 3(2)",
+      "Dormand-Prince 5(4)", "Prince-Dormand 8(7)"};
+  const TimeSettings& time = *scene.time;
+  const std::string method = names[static_cast<int>(time.method)];
+  const std::string end = " to t = " + short_number(time.t_final, 6);
+  if (adapts_steps(time.method)) {
+    const double velocities = scene.solver.tolerance;
+    return method + ", steps for a tolerance of " + short_number(time.tolerance) + end +
+           (time.tolerance < velocities ? "; solver.tolerance = " + short_number(velocities) +
+                                              " is above it, and limits what is reached"
+                                        : "");
+  }
+  if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
+  const double steps = std::ceil(time.t_final / *time.dt - 1e-9);
+  return method + ", about " + short_number(steps, 9) + " steps of " + short_number(*time.dt) + end;
 }
 
 }  // namespace

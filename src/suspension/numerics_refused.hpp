@@ -15,6 +15,13 @@ class NumericsRefused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Components overlap; a time step that leads there is tried again, shorter.
+class OverlapRefused : public NumericsRefused {
+ public:
+  /// Takes the message.
+  using NumericsRefused::NumericsRefused;
+};
+
 /// @}
 
 }  // namespace stokesbook

@@ -6,11 +6,10 @@
 
 #include "record/number_text.hpp"
 #include "suspension/fields.hpp"
-#include "suspension/refusal.hpp"
+#include "suspension/stepping.hpp"
 
 namespace stokesbook {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
@@ -45,96 +44,114 @@ Frame make_frame(double t, std::size_t bodies, const Configuration& configuratio
   return frame;
 }
 
+// Lets a stepper know where a shorter step may do.
+Rate shorter_at_overlaps(const Rate& rate) {
+  return [=](double t, const VectorXd& state) {
+    try {
+      return rate(t, state);
+    } catch (const OverlapRefused& refusal) {
+      throw InadmissibleState(refusal.what());
+    }
+  };
+}
+
+// Adds a solve to what a step has done.
+// The polynomial through four: more amplify what GMRES leaves, and stages are not that smooth.
+constexpr std::size_t densities_kept = 4;
+
+std::string density_name(std::size_t k) {
+  return "density_" + std::to_string(k);
+}
+
+void add(StepInfo& step, const Solution& solution, double seconds) {
+  const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
+                                           : solution.gaps.front().points.gap;
+  step.min_gap = std::min(step.min_gap, gap);
+  step.gmres_iterations += solution.cost.gmres_iterations;
+  step.matvecs += solution.cost.matvecs;
+  step.residual = std::max(step.residual, solution.gmres.residual);
+  step.seconds += seconds;
+}
+
 }  // namespace
-
-VectorXd to_state(const Configuration& configuration) {
-  VectorXd state(3 * static_cast<Index>(configuration.size()));
-  for (Index k = 0; k < state.size() / 3; ++k) {
-    const auto [position, orientation] = configuration[static_cast<std::size_t>(k)];
-    state.segment<3>(3 * k) << position.real(), position.imag(), orientation;
-  }
-  return state;
-}
-
-Configuration to_configuration(const VectorXd& state) {
-  Configuration configuration;
-  for (Index k = 0; k < state.size(); k += 3) {
-    configuration.push_back({{state[k], state[k + 1]}, state[k + 2]});
-  }
-  return configuration;
-}
 
 Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
     : solver_(solver),
       time_(solver.scene().time.value_or(TimeSettings{})),
+      stepping_(stepping_settings(solver)),
       observer_(std::move(observer)),
-      state_(to_state(solver.initial_configuration())) {}
+      now_{0.0, to_state(solver.initial_configuration()), {}},
+      densities_(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept),
+      begun_(densities_) {}
 
 void Simulation::resume(const Checkpoint& checkpoint) {
-  t_ = checkpoint.t;
+  now_ = {checkpoint.t, checkpoint.state, {}};
   totals_.steps = checkpoint.step;
-  state_ = checkpoint.state;
-  previous_.reset();
-  if (const auto rate = checkpoint.history.find("rate"); rate != checkpoint.history.end()) {
-    previous_ = PreviousStep{checkpoint.history.at("dt")[0], rate->second};
+  memory_ = to_memory(checkpoint.history);
+  written_ = checkpoint.history.at("written")[0];
+  std::vector<VectorXd> packed;
+  while (checkpoint.history.contains(density_name(packed.size()))) {
+    packed.push_back(checkpoint.history.at(density_name(packed.size())));
   }
-  written_ = true;
+  densities_.unpack(packed, to_configuration(now_.state).size());
 }
 
+// The step under way is taken again after a resume: what it computes is the same to the last bit.
 Checkpoint Simulation::checkpoint() const {
-  Checkpoint checkpoint{t_, totals_.steps, state_, {}};
-  if (previous_) {
-    checkpoint.history["rate"] = previous_->rate;
-    checkpoint.history["dt"] = VectorXd::Constant(1, previous_->dt);
-  }
+  Checkpoint checkpoint{now_.t, totals_.steps, now_.state, to_history(memory_)};
+  checkpoint.history["written"] = VectorXd::Constant(1, written_);
+  const std::vector<VectorXd> packed = begun_.packed();
+  for (std::size_t k = 0; k < packed.size(); ++k) checkpoint.history[density_name(k)] = packed[k];
   return checkpoint;
 }
 
 void Simulation::run() {
-  const std::vector<double>& reverse_at = solver_.scene().reverse_at;
+  drive_ = drive_at(solver_.scene().reverse_at, now_.t);
+  Solved now = solve(now_.t, now_.state);
   while (true) {
-    drive_ = drive_at(reverse_at, t_);
-    step_ = {};
-    const Solution now = solve(state_);
-    if (!written_ && is_written_time()) write(now);
-    written_ = false;
-    if (t_ >= time_.t_final) return;
-    // A rate from before a reversal says nothing about what comes after.
-    if (std::binary_search(reverse_at.begin(), reverse_at.end(), t_)) previous_.reset();
-    advance(now);
+    begun_ = now.before;
+    if (is_written_time(now_.t)) write(now_.t, now_.state, now.solution);
+    if (now_.t >= time_.t_final) return;
+    now = advance(now);
   }
 }
 
 void Simulation::solve_once() {
-  write(solve(state_));
+  write(now_.t, now_.state, solve(now_.t, now_.state).solution);
 }
 
-Solution Simulation::solve(const VectorXd& state, const Solution* first_of_step) {
+Simulation::Solved Simulation::solve(double t, const VectorXd& state,
+                                     const Solution* first_of_step) {
   const auto start = std::chrono::steady_clock::now();
+  const std::string when = "t = " + short_number(t, 6) + ": ";
   try {
     const Configuration configuration = to_configuration(state);
-    Solution solution = first_of_step == nullptr
-                            ? solver_.solve(configuration, drive_)
-                            : solver_.solve_nearby(configuration, *first_of_step, drive_);
-    const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
-                                             : solution.gaps.front().points.gap;
-    if (first_of_step == nullptr) {
-      step_.error_estimate = solution.error_estimate;
-      note_resolution(solution);
-    }
-    step_.min_gap = first_of_step == nullptr ? gap : std::min(step_.min_gap, gap);
-    step_.gmres_iterations += solution.cost.gmres_iterations;
-    step_.matvecs += solution.cost.matvecs;
-    step_.residual = std::max(step_.residual, solution.gmres.residual);
-    step_.seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    DensityHistory before = densities_;
+    Solution solution = solve_by_guess(t, configuration, first_of_step);
+    densities_.add(t, configuration, solution.references, solution.density);
+    if (first_of_step == nullptr) note_resolution(solution);
     ++totals_.solves;
     totals_.gmres_iterations += solution.cost.gmres_iterations;
     totals_.matvecs += solution.cost.matvecs;
-    return solution;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return {std::move(solution), std::move(before), passed.count()};
+  } catch (const OverlapRefused& refusal) {
+    throw OverlapRefused(when + refusal.what());
   } catch (const NumericsRefused& refusal) {
-    throw NumericsRefused("t = " + short_number(t_, 6) + ": " + refusal.what());
+    throw NumericsRefused(when + refusal.what());
   }
+}
+
+Solution Simulation::solve_by_guess(double t, const Configuration& configuration,
+                                    const Solution* first_of_step) const {
+  const DensityGuess guess = [&](const References& references) {
+    return densities_.guess(t, configuration, references);
+  };
+  const bool local = solver_.scene().solver.coupling == Coupling::local;
+  if (local && !densities_.empty()) return solver_.solve_lagged(configuration, guess, drive_);
+  return first_of_step == nullptr
+             ? solver_.solve(configuration, drive_, guess)
+             : solver_.solve_nearby(configuration, *first_of_step, drive_, guess);
 }
 
 void Simulation::note_resolution(const Solution& solution) {
@@ -149,58 +166,113 @@ void Simulation::note_resolution(const Solution& solution) {
   resolution_.error_estimate = std::max(resolution_.error_estimate, solution.error_estimate);
 }
 
-void Simulation::write(const Solution& now) {
+void Simulation::write(double t, const VectorXd& state, const Solution& solution) {
+  if (t <= written_) return;  // on record before a resume
   if (observer_.frame) {
-    const Configuration configuration = to_configuration(state_);
-    Frame frame = make_frame(t_, solver_.scene().bodies.size(), configuration, now);
+    const Configuration configuration = to_configuration(state);
+    Frame frame = make_frame(t, solver_.scene().bodies.size(), configuration, solution);
     if (!rheometer_) rheometer_.emplace(solver_);
-    frame.rheology = (*rheometer_)(configuration, now, drive_);
+    frame.rheology = (*rheometer_)(configuration, solution, drive_);
     if (solver_.scene().output.fields) {
-      frame.field = evaluate_field(solver_, configuration, now, drive_);
+      frame.field = evaluate_field(solver_, configuration, solution, drive_);
     }
     observer_.frame(frame);
   }
+  written_ = t;
   if (observer_.checkpoint) observer_.checkpoint(checkpoint());
 }
 
-bool Simulation::is_written_time() const {
+void Simulation::write_within(const Step& step) {
+  for (double t = next_written_time(std::max(step.start.t, written_)); t < step.end.t;
+       t = next_written_time(t)) {
+    const VectorXd state = interpolate(step, t);
+    const DensityHistory before = densities_;
+    write(t, state, solve(t, state).solution);
+    densities_ = before;
+  }
+}
+
+bool Simulation::is_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
-  if (!dt_write || t_ >= time_.t_final) return true;
-  return t_ == std::round(t_ / *dt_write) * *dt_write;
+  if (!dt_write || t >= time_.t_final) return true;
+  return t == std::round(t / *dt_write) * *dt_write;
+}
+
+double Simulation::next_written_time(double t) const {
+  const std::optional<double> dt_write = solver_.scene().output.dt_write;
+  if (!dt_write) return std::numeric_limits<double>::infinity();
+  double k = std::floor(t / *dt_write);
+  while (k * *dt_write <= t) k += 1.0;
+  return k * *dt_write;
 }
 
 double Simulation::next_event() const {
   double event = time_.t_final;
-  if (const std::optional<double> dt_write = solver_.scene().output.dt_write) {
-    double k = std::floor(t_ / *dt_write);
-    while (k * *dt_write <= t_) k += 1.0;
-    event = std::min(event, k * *dt_write);
-  }
+  if (!has_dense_output(stepping_.method)) event = std::min(event, next_written_time(now_.t));
   const std::vector<double>& reverse_at = solver_.scene().reverse_at;
-  const auto reversal = std::upper_bound(reverse_at.begin(), reverse_at.end(), t_);
+  const auto reversal = std::upper_bound(reverse_at.begin(), reverse_at.end(), now_.t);
   return reversal == reverse_at.end() ? event : std::min(event, *reversal);
 }
 
-void Simulation::advance(const Solution& now) {
-  const double event = next_event();
-  const double steps = std::max(1.0, std::ceil((event - t_) / time_.dt - 1e-9));
-  const double dt = (event - t_) / steps;
-  const VectorXd rate = to_rate(now);
-  const Rate f = [&](double, const VectorXd& state) { return to_rate(solve(state, &now)); };
-  if (time_.method == SteppingMethod::euler) {
-    state_ = euler_step(state_, dt, rate);
-  } else if (time_.method == SteppingMethod::adams_bashforth2 && previous_) {
-    state_ = adams_bashforth2_step(state_, dt, rate, *previous_);
-  } else {
-    state_ = runge_kutta4_step(f, t_, state_, dt, rate);
+Advance Simulation::take_step(const Rates& rates) const {
+  const std::string dt_min = "time.dt_min = " + short_number(stepping_.dt_min);
+  try {
+    return Stepper(stepping_, rates).advance(now_, memory_, next_event());
+  } catch (const InadmissibleState& overlap) {
+    throw OverlapRefused(std::string(overlap.what()) + "; steps down to " + dt_min + " lead there");
+  } catch (const StepRefused& refusal) {
+    throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + refusal.what() +
+                          ", and steps are not to be shorter than " + dt_min);
   }
-  previous_.reset();
-  if (time_.method == SteppingMethod::adams_bashforth2) previous_ = PreviousStep{dt, rate};
-  t_ = steps > 1.0 ? t_ + dt : event;
+}
+
+Simulation::Solved Simulation::advance(const Solved& first) {
+  StepInfo info{.min_gap = std::numeric_limits<double>::infinity(),
+                .error_estimate = first.solution.error_estimate};
+  add(info, first.solution, first.seconds);
+  std::optional<Solved> last;
+  const auto within = [&](double t, const VectorXd& state) {
+    const Solved stage = solve(t, state, &first.solution);
+    add(info, stage.solution, stage.seconds);
+    return to_rate(stage.solution);
+  };
+  const auto at_end = [&](double t, const VectorXd& state) {
+    if (last) add(info, last->solution, last->seconds);  // of a step that was rejected
+    last = solve(t, state);
+    return to_rate(last->solution);
+  };
+  now_.rate = to_rate(first.solution);
+  const Advance advance = take_step({shorter_at_overlaps(within), shorter_at_overlaps(at_end)});
+  write_within(advance.step);
+  now_ = advance.step.end;
+  memory_ = advance.memory;
   ++totals_.steps;
-  step_.t = t_;
-  step_.dt = dt;
-  if (observer_.step) observer_.step(step_);
+  totals_.rejected_steps += advance.rejected;
+  info.t = now_.t;
+  info.dt = advance.step.dt();
+  if (observer_.step) observer_.step(info);
+  adapt_to_effort(info);
+  return is_reversal(now_.t) ? reverse() : std::move(*last);
+}
+
+bool Simulation::is_reversal(double t) const {
+  const std::vector<double>& reverse_at = solver_.scene().reverse_at;
+  return std::binary_search(reverse_at.begin(), reverse_at.end(), t);
+}
+
+Simulation::Solved Simulation::reverse() {
+  drive_ = drive_at(solver_.scene().reverse_at, now_.t);
+  memory_.previous.reset();  // an earlier rate says nothing about what comes after
+  densities_.reverse(now_.t);
+  return solve(now_.t, now_.state);
+}
+
+void Simulation::adapt_to_effort(const StepInfo& step) {
+  if (!time_.effort || memory_.detour) return;
+  double dt = memory_.dt.value_or(*time_.dt);
+  if (step.gmres_iterations < time_.effort->few) dt = std::min(2.0 * dt, stepping_.dt_max);
+  if (step.gmres_iterations > time_.effort->many) dt = std::max(0.5 * dt, stepping_.dt_min);
+  memory_.dt = dt;
 }
 
 }  // namespace stokesbook

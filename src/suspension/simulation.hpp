@@ -6,9 +6,9 @@
 #include "record/checkpoint.hpp"
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
+#include "suspension/density_history.hpp"
 #include "suspension/rheology.hpp"
-#include "suspension/solver.hpp"
-#include "time_stepping/steps.hpp"
+#include "suspension/stepping.hpp"
 
 namespace stokesbook {
 
@@ -24,11 +24,14 @@ struct Observer {
 
 /// Moves a scene from t = 0 to its end.
 ///
-/// Steps are no longer than time.dt, evened out so that written times, reversals and the end are
-/// hit exactly. Where there is no earlier rate, at the start and after a reversal,
-/// Adams-Bashforth 2 takes a step by Runge-Kutta 4. The order in time.dt is that of the method.
-/// @par Cost      one solve a step with its error estimate, three more solves by Runge-Kutta 4, and
-/// one at the end; evaluate_field() and Rheometer a written time
+/// Reversals and the end are hit exactly. Methods that interpolate take their steps through written
+/// times; all others even out their steps to hit them too. A step that leads into an overlap is
+/// halved, see Stepper. The order in time.dt is that of the method.
+/// @par Accuracy  of methods that adapt steps, within a factor of ten of time.tolerance where the
+///                motion is smooth and solver.tolerance is below it
+/// @par Cost      one solve a step with its error estimate, and one for each stage beyond the first;
+///                one at the start, after a reversal and at an interpolated written time;
+///                evaluate_field() and Rheometer a written time
 class Simulation {
  public:
   /// Takes the scene's initial configuration.
@@ -56,7 +59,7 @@ class Simulation {
 
   /// Returns the time reached.
   /// @return t
-  double time() const { return t_; }
+  double time() const { return now_.t; }
 
   /// Returns what the run has cost.
   /// @return counts since this simulation was made; steps since the start of the run
@@ -67,40 +70,45 @@ class Simulation {
   const RunResolution& resolution() const { return resolution_; }
 
  private:
-  // Inner stages of a step give the step's first solution.
-  Solution solve(const Eigen::VectorXd& state, const Solution* first_of_step = nullptr);
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
+  struct Solved {
+    Solution solution;
+    DensityHistory before;  // that the guess was made from
+    double seconds = 0.0;
+  };
+  /// @endcond
+  // Stages within a step give the step's first solution.
+  Solved solve(double t, const Eigen::VectorXd& state, const Solution* first_of_step = nullptr);
+  Solution solve_by_guess(double t, const Configuration& configuration,
+                          const Solution* first_of_step) const;
+  Solved advance(const Solved& first);
+  Advance take_step(const Rates& rates) const;
+  Solved reverse();
   void note_resolution(const Solution& solution);
-  void advance(const Solution& now);
-  void write(const Solution& now);
+  void adapt_to_effort(const StepInfo& step);
+  void write_within(const Step& step);
+  void write(double t, const Eigen::VectorXd& state, const Solution& solution);
   Checkpoint checkpoint() const;
+  bool is_reversal(double t) const;
+  bool is_written_time(double t) const;
+  double next_written_time(double t) const;
   double next_event() const;
-  bool is_written_time() const;
 
   const SuspensionSolver& solver_;
   TimeSettings time_;
+  SteppingSettings stepping_;
   Observer observer_;
-  double t_ = 0.0;
   double drive_ = 1.0;
-  Eigen::VectorXd state_;
-  std::optional<PreviousStep> previous_;
+  Moment now_;  // the rate is set before a step
+  StepMemory memory_;
+  DensityHistory densities_;            // of all solves but those for frames within steps
+  DensityHistory begun_;                // as they were before the solve at now_
+  double written_ = -1.0;               // the last time on record
   std::optional<Rheometer> rheometer_;  // made for the first frame
-  StepInfo step_;                       // of the step under way
   RunTotals totals_;
   RunResolution resolution_;
-  bool written_ = false;  // the frame of t_ is on record
 };
-
-/// Packs placements into a state.
-///
-/// @param  configuration  K components
-/// @return                3K numbers: x, y, orientation of every component
-Eigen::VectorXd to_state(const Configuration& configuration);
-
-/// Unpacks a state.
-///
-/// @param  state  3K numbers, as to_state() packs them
-/// @return        placements of K components
-Configuration to_configuration(const Eigen::VectorXd& state);
 
 /// @}
 

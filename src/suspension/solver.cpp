@@ -181,7 +181,8 @@ std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) cons
 
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
   std::vector<Gap> gaps = this->gaps(configuration);
-  refuse(overlap_refusal(scene_, gaps, configuration));
+  const std::string overlap = overlap_refusal(scene_, gaps, configuration);
+  if (!overlap.empty()) throw OverlapRefused(overlap);
   return gaps;
 }
 

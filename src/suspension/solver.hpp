@@ -77,7 +77,8 @@ class SuspensionSolver {
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @param  guess          of the density, where GMRES begins
   /// @return                density, motions and loads of all components, and the error estimate
-  /// @throws NumericsRefused on overlap, net flux, net force without gauge, a gauge length not
+  /// @throws OverlapRefused on overlap
+  /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
   ///                large against held components, hopeless shapes and gaps, an estimate above the
   ///                tolerance that no node count within the limits of node_choice.hpp brings down,
   ///                no convergence, and numbers that are not finite

@@ -247,20 +247,25 @@ class Records(Program):
         self.assertNotEqual(self.files("out/pair"), before)
 
     def test_a_killed_run_resumes_bit_for_bit(self):
-        self.run_scene("--out", "whole", "--set", "time.t_final=2.0")
-        command = [PROGRAM, "run", self.scene(), "--out", "killed", "--set", "time.t_final=2.0"]
-        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL)
-        while not (self.folder / "killed" / "checkpoint").exists():
-            time.sleep(0.001)
-        time.sleep(0.02)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        self.run_scene("--out", "killed", "--set", "time.t_final=2.0", "--resume")
-        self.assertEqual(self.files("whole"), self.files("killed"))
-        columns = [0, 1, 2, 3, 6, 7, 8]  # all of steps.csv that is not a wall time
-        tables = [numpy.genfromtxt(self.folder / run / "steps.csv", delimiter=",", skip_header=1,
-                                   usecols=columns) for run in ("whole", "killed")]
-        numpy.testing.assert_array_equal(*tables)
+        fixed = PAIR.replace("t_final = 1.0", "t_final = 2.0")
+        adapted = fixed.replace("adams_bashforth2", "dormand_prince54")
+        self.assertNotEqual(fixed, adapted)
+        for name, text in ("fixed", fixed), ("adapted", adapted):
+            whole, killed = name + "_whole", name + "_killed"
+            self.run_scene("--out", whole, text=text)
+            process = subprocess.Popen([PROGRAM, "run", self.scene(text), "--out", killed],
+                                       cwd=self.folder, stdout=subprocess.DEVNULL)
+            while not (self.folder / killed / "checkpoint").exists():
+                time.sleep(0.001)
+            time.sleep(0.02)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            self.run_scene("--out", killed, "--resume", text=text)
+            self.assertEqual(self.files(whole), self.files(killed))
+            columns = [0, 1, 2, 3, 6, 7, 8]  # all of steps.csv that is not a wall time
+            tables = [numpy.genfromtxt(self.folder / run / "steps.csv", delimiter=",",
+                                       skip_header=1, usecols=columns) for run in (whole, killed)]
+            numpy.testing.assert_array_equal(*tables)
 
     def test_a_run_killed_before_its_first_checkpoint_resumes_from_the_start(self):
         self.run_scene("--out", "whole", "--set", "time.t_final=0.2")

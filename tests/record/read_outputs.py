@@ -199,7 +199,8 @@ def check_run_info(path):
     assert json.loads(path.read_text()) == {
         "version": "0.1.0", "git_hash": "abc", "compiler": 'GNU "12"', "flags": "-O3",
         "machine": "x86\\64", "threads": 2, "plan": ["no walls: no N_0", "direct sum"],
-        "totals": {"steps": 1, "solves": 2, "gmres_iterations": 3, "matvecs": 4000000000},
+        "totals": {"steps": 1, "rejected_steps": 5, "solves": 2, "gmres_iterations": 3,
+                   "matvecs": 4000000000},
         "resolution": {"first_nodes": [32, 64], "most_nodes": [48, 64], "error_estimate": 2.5e-9},
         "wall_seconds": 1.5, "peak_memory": 5000000000, "exit_status": 2,
         "message": "overlap in caf\ufffd"}

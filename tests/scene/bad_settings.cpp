@@ -100,26 +100,45 @@ BOOST_AUTO_TEST_CASE(settings) {
       {"[time]\nt_final = 1\ndt = -0.1\n", "s.toml:3:6: time.dt = -0.1: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = '0.1'\n",
        "s.toml:3:6: time.dt = \"0.1\": must be a number > 0, not a string"},
-      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'heun'\n",
-       "s.toml:4:10: time.method = \"heun\": not available yet: must be one of euler, "
-       "adams_bashforth2, rk4"},
-      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'bogacki_shampine'\n",
-       "s.toml:4:10: time.method = \"bogacki_shampine\": not available yet: must be one of euler, "
-       "adams_bashforth2, rk4"},
-      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'dormand_prince'\n",
-       "s.toml:4:10: time.method = \"dormand_prince\": not available yet: must be one of euler, "
-       "adams_bashforth2, rk4"},
       {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'leapfrog'\n",
-       "s.toml:4:10: time.method = \"leapfrog\": must be one of euler, adams_bashforth2, rk4"},
+       "s.toml:4:10: time.method = \"leapfrog\": must be one of euler, adams_bashforth2, heun, "
+       "rk4, "
+       "bogacki_shampine32, dormand_prince54, prince_dormand87"},
+      {"[time]\nt_final = 1\nmethod = 'heun'\n",
+       "s.toml:1:1: time.dt is missing: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = 0.1\ntolerance = 1e-6\n",
-       "s.toml:4:1: time.tolerance = 1e-06: not available yet: it belongs to the embedded methods"},
-      {"[time]\nt_final = 1\ndt = 0.1\ndt_min = 1e-6\n",
-       "s.toml:4:1: time.dt_min = 1e-06: not available yet: it belongs to the embedded methods"},
+       "s.toml:4:1: time.tolerance = 1e-06: belongs to bogacki_shampine32, dormand_prince54, "
+       "prince_dormand87: this method has fixed steps"},
       {"[time]\nt_final = 1\ndt = 0.1\ndt_max = 1\n",
-       "s.toml:4:1: time.dt_max = 1: not available yet: it belongs to the embedded methods"},
+       "s.toml:4:1: time.dt_max = 1: belongs to bogacki_shampine32, dormand_prince54, "
+       "prince_dormand87, and to time.effort"},
+      {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ntolerance = 1e-14\n",
+       "s.toml:4:13: time.tolerance = 1e-14: must be a number from 1e-13 to 0.1"},
+      {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ndt = 0\n",
+       "s.toml:4:6: time.dt = 0: must be a number > 0"},
+      {"[time]\nt_final = 1\ndt = 0.1\ndt_min = 0\n",
+       "s.toml:4:10: time.dt_min = 0: must be a number > 0"},
+      {"[time]\nt_final = 1\ndt = 0.1\ndt_min = 0.2\n",
+       "s.toml:4:10: time.dt_min = 0.2: must be at most time.dt"},
+      {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ndt_min = 0.2\ndt_max = 0.1\n",
+       "s.toml:4:10: time.dt_min = 0.2: must be at most time.dt_max"},
+      {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ndt = 0.2\ndt_max = 0.1\n",
+       "s.toml:5:10: time.dt_max = 0.1: must be at least time.dt"},
+      {"[time]\nt_final = 1\nmethod = 'rk4'\ndt = 0.1\neffort = 20\n",
+       "s.toml:5:10: time.effort = 20: must be a table, not an integer"},
+      {"[time]\nt_final = 1\nmethod = 'rk4'\ndt = 0.1\neffort = { few = 20 }\n",
+       "s.toml:5:10: time.effort.many is missing: must be an integer >= 1"},
+      {"[time]\nt_final = 1\nmethod = 'rk4'\ndt = 0.1\neffort = { few = 20, many = 20 }\n",
+       "s.toml:5:29: time.effort.many = 20: must be more than few"},
+      {"[time]\nt_final = 1\nmethod = 'rk4'\ndt = 0.1\neffort = { few = 0, many = 20 }\n",
+       "s.toml:5:18: time.effort.few = 0: must be an integer >= 1"},
+      {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\neffort = { few = 10, many = 20 }\n",
+       "s.toml:4:1: time.effort: belongs to methods of fixed steps: this one adapts them "
+       "to "
+       "the error"},
       {"[time]\nt_end = 1\n",
        "s.toml:2:1: time.t_end = 1: unknown key; known here: t_final, dt, method, tolerance, "
-       "dt_min, dt_max"},
+       "dt_min, dt_max, effort"},
       {"[output]\ndt_write = 0\n", "s.toml:2:12: output.dt_write = 0: must be a number > 0"},
       {"[output]\nformats = 'csv'\n",
        "s.toml:2:11: output.formats = \"csv\": must be a list of one or more of csv, vtk, svg, not "

@@ -99,6 +99,33 @@ void add_flow(Scene& scene, Dice& dice) {
   if (dice.coin()) scene.gauge_length = dice.positive();
 }
 
+TimeSettings fixed_steps(Dice& dice) {
+  using enum SteppingMethod;
+  TimeSettings time{dice.positive(), dice.positive(),
+                    dice.one_of<SteppingMethod>({euler, adams_bashforth2, heun, rk4})};
+  if (dice.coin()) time.dt_min = *time.dt * dice.uniform(1e-9, 1.0);
+  if (dice.coin()) {
+    const int few = dice.integer(1, 100);
+    time.effort = EffortBounds{few, few + dice.integer(1, 100)};
+    if (dice.coin()) time.dt_max = *time.dt * dice.uniform(1.0, 9.0);
+  }
+  return time;
+}
+
+TimeSettings adapted_steps(Dice& dice) {
+  using enum SteppingMethod;
+  TimeSettings time{
+      dice.positive(),
+      {},
+      dice.one_of<SteppingMethod>({bogacki_shampine32, dormand_prince54, prince_dormand87})};
+  time.tolerance = dice.uniform(1e-13, 0.1);
+  const double dt = dice.positive();
+  if (dice.coin()) time.dt = dt;
+  if (dice.coin()) time.dt_min = dt * dice.uniform(1e-9, 1.0);
+  if (dice.coin()) time.dt_max = dt * dice.uniform(1.0, 9.0);
+  return time;
+}
+
 void add_settings(Scene& scene, Dice& dice) {
   using enum OutputFormat;
   scene.solver.tolerance = dice.uniform(1e-14, 0.1);
@@ -112,12 +139,7 @@ void add_settings(Scene& scene, Dice& dice) {
       dice.one_of<PreconditionerKind>({PreconditionerKind::automatic, PreconditionerKind::none,
                                        PreconditionerKind::block_diagonal});
   scene.solver.coupling = dice.one_of<Coupling>({Coupling::global, Coupling::local});
-  if (dice.coin()) {
-    scene.time = {
-        dice.positive(), dice.positive(),
-        dice.one_of<SteppingMethod>(
-            {SteppingMethod::euler, SteppingMethod::adams_bashforth2, SteppingMethod::rk4})};
-  }
+  if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();
   scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg}});
   if (dice.coin()) {

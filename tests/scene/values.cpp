@@ -202,9 +202,22 @@ BOOST_AUTO_TEST_CASE(time_settings) {
     return parse(disk() + "[time]\nt_final = 4\ndt = 0.5\n" + line).time.value();
   };
   BOOST_TEST((time("") == TimeSettings{4.0, 0.5, SteppingMethod::euler}));
-  BOOST_TEST((time("method = 'euler'\n").method == SteppingMethod::euler));
-  BOOST_TEST((time("method = 'adams_bashforth2'\n").method == SteppingMethod::adams_bashforth2));
-  BOOST_TEST((time("method = 'rk4'\n").method == SteppingMethod::rk4));
+  using enum SteppingMethod;
+  BOOST_TEST((time("method = 'euler'\n").method == euler));
+  BOOST_TEST((time("method = 'adams_bashforth2'\n").method == adams_bashforth2));
+  BOOST_TEST((time("method = 'heun'\n").method == heun));
+  BOOST_TEST((time("method = 'rk4'\n").method == rk4));
+  BOOST_TEST((time("method = 'bogacki_shampine32'\n").method == bogacki_shampine32));
+  BOOST_TEST((time("method = 'dormand_prince54'\n").method == dormand_prince54));
+  BOOST_TEST((time("method = 'prince_dormand87'\n").method == prince_dormand87));
+  BOOST_TEST((time("dt_min = 0.1\neffort = { few = 10, many = 40 }\ndt_max = 2\n") ==
+              TimeSettings{4.0, 0.5, euler, 1e-6, 0.1, 2.0, EffortBounds{10, 40}}));
+  const auto adapting = [](const std::string& line) {
+    return parse(disk() + "[time]\nt_final = 4\nmethod = 'dormand_prince54'\n" + line).time.value();
+  };
+  BOOST_TEST((adapting("") == TimeSettings{4.0, {}, dormand_prince54, 1e-6}));
+  BOOST_TEST((adapting("tolerance = 1e-9\ndt = 0.1\ndt_min = 1e-3\ndt_max = 1\n") ==
+              TimeSettings{4.0, 0.1, dormand_prince54, 1e-9, 1e-3, 1.0}));
 }
 
 BOOST_AUTO_TEST_CASE(output_settings) {

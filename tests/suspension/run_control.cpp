@@ -13,39 +13,94 @@ namespace stokesbook::test {
 
 namespace {
 
-Scene sheared_pair() {
+Scene sheared_pair(SteppingMethod method = SteppingMethod::adams_bashforth2) {
   Scene scene;
   scene.flow = ShearFlow{1.0};
   scene.bodies = {body_at(Ellipse{1.0, 0.6}, {-2.0, 0.5}, 48),
                   body_at(Circle{0.8}, {1.5, -0.4}, 32)};
   scene.solver.tolerance = 1e-4;
-  scene.time = TimeSettings{1.0, 0.07, SteppingMethod::adams_bashforth2};
+  scene.time = TimeSettings{1.0, 0.07, method};
   scene.output.dt_write = 0.25;
   return scene;
 }
+
+constexpr SteppingMethod methods[] = {SteppingMethod::euler,
+                                      SteppingMethod::adams_bashforth2,
+                                      SteppingMethod::heun,
+                                      SteppingMethod::rk4,
+                                      SteppingMethod::bogacki_shampine32,
+                                      SteppingMethod::dormand_prince54,
+                                      SteppingMethod::prince_dormand87};
 
 bool same(const BodyState& a, const BodyState& b) {
   return a.position == b.position && a.orientation == b.orientation && a.velocity == b.velocity &&
          a.omega == b.omega;
 }
 
+bool same(const StepInfo& a, const StepInfo& b) {
+  return a.t == b.t && a.dt == b.dt && a.gmres_iterations == b.gmres_iterations &&
+         a.matvecs == b.matvecs && a.min_gap == b.min_gap && a.residual == b.residual &&
+         a.error_estimate == b.error_estimate;
+}
+
+struct Recorded {
+  std::vector<Frame> frames;
+  std::vector<StepInfo> steps;
+};
+
+// Runs to the end, from a checkpoint if there is one, and collects those of the run.
+Recorded record(const SuspensionSolver& solver, const std::optional<Checkpoint>& from,
+                std::vector<Checkpoint>* checkpoints) {
+  Recorded recorded;
+  Observer observer;
+  observer.frame = [&](const Frame& frame) { recorded.frames.push_back(frame); };
+  observer.step = [&](const StepInfo& step) { recorded.steps.push_back(step); };
+  if (checkpoints) {
+    observer.checkpoint = [=](const Checkpoint& reached) { checkpoints->push_back(reached); };
+  }
+  Simulation simulation(solver, observer);
+  if (from) simulation.resume(*from);
+  simulation.run();
+  return recorded;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(written_times_reversals_and_the_end_are_hit_exactly) {
-  Scene scene = sheared_pair();
-  scene.reverse_at = {0.6};
-  std::vector<double> written, steps;
-  const SuspensionSolver solver(scene);
-  Observer observer;
-  observer.frame = [&](const Frame& frame) { written.push_back(frame.t); };
-  observer.step = [&](const StepInfo& step) {
-    steps.push_back(step.t);
-    BOOST_TEST(step.dt <= 0.07 * (1.0 + 1e-9));
+  for (const SteppingMethod method : methods) {
+    Scene scene = sheared_pair(method);
+    scene.reverse_at = {0.6};
+    std::vector<double> written, steps;
+    const SuspensionSolver solver(scene);
+    Observer observer;
+    observer.frame = [&](const Frame& frame) { written.push_back(frame.t); };
+    observer.step = [&](const StepInfo& step) {
+      steps.push_back(step.t);
+      if (!adapts_steps(method)) BOOST_TEST(step.dt <= 0.07 * (1.0 + 1e-9));
+    };
+    Simulation(solver, observer).run();
+    const std::vector<double> expected{0.0, 0.25, 0.5, 0.75, 1.0};
+    BOOST_TEST(written == expected, boost::test_tools::per_element());
+    BOOST_TEST((std::find(steps.begin(), steps.end(), 0.6) != steps.end()));
+    BOOST_TEST(steps.back() == 1.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(steps_with_an_interpolant_pass_written_times) {
+  Scene scene = sheared_pair(SteppingMethod::dormand_prince54);
+  scene.time->dt.reset();
+  const auto totals_of = [](const Scene& some) {
+    const SuspensionSolver solver(some);
+    Simulation simulation(solver, {});
+    simulation.run();
+    return simulation.totals();
   };
-  Simulation(solver, observer).run();
-  const std::vector<double> expected{0.0, 0.25, 0.5, 0.75, 1.0};
-  BOOST_TEST(written == expected, boost::test_tools::per_element());
-  BOOST_TEST((std::find(steps.begin(), steps.end(), 0.6) != steps.end()));
+  scene.output.dt_write = 1.0;
+  const RunTotals few = totals_of(scene);
+  scene.output.dt_write = 0.01;
+  const RunTotals many = totals_of(scene);
+  BOOST_TEST(many.steps == few.steps);
+  BOOST_TEST(many.solves == few.solves + 99);  // one each between start and end
 }
 
 BOOST_AUTO_TEST_CASE(a_reversed_run_comes_back) {
@@ -61,25 +116,27 @@ BOOST_AUTO_TEST_CASE(a_reversed_run_comes_back) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_resumed_run_continues_bit_for_bit) {
-  const Scene scene = sheared_pair();
-  const SuspensionSolver solver(scene);
-  std::vector<Frame> frames, resumed;
-  std::vector<Checkpoint> checkpoints;
-  Observer observer;
-  observer.frame = [&](const Frame& frame) { frames.push_back(frame); };
-  observer.checkpoint = [&](const Checkpoint& reached) { checkpoints.push_back(reached); };
-  Simulation(solver, observer).run();
-  observer = {};
-  observer.frame = [&](const Frame& frame) { resumed.push_back(frame); };
-  Simulation simulation(solver, observer);
-  simulation.resume(checkpoints.at(2));
-  simulation.run();
-  BOOST_REQUIRE_EQUAL(resumed.size() + 3, frames.size());
-  for (std::size_t i = 0; i < resumed.size(); ++i) {
-    BOOST_TEST(resumed[i].t == frames[i + 3].t);
-    for (std::size_t k = 0; k < 2; ++k) {
-      BOOST_TEST(same(resumed[i].bodies[k], frames[i + 3].bodies[k]));
+BOOST_AUTO_TEST_CASE(a_run_resumed_at_any_frame_continues_bit_for_bit) {
+  for (const SteppingMethod method : methods) {
+    Scene scene = sheared_pair(method);
+    scene.reverse_at = {0.6};
+    const SuspensionSolver solver(scene);
+    std::vector<Checkpoint> checkpoints;
+    const Recorded whole = record(solver, {}, &checkpoints);
+    BOOST_REQUIRE_EQUAL(checkpoints.size(), whole.frames.size());
+    for (std::size_t first = 1; first < checkpoints.size(); ++first) {
+      const Recorded rest = record(solver, checkpoints[first - 1], nullptr);
+      BOOST_REQUIRE_EQUAL(rest.frames.size() + first, whole.frames.size());
+      for (std::size_t i = 0; i < rest.frames.size(); ++i) {
+        BOOST_TEST(rest.frames[i].t == whole.frames[i + first].t);
+        for (std::size_t k = 0; k < 2; ++k) {
+          BOOST_TEST(same(rest.frames[i].bodies[k], whole.frames[i + first].bodies[k]));
+        }
+      }
+      const std::size_t skipped = whole.steps.size() - rest.steps.size();
+      for (std::size_t i = 0; i < rest.steps.size(); ++i) {
+        BOOST_TEST(same(rest.steps[i], whole.steps[i + skipped]));
+      }
     }
   }
 }

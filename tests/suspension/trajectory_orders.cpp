@@ -2,36 +2,15 @@
 // and two circles that approach each other in extension.
 
 #include <cmath>
-#include <numbers>
 
 #include <boost/test/unit_test.hpp>
 
+#include "suspension/closed_forms.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
 
 namespace {
-
-// Angle of an ellipse with aspect ratio lambda in shear of rate 1, from 0:
-// tan theta = -tan(lambda t / (1 + lambda^2)) / lambda, continued through the half turns.
-double jeffery_angle(double lambda, double t) {
-  const double phase = lambda * t / (1.0 + lambda * lambda);
-  const double half_turns = std::round(phase / std::numbers::pi);
-  return -half_turns * std::numbers::pi -
-         std::atan(std::tan(phase - half_turns * std::numbers::pi) / lambda);
-}
-
-// Distance D = 2 cosh(al) of two unit circles in u = (-x, y): 2 al - coth al = const - 2 t.
-double circle_distance(double start, double t) {
-  const auto invariant = [](double al) { return 2.0 * al - 1.0 / std::tanh(al); };
-  const double target = invariant(std::acosh(0.5 * start)) - 2.0 * t;
-  double low = 1e-9, high = std::acosh(0.5 * start);
-  for (int bisection = 0; bisection < 200; ++bisection) {
-    const double middle = 0.5 * (low + high);
-    (invariant(middle) < target ? low : high) = middle;
-  }
-  return 2.0 * std::cosh(0.5 * (low + high));
-}
 
 Scene jeffery_scene(SteppingMethod method, double dt) {
   Scene scene;
@@ -85,6 +64,7 @@ BOOST_AUTO_TEST_CASE(jeffery_orbit_has_the_order_of_the_stepper) {
   check_order([](double dt) { return jeffery_error(SteppingMethod::euler, dt); }, 0.02, 1.0);
   check_order([](double dt) { return jeffery_error(SteppingMethod::adams_bashforth2, dt); }, 0.05,
               2.0);
+  check_order([](double dt) { return jeffery_error(SteppingMethod::heun, dt); }, 0.05, 2.0);
   check_order([](double dt) { return jeffery_error(SteppingMethod::rk4, dt); }, 0.2, 4.0);
 }
 
@@ -92,6 +72,7 @@ BOOST_AUTO_TEST_CASE(approaching_circles_have_the_order_of_the_stepper) {
   check_order([](double dt) { return circles_error(SteppingMethod::euler, dt); }, 0.02, 1.0);
   check_order([](double dt) { return circles_error(SteppingMethod::adams_bashforth2, dt); }, 0.05,
               2.0);
+  check_order([](double dt) { return circles_error(SteppingMethod::heun, dt); }, 0.05, 2.0);
   check_order([](double dt) { return circles_error(SteppingMethod::rk4, dt); }, 0.1, 4.0);
 }
 

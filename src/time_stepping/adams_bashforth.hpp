@@ -1,0 +1,30 @@
+#pragma once
+
+#include "time_stepping/rate.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup time_stepping
+/// @{
+
+/// The step before, which Adams-Bashforth 2 extrapolates from.
+struct PreviousStep {
+  double dt = 0.0;       ///< length of the step before, > 0
+  Eigen::VectorXd rate;  ///< f at its beginning, ordered as the state
+};
+
+/// Advances by Adams-Bashforth 2 with variable steps,
+/// \f$ q + h \left[(1 + \tfrac{r}{2}) f_n - \tfrac{r}{2} f_{n-1}\right],\ r = h/h_{n-1} \f$.
+///
+/// @param  start     of the step, n numbers
+/// @param  dt        h, the step, time
+/// @param  previous  the step before
+/// @return           state at t + h
+/// @par Accuracy  order 2
+/// @par Cost      one evaluation of f a step, by the caller
+/// @par Not for   the step after f has jumped: the extrapolation would reach across
+Eigen::VectorXd adams_bashforth2_step(const Moment& start, double dt, const PreviousStep& previous);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,77 @@
+#include "time_stepping/runge_kutta.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+MatrixXd rows(std::initializer_list<std::initializer_list<double>> below_diagonal) {
+  const auto s = static_cast<Index>(below_diagonal.size());
+  MatrixXd a = MatrixXd::Zero(s, s);
+  for (Index i = 0; const auto& row : below_diagonal) {
+    for (Index j = 0; const double x : row) a(i, j++) = x;
+    ++i;
+  }
+  return a;
+}
+
+VectorXd weights(std::initializer_list<double> numbers) {
+  return VectorXd::Map(numbers.begin(), static_cast<Index>(numbers.size()));
+}
+
+}  // namespace
+
+const Tableau& euler() {
+  static const Tableau tableau{rows({{}}), weights({1.0})};
+  return tableau;
+}
+
+const Tableau& heun() {
+  static const Tableau tableau{rows({{}, {1.0}}), weights({0.5, 0.5})};
+  return tableau;
+}
+
+const Tableau& runge_kutta4() {
+  static const Tableau tableau{rows({{}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}}),
+                               weights({1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6})};
+  return tableau;
+}
+
+const Tableau& bogacki_shampine32() {
+  static const Tableau tableau{rows({{}, {0.5}, {0.0, 0.75}}), weights({2.0 / 9, 1.0 / 3, 4.0 / 9}),
+                               2, weights({-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8})};
+  return tableau;
+}
+
+const Tableau& dormand_prince54() {
+  static const Tableau tableau{
+      rows({{},
+            {1.0 / 5},
+            {3.0 / 40, 9.0 / 40},
+            {44.0 / 45, -56.0 / 15, 32.0 / 9},
+            {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+            {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656}}),
+      weights({35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}), 4,
+      weights({71.0 / 57600, 0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525,
+               -1.0 / 40}),
+      weights({-12715105075.0 / 11282082432.0, 0.0, 87487479700.0 / 32700410799.0,
+               -10690763975.0 / 1880347072.0, 701980252875.0 / 199316789632.0,
+               -1453857185.0 / 822651844.0, 69997945.0 / 29380423.0})};
+  return tableau;
+}
+
+MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment& start, double dt) {
+  MatrixXd stages(start.state.size(), tableau.b.size());
+  stages.col(0) = start.rate;
+  for (Index i = 1; i < stages.cols(); ++i) {
+    const auto a = tableau.a.row(i).head(i);
+    stages.col(i) =
+        f(start.t + a.sum() * dt, start.state + dt * (stages.leftCols(i) * a.transpose()));
+  }
+  return stages;
+}
+
+}  // namespace stokesbook

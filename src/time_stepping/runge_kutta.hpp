@@ -1,0 +1,64 @@
+#pragma once
+
+#include "time_stepping/rate.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup time_stepping
+/// @{
+
+/// Coefficients of an explicit Runge-Kutta scheme of s stages,
+/// \f$ k_i = f\left(t + c_i h, q + h\sum_{j<i}a_{ij}k_j\right),\ c_i = \sum_ja_{ij} \f$, whose step
+/// ends at \f$ q_1 = q + h\sum_jb_jk_j \f$.
+///
+/// Weights of the estimate and of the bubble have one number more than there are stages, for the
+/// rate at the end: the next step begins with it, so here it costs nothing ("first same as last").
+struct Tableau {
+  Eigen::MatrixXd a;            ///< s x s, strictly lower triangular
+  Eigen::VectorXd b;            ///< s weights of the end
+  int estimate_order = 0;       ///< the estimate of a step is of order h^(estimate_order + 1)
+  Eigen::VectorXd error = {};   ///< s + 1 weights of the estimate; empty: there is none
+  Eigen::VectorXd bubble = {};  ///< s + 1 weights of the bubble in Step; empty: there is none
+};
+
+/// Returns explicit Euler.
+/// @return order 1, one stage
+const Tableau& euler();
+
+/// Returns Heun's scheme, the trapezoid rule with an Euler step as predictor.
+/// @return order 2, two stages
+const Tableau& heun();
+
+/// Returns the classical Runge-Kutta scheme.
+///
+/// GSL's has the same stages, but doubles every step for an estimate: three times the evaluations.
+/// @return order 4, four stages
+const Tableau& runge_kutta4();
+
+/// Returns the pair of Bogacki and Shampine.
+///
+/// @return order 3 with an estimate of order 2, three stages
+/// @sa source: Bogacki, Shampine, Appl. Math. Lett. 2 (1989), 321
+const Tableau& bogacki_shampine32();
+
+/// Returns the pair of Dormand and Prince with the interpolant of order 4.
+///
+/// GSL has neither this pair nor an interpolant for any other.
+/// @return order 5 with an estimate of order 4, six stages
+/// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.5 and II.6
+const Tableau& dormand_prince54();
+
+/// Evaluates the stages of a step.
+///
+/// @param  tableau  of s stages
+/// @param  f        right-hand side
+/// @param  start    of the step, n numbers; its rate is the first stage
+/// @param  dt       h, the step, time
+/// @return          n x s rates, one a column
+/// @par Cost        s - 1 evaluations of f
+Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment& start,
+                                   double dt);
+
+/// @}
+
+}  // namespace stokesbook

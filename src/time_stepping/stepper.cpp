@@ -1,0 +1,140 @@
+#include "time_stepping/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "time_stepping/prince_dormand.hpp"
+#include "time_stepping/runge_kutta.hpp"
+
+namespace stokesbook {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+const Tableau& tableau_of(Method method) {
+  switch (method) {
+    case Method::euler:
+      return euler();
+    case Method::rk4:
+      return runge_kutta4();
+    case Method::bogacki_shampine32:
+      return bogacki_shampine32();
+    case Method::dormand_prince54:
+      return dormand_prince54();
+    default:  // Adams-Bashforth begins with it
+      return heun();
+  }
+}
+
+// The first of equal steps to a time, none longer than a given one.
+double evened_end(double t, double stop, double longest) {
+  const double steps = std::ceil((stop - t) / longest - 1e-9);
+  return steps > 1.0 ? t + (stop - t) / steps : stop;
+}
+
+StepRefused too_short(double dt, double error) {
+  std::ostringstream message;
+  message << "the estimated error of a step of " << dt << " is " << error
+          << " times what is allowed";
+  return StepRefused(message.str());
+}
+
+}  // namespace
+
+bool is_embedded(Method method) {
+  return method >= Method::bogacki_shampine32;
+}
+
+bool has_dense_output(Method method) {
+  return method == Method::bogacki_shampine32 || method == Method::dormand_prince54;
+}
+
+Stepper::Try Stepper::attempt_runge_kutta(const Moment& start, double t_end) const {
+  const Tableau& tableau = tableau_of(settings_.method);
+  const double dt = t_end - start.t;
+  const MatrixXd stages = runge_kutta_stages(tableau, rates_.within, start, dt);
+  Try result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}, 0.0};
+  Moment& end = result.step.end;
+  end.rate = rates_.at_end(t_end, end.state);
+  const auto combined = [&](const VectorXd& weights) -> VectorXd {
+    return stages * weights.head(stages.cols()) + weights[stages.cols()] * end.rate;
+  };
+  if (tableau.error.size() > 0) result.error = settings_.bound(dt * combined(tableau.error));
+  if (tableau.bubble.size() > 0) result.step.bubble = combined(tableau.bubble);
+  return result;
+}
+
+Stepper::Try Stepper::attempt(const Moment& start, double t_end, const StepMemory& memory) const {
+  const double dt = t_end - start.t;
+  Try result{{start, {t_end, {}, {}}}, 0.0};
+  if (settings_.method == Method::prince_dormand87) {
+    auto [end, error] = prince_dormand87_step(rates_.within, start, dt);
+    result.step.end.state = std::move(end);
+    result.error = settings_.bound(error);
+  } else if (settings_.method == Method::adams_bashforth2 && memory.previous) {
+    result.step.end.state = adams_bashforth2_step(start, dt, *memory.previous);
+  } else {
+    return attempt_runge_kutta(start, t_end);
+  }
+  result.step.end.rate = rates_.at_end(t_end, result.step.end.state);
+  return result;
+}
+
+int Stepper::power_of_estimate() const {
+  if (settings_.method == Method::prince_dormand87) return 8;
+  return tableau_of(settings_.method).estimate_order + 1;
+}
+
+double Stepper::longest_step(const Moment& start, const StepMemory& memory) const {
+  if (memory.dt) return *memory.dt;
+  if (settings_.dt) return *settings_.dt;
+  return first_step(rates_.within, start, settings_.bound, power_of_estimate());
+}
+
+StepMemory Stepper::after(const Try& tried, double longest, bool rejected,
+                          StepMemory memory) const {
+  const double dt = tried.step.dt();
+  // A step that an event has cut short says little of longer ones.
+  const bool cut = dt < 0.5 * longest;
+  if (is_embedded(settings_.method)) {
+    const double factor = step_factor(tried.error, memory.error, power_of_estimate());
+    memory.dt = cut ? longest : dt * (rejected ? std::min(factor, 1.0) : factor);
+    if (!cut) memory.error = tried.error;
+  } else if (memory.detour) {
+    const bool over = tried.step.end.t >= memory.detour->end;
+    memory.dt = over ? memory.detour->dt : longest;
+    if (over) memory.detour.reset();
+  }
+  if (settings_.method == Method::adams_bashforth2) {
+    memory.previous = PreviousStep{dt, tried.step.start.rate};
+  }
+  return memory;
+}
+
+Advance Stepper::advance(const Moment& start, StepMemory memory, double event) const {
+  double longest = std::min(longest_step(start, memory), settings_.dt_max);
+  for (int rejected = 0;; ++rejected) {
+    const double stop = memory.detour ? std::min(event, memory.detour->end) : event;
+    const double t_end = evened_end(start.t, stop, longest);
+    const double dt = t_end - start.t;
+    try {
+      Try tried = attempt(start, t_end, memory);
+      if (tried.error <= 1.0) {
+        memory = after(tried, longest, rejected > 0, std::move(memory));
+        return {std::move(tried.step), std::move(memory), rejected};
+      }
+      longest = dt * step_factor(tried.error, memory.error, power_of_estimate());
+      if (longest < settings_.dt_min) throw too_short(dt, tried.error);
+    } catch (const InadmissibleState&) {
+      if (!is_embedded(settings_.method) && !memory.detour) memory.detour = Detour{t_end, longest};
+      longest = 0.5 * dt;
+      if (longest < settings_.dt_min) throw;
+    }
+  }
+}
+
+}  // namespace stokesbook

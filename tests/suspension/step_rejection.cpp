@@ -1,0 +1,109 @@
+// Steps that lead into an overlap are halved, down to time.dt_min; steps by solver effort double and
+// halve.
+
+#include <boost/test/unit_test.hpp>
+
+#include "suspension/closed_forms.hpp"
+#include "suspension/numerics_refused.hpp"
+#include "suspension/trajectories.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+using enum SteppingMethod;
+
+// D(0) = 4 and D'(0) = -2.97: a step of 1 by Euler puts the unit circles into each other.
+Scene approaching(const TimeSettings& time) {
+  Scene scene;
+  scene.flow = ExtensionalFlow{-1.0};
+  scene.bodies = {body_at(Circle{1.0}, -2.0, automatic_nodes),
+                  body_at(Circle{1.0}, 2.0, automatic_nodes)};
+  scene.solver.tolerance = 1e-6;
+  scene.time = time;
+  scene.output.dt_write = time.t_final;
+  return scene;
+}
+
+struct Taken {
+  std::vector<double> ends, lengths;
+  RunTotals totals;
+  double distance = 0.0;  // at the end
+};
+
+Taken steps_of(const Scene& scene) {
+  Taken taken;
+  Observer observer;
+  observer.step = [&](const StepInfo& step) {
+    taken.ends.push_back(step.t);
+    taken.lengths.push_back(step.dt);
+  };
+  observer.frame = [&](const Frame& frame) {
+    taken.distance = (frame.bodies[1].position - frame.bodies[0].position).real();
+  };
+  const SuspensionSolver solver(scene);
+  Simulation simulation(solver, observer);
+  simulation.run();
+  taken.totals = simulation.totals();
+  return taken;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(fixed_steps_into_an_overlap_are_halved_and_come_back) {
+  for (const SteppingMethod method : {euler, adams_bashforth2}) {
+    const Taken taken = steps_of(approaching({2.0, 1.0, method}));
+    BOOST_REQUIRE(taken.ends.size() >= 3);
+    BOOST_TEST(taken.ends[0] == 0.5);
+    BOOST_TEST(taken.ends[1] == 1.0);
+    BOOST_TEST(taken.totals.rejected_steps >= 1);
+    BOOST_TEST(taken.distance > 2.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(adapted_steps_into_an_overlap_are_halved_and_stay_accurate) {
+  for (const SteppingMethod method : {bogacki_shampine32, dormand_prince54, prince_dormand87}) {
+    const Taken taken = steps_of(approaching({2.0, 2.0, method, 1e-4}));
+    BOOST_TEST(taken.totals.rejected_steps >= 1);
+    BOOST_TEST(std::abs(taken.distance - circle_distance(4.0, 2.0)) < 1e-4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
+  TimeSettings time{2.0, 1.0, euler};
+  time.dt_min = 0.6;
+  const auto names_time_bodies_and_limit = [](const OverlapRefused& refusal) {
+    const std::string message = refusal.what();
+    return message.starts_with("t = 1: ") && message.find("body 0") != std::string::npos &&
+           message.find("time.dt_min = 0.6") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), OverlapRefused, names_time_bodies_and_limit);
+}
+
+BOOST_AUTO_TEST_CASE(a_tolerance_beyond_the_least_step_stops_the_run) {
+  TimeSettings time{2.0, 0.5, dormand_prince54, 1e-10};
+  time.dt_min = 0.4;
+  const auto names_time_and_limit = [](const NumericsRefused& refusal) {
+    const std::string message = refusal.what();
+    return message.starts_with("t = 0: the estimated error of a step of 0.5 is ") &&
+           message.find("time.dt_min = 0.4") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), NumericsRefused, names_time_and_limit);
+}
+
+BOOST_AUTO_TEST_CASE(steps_by_effort_double_and_halve_within_their_limits) {
+  TimeSettings time{0.15, 0.01, euler};
+  time.dt_max = 0.04;
+  time.effort = EffortBounds{1000, 2000};
+  const std::vector<double> growing{0.01, 0.02, 0.04, 0.04, 0.04};
+  BOOST_TEST(steps_of(approaching(time)).lengths == growing,
+             boost::test_tools::tolerance(1e-9) << boost::test_tools::per_element());
+  time = {0.045, 0.02, euler};
+  time.dt_min = 0.005;
+  time.effort = EffortBounds{1, 2};
+  const std::vector<double> shrinking{0.015, 0.01, 0.005, 0.005, 0.005, 0.005};
+  BOOST_TEST(steps_of(approaching(time)).lengths == shrinking,
+             boost::test_tools::tolerance(1e-9) << boost::test_tools::per_element());
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "time_stepping/stepper.hpp"
+
+namespace stokesbook::test {
+
+/// A slender ellipse in shear beside an equation that depends on time, both nonlinear:
+/// theta' = -(a^2 sin^2 theta + b^2 cos^2 theta) / (a^2 + b^2) and y' = cos t (1 + y^2).
+inline constexpr double aspect = 3.0;
+
+inline Eigen::VectorXd problem_rate(double t, const Eigen::VectorXd& q) {
+  const double s = aspect * std::sin(q[0]), c = std::cos(q[0]);
+  return Eigen::Vector2d{-(s * s + c * c) / (aspect * aspect + 1.0),
+                         std::cos(t) * (1.0 + q[1] * q[1])};
+}
+
+/// tan theta = -(1 / lambda) tan(lambda t / (1 + lambda^2)), on the branch that starts at 0.
+inline double jeffery_angle(double t) {
+  const double phase = aspect * t / (1.0 + aspect * aspect);
+  const double half_turns = std::floor(phase / std::numbers::pi + 0.5);
+  return -std::numbers::pi * half_turns -
+         std::atan(std::tan(phase - std::numbers::pi * half_turns) / aspect);
+}
+
+inline Eigen::VectorXd problem_solution(double t) {
+  return Eigen::Vector2d{jeffery_angle(t), std::tan(std::sin(t))};
+}
+
+inline double problem_error(double t, const Eigen::VectorXd& q) {
+  return (q - problem_solution(t)).lpNorm<Eigen::Infinity>();
+}
+
+inline Moment problem_at(double t) {
+  const Eigen::VectorXd q = problem_solution(t);
+  return {t, q, problem_rate(t, q)};
+}
+
+/// Settings under which an event alone says how long a step is.
+inline SteppingSettings unlimited(Method method) {
+  SteppingSettings settings{.method = method, .dt = 1e6};
+  settings.bound = {1e6, Eigen::VectorXd::Ones(2)};
+  return settings;
+}
+
+/// Advances through given times.
+inline std::vector<Step> steps_through(const Stepper& stepper, Moment moment,
+                                       const std::vector<double>& times) {
+  std::vector<Step> steps;
+  StepMemory memory;
+  for (const double t : times) {
+    while (moment.t < t) {
+      Advance advance = stepper.advance(moment, memory, t);
+      moment = advance.step.end;
+      memory = advance.memory;
+      steps.push_back(std::move(advance.step));
+    }
+  }
+  return steps;
+}
+
+}  // namespace stokesbook::test
