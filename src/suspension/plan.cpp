@@ -83,6 +83,19 @@ Plan::Line singularity_line(const Census& census) {
   return {"singularities", "none", "no loads, no inner walls, no held bodies"};
 }
 
+Plan::Line preconditioner_line(const Plan& plan, bool chosen_here, bool only_circles) {
+  const std::string decision =
+      plan.preconditioner == PreconditionerKind::clusters         ? "clusters, from the right"
+      : plan.preconditioner == PreconditionerKind::block_diagonal ? "block diagonal, from the right"
+                                                                  : "none";
+  if (!chosen_here) return {"preconditioner", decision, "solver.preconditioner"};
+  const std::string reason = only_circles
+                                 ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
+                                 : "own blocks of slender and lobed shapes spread the spectrum";
+  if (!plan.clusters_at_tight_gaps) return {"preconditioner", decision, reason};
+  return {"preconditioner", decision + "; clusters where many gaps are tight", reason};
+}
+
 Plan::Line fields_line(const FieldSettings& fields) {
   const FieldGrid grid = field_grid(fields);
   std::string quantities;
@@ -122,9 +135,11 @@ Plan make_plan(const Scene& scene) {
   plan.near_correction = scene.solver.near_singular != NearSingular::off && census.components > 1;
   // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
   const bool only_circles = census.circles == census.components;
-  plan.block_diagonal =
-      scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
-      (scene.solver.preconditioner == PreconditionerKind::automatic && !only_circles);
+  const bool chosen_here = scene.solver.preconditioner == PreconditionerKind::automatic;
+  plan.preconditioner = !chosen_here   ? scene.solver.preconditioner
+                        : only_circles ? PreconditionerKind::none
+                                       : PreconditionerKind::block_diagonal;
+  plan.clusters_at_tight_gaps = chosen_here && census.components - census.outer > 1;
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
@@ -146,11 +161,7 @@ Plan make_plan(const Scene& scene) {
                                : scheme + " scheme where the trapezoid rule errs by more than " +
                                      short_number(plan.near_tolerance);
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
-  plan.lines.push_back(
-      {"preconditioner", plan.block_diagonal ? "block diagonal, from the right" : "none",
-       scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
-       : only_circles ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
-                      : "own blocks of slender and lobed shapes spread the spectrum"});
+  plan.lines.push_back(preconditioner_line(plan, chosen_here, only_circles));
   plan.lines.push_back({"GMRES", "to " + short_number(plan.gmres_tolerance) + ", without restart",
                         scene.solver.gmres_tol
                             ? "solver.gmres_tol"

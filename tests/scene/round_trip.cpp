@@ -108,9 +108,9 @@ void add_settings(Scene& scene, Dice& dice) {
       dice.one_of<Summation>({Summation::automatic, Summation::direct, Summation::fmm});
   scene.solver.near_singular =
       dice.one_of<NearSingular>({NearSingular::automatic, NearSingular::cauchy, NearSingular::off});
-  scene.solver.preconditioner =
-      dice.one_of<PreconditionerKind>({PreconditionerKind::automatic, PreconditionerKind::none,
-                                       PreconditionerKind::block_diagonal});
+  scene.solver.preconditioner = dice.one_of<PreconditionerKind>(
+      {PreconditionerKind::automatic, PreconditionerKind::none, PreconditionerKind::block_diagonal,
+       PreconditionerKind::clusters});
   if (dice.coin()) {
     scene.time = {
         dice.positive(), dice.positive(),
