@@ -88,15 +88,16 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   result.converged = result.residual <= options.tolerance;
   if (result.converged) return result;
 
-  const auto preconditioned = [&](const VectorXd& v) { return precondition ? precondition(v) : v; };
   const Index most = std::min<Index>(options.max_iterations, b.size());
   // Grown by columns as needed: most solves take far fewer than the most allowed.
   MatrixXd basis(b.size(), std::min<Index>(most, 31) + 1);
   basis.col(0) = rest / first;
+  std::vector<VectorXd> preconditioned;
   HessenbergLeastSquares least_squares(first);
   for (Index k = 0; k < most; ++k) {
     //! [arnoldi]
-    VectorXd w = apply(preconditioned(basis.col(k)));
+    if (precondition) preconditioned.push_back(precondition(basis.col(k)));
+    VectorXd w = apply(precondition ? preconditioned.back() : basis.col(k));
     require_finite(w, "the operator", static_cast<int>(k + 1));
     VectorXd column = VectorXd::Zero(k + 2);
     for (int pass = 0; pass < 2; ++pass) {
@@ -116,7 +117,13 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     basis.col(k + 1) = w / column[k + 1];
   }
   const VectorXd y = least_squares.solve();
-  result.solution += preconditioned(basis.leftCols(y.size()) * y);
+  if (precondition) {
+    for (Index k = 0; k < y.size(); ++k) {
+      result.solution += y[k] * preconditioned[static_cast<std::size_t>(k)];
+    }
+  } else {
+    result.solution += basis.leftCols(y.size()) * y;
+  }
   result.residual = (b - apply(result.solution)).norm() / norm;
   result.applications += result.iterations + 1;
   // Rounding alone parts the two residuals by less. On a singular operator the recurrence's

@@ -183,9 +183,10 @@ enum class NearSingular {
 
 /// Preconditioner of GMRES.
 enum class PreconditionerKind {
-  automatic,      ///< the plan decides
-  none,           ///< none
-  block_diagonal  ///< every component alone, see BlockDiagonalPreconditioner
+  automatic,       ///< the plan decides
+  none,            ///< none
+  block_diagonal,  ///< every component alone, see BlockDiagonalPreconditioner
+  clusters         ///< every component among its neighbours, see ClusterPreconditioner
 };
 
 /// How components see each other at one instant.

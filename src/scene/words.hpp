@@ -59,10 +59,11 @@ inline constexpr Words<NearSingular, 4> near_singular_schemes{{
 }};
 
 /// Words of `preconditioner` in [solver].
-inline constexpr Words<PreconditionerKind, 3> preconditioners{{
+inline constexpr Words<PreconditionerKind, 4> preconditioners{{
     {"auto", PreconditionerKind::automatic},
     {"none", PreconditionerKind::none},
     {"block_diagonal", PreconditionerKind::block_diagonal},
+    {"clusters", PreconditionerKind::clusters},
 }};
 
 /// Words of `coupling` in [solver].

@@ -83,6 +83,24 @@ Plan::Line singularity_line(const Census& census) {
   return {"singularities", "none", "no loads, no inner walls, no held bodies"};
 }
 
+Plan::Line preconditioner_line(const Plan& plan, const Scene& scene, bool only_circles) {
+  const std::string decision =
+      plan.preconditioner == PreconditionerKind::clusters         ? "clusters, from the right"
+      : plan.preconditioner == PreconditionerKind::block_diagonal ? "block diagonal, from the right"
+                                                                  : "none";
+  if (scene.solver.coupling == Coupling::local) {
+    return {"preconditioner", decision, "solver.coupling = \"local\""};
+  }
+  if (scene.solver.preconditioner != PreconditionerKind::automatic) {
+    return {"preconditioner", decision, "solver.preconditioner"};
+  }
+  const std::string reason = only_circles
+                                 ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
+                                 : "own blocks of slender and lobed shapes spread the spectrum";
+  if (!plan.clusters_at_tight_gaps) return {"preconditioner", decision, reason};
+  return {"preconditioner", decision + "; clusters where many gaps are tight", reason};
+}
+
 Plan::Line fields_line(const FieldSettings& fields) {
   const FieldGrid grid = field_grid(fields);
   std::string quantities;
@@ -123,9 +141,12 @@ Plan make_plan(const Scene& scene) {
   // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
   const bool only_circles = census.circles == census.components;
   const bool local = scene.solver.coupling == Coupling::local;
-  plan.block_diagonal =
-      local || scene.solver.preconditioner == PreconditionerKind::block_diagonal ||
-      (scene.solver.preconditioner == PreconditionerKind::automatic && !only_circles);
+  const bool chosen_here = !local && scene.solver.preconditioner == PreconditionerKind::automatic;
+  plan.preconditioner = local          ? PreconditionerKind::block_diagonal
+                        : !chosen_here ? scene.solver.preconditioner
+                        : only_circles ? PreconditionerKind::none
+                                       : PreconditionerKind::block_diagonal;
+  plan.clusters_at_tight_gaps = chosen_here && census.components - census.outer > 1;
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
@@ -147,12 +168,7 @@ Plan make_plan(const Scene& scene) {
                                : scheme + " scheme where the trapezoid rule errs by more than " +
                                      short_number(plan.near_tolerance);
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
-  plan.lines.push_back(
-      {"preconditioner", plan.block_diagonal ? "block diagonal, from the right" : "none",
-       local ? "solver.coupling = \"local\""
-       : scene.solver.preconditioner != PreconditionerKind::automatic ? "solver.preconditioner"
-       : only_circles ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
-                      : "own blocks of slender and lobed shapes spread the spectrum"});
+  plan.lines.push_back(preconditioner_line(plan, scene, only_circles));
   if (local) {
     plan.lines.push_back({"coupling", "lagged: one sweep of block Jacobi a step after the first",
                           "solver.coupling; its error is reported, and not bounded"});

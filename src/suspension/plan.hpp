@@ -28,9 +28,10 @@ struct Plan {
         reason;         ///< why
   };
 
-  bool null_space_fix = false;                 ///< a wall encloses the fluid
-  bool near_correction = false;                ///< components may come close
-  bool block_diagonal = false;                 ///< precondition by the components' own blocks
+  bool null_space_fix = false;                                   ///< a wall encloses the fluid
+  bool near_correction = false;                                  ///< components may come close
+  PreconditionerKind preconditioner = PreconditionerKind::none;  ///< where gaps are wide
+  bool clusters_at_tight_gaps = false;         ///< precondition by clusters where gaps are tight
   double gmres_tolerance = 0.0;                ///< relative residual
   double near_tolerance = 0.0;                 ///< of the sums' quadrature, relative to the density
   double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm

@@ -7,6 +7,7 @@
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
 #include "suspension/background_flow.hpp"
+#include "suspension/clusters.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/density_history.hpp"
 #include "suspension/grading_for_gaps.hpp"
@@ -100,7 +101,8 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   shelf_ = std::make_shared<ReferenceShelf>(
       ReferenceNeeds{plan_.near_correction,
                      interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
-                     plan_.block_diagonal, bounded ? std::nullopt : scene.gauge_length},
+                     plan_.preconditioner == PreconditionerKind::block_diagonal,
+                     bounded ? std::nullopt : scene.gauge_length},
       patience);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
@@ -166,7 +168,12 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
   const auto near_curves =
       plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
-  if (!plan_.block_diagonal) return discrete;
+  if (plan_.preconditioner == PreconditionerKind::clusters ||
+      (plan_.clusters_at_tight_gaps && clusters_pay(problem))) {
+    discrete.precondition = cluster_preconditioner(problem, configuration, references, near_curves);
+    return discrete;
+  }
+  if (plan_.preconditioner == PreconditionerKind::none) return discrete;
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     members.push_back({references[k]->inverse_block, configuration[k].orientation});

@@ -135,9 +135,9 @@ void add_settings(Scene& scene, Dice& dice) {
       dice.one_of<Summation>({Summation::automatic, Summation::direct, Summation::fmm});
   scene.solver.near_singular =
       dice.one_of<NearSingular>({NearSingular::automatic, NearSingular::cauchy, NearSingular::off});
-  scene.solver.preconditioner =
-      dice.one_of<PreconditionerKind>({PreconditionerKind::automatic, PreconditionerKind::none,
-                                       PreconditionerKind::block_diagonal});
+  scene.solver.preconditioner = dice.one_of<PreconditionerKind>(
+      {PreconditionerKind::automatic, PreconditionerKind::none, PreconditionerKind::block_diagonal,
+       PreconditionerKind::clusters});
   scene.solver.coupling = dice.one_of<Coupling>({Coupling::global, Coupling::local});
   if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();

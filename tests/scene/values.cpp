@@ -193,6 +193,7 @@ BOOST_AUTO_TEST_CASE(solver_settings) {
   BOOST_TEST((solver("preconditioner = 'auto'").preconditioner == automatic));
   BOOST_TEST((solver("preconditioner = 'none'").preconditioner == none));
   BOOST_TEST((solver("preconditioner = 'block_diagonal'").preconditioner == block_diagonal));
+  BOOST_TEST((solver("preconditioner = 'clusters'").preconditioner == clusters));
   BOOST_TEST((solver("coupling = 'global'") == SolverSettings{}));
   BOOST_TEST((solver("coupling = 'local'").coupling == Coupling::local));
 }

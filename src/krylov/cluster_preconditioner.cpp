@@ -1,0 +1,337 @@
+#include "krylov/cluster_preconditioner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "closure/rigid_modes.hpp"
+#include "double_layer/double_layer.hpp"
+#include "double_layer/kernels.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+using Member = BlockDiagonalPreconditioner::Member;
+using Pair = std::pair<std::size_t, std::size_t>;  // target, source
+
+bool is_inner(const Component& component) {
+  return component.kind != ComponentKind::enclosing_wall;
+}
+
+// The tighter the gap, over the radii of gyration, the larger what small components make of it.
+double basis_tolerance(double gap) {
+  return std::min(0.1, 0.3 * std::sqrt(gap));
+}
+
+// The three rigid motions of an inner component: U_1, U_2 and a omega.
+struct ModeMatrices {
+  double radius = 0.0;  // of gyration
+  MatrixXd modes;       // K, 2N x 3
+  MatrixXd projection;  // Pi, 3 x 2N
+};
+
+ModeMatrices mode_matrices(const Component& component) {
+  const RigidModes modes(component.curve, component.centre);
+  const Index n = component.curve.size();
+  const double a = modes.gyration_radius();
+  ModeMatrices result{a, MatrixXd(2 * n, 3), MatrixXd(3, 2 * n)};
+  const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
+  for (Index k = 0; k < 3; ++k) {
+    const ComplexVector velocity = modes.at_nodes(motions[k]);
+    result.modes.col(k) = interleaved(velocity);
+  }
+  ComplexVector unit = ComplexVector::Zero(n);
+  for (Index k = 0; k < 2 * n; ++k) {
+    unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;
+    const RigidMotion motion = modes.project(unit);
+    result.projection.col(k) << motion.velocity.real(), motion.velocity.imag(), a * motion.omega;
+    unit[k / 2] = 0.0;
+  }
+  return result;
+}
+
+// Flows of the loads -4 pi mu (U, a^2 omega) of the three motions of radius a at points.
+MatrixXd load_flows(const ComplexVector& points, Complex centre, double a, double gauge) {
+  MatrixXd flows(2 * points.size(), 3);
+  const double scale = -4.0 * std::numbers::pi;
+  for (Index k = 0; k < 3; ++k) {
+    ComplexVector velocity(points.size());
+    for (Index i = 0; i < points.size(); ++i) {
+      const Complex r = points[i] - centre;
+      velocity[i] = k == 2 ? rotlet(r, scale * a, 1.0)
+                           : stokeslet(r, scale * (k == 0 ? Complex{1.0} : imaginary), 1.0, gauge);
+    }
+    flows.col(k) = interleaved(velocity);
+  }
+  return flows;
+}
+
+// v -> e^{i angle} v of interleaved plane vectors, a column each.
+MatrixXd turned(const MatrixXd& columns, double angle) {
+  MatrixXd result(columns.rows(), columns.cols());
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto x = Eigen::seq(0, columns.rows() - 2, 2), y = Eigen::seq(1, columns.rows() - 1, 2);
+  result(x, Eigen::all) = c * columns(x, Eigen::all) - s * columns(y, Eigen::all);
+  result(y, Eigen::all) = s * columns(x, Eigen::all) + c * columns(y, Eigen::all);
+  return result;
+}
+
+// D^{-1} of a component times columns, in the plane's frame.
+MatrixXd solved_alone(const Member& member, const MatrixXd& columns) {
+  const double angle = member.orientation;
+  return turned(*member.inverse * turned(columns, -angle), angle);
+}
+
+// Rows times D^{-1} of a component, in the plane's frame.
+MatrixXd times_inverse(const MatrixXd& rows, const Member& member) {
+  const double angle = member.orientation;
+  const MatrixXd own_frame = turned(rows.transpose(), -angle).transpose() * *member.inverse;
+  return turned(own_frame.transpose(), angle).transpose();
+}
+
+// Orthonormal directions in which a Gram matrix exceeds the square of a tolerance.
+MatrixXd significant_directions(const MatrixXd& gram, double tolerance) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
+  const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
+  return solver.eigenvectors().rightCols(count);
+}
+
+// The held operator's blocks between components, A_h = (I + B) D, for the set-up.
+class HeldOperator {
+ public:
+  HeldOperator(const StokesProblem& problem, const std::vector<Member>& held,
+               const LayerBlock& layer)
+      : problem_(problem), held_(held), layer_(layer), gauge_(held_gauge(problem)) {
+    for (const Component& component : problem.components) {
+      modes_.push_back(is_inner(component) ? mode_matrices(component) : ModeMatrices{});
+    }
+  }
+
+  const ModeMatrices& modes(std::size_t component) const { return modes_[component]; }
+
+  MatrixXd block(const Pair& pair) const {
+    const auto [target, source] = pair;
+    const ModeMatrices& rigid = modes_[source];
+    MatrixXd block = layer_(target, source);
+    const MatrixXd loads = load_flows(problem_.components[target].curve.x,
+                                      problem_.components[source].centre, rigid.radius, gauge_);
+    block += (loads - block * rigid.modes) * rigid.projection;
+    return block;
+  }
+
+  // Directions through which a component feels its neighbours or is felt by them.
+  MatrixXd basis(std::size_t own, const std::vector<Neighbour>& neighbours) const {
+    const Index size = held_[own].inverse->rows();
+    MatrixXd gram = MatrixXd::Zero(size, size);
+    auto products = gram.selfadjointView<Eigen::Upper>();
+    double least_gap = std::numeric_limits<double>::infinity();
+    for (const auto& [other, gap] : neighbours) {
+      products.rankUpdate(times_inverse(block({other, own}), held_[own]).transpose());
+      products.rankUpdate(times_inverse(block({own, other}), held_[other]));
+      least_gap = std::min(least_gap, gap);
+    }
+    return significant_directions(products, basis_tolerance(least_gap));
+  }
+
+ private:
+  const StokesProblem& problem_;
+  const std::vector<Member>& held_;
+  const LayerBlock& layer_;
+  double gauge_;
+  std::vector<ModeMatrices> modes_;
+};
+
+// Q^T B Q of all pairs that meet in clusters.
+class ReducedBlocks {
+ public:
+  ReducedBlocks(const HeldOperator& system, const std::vector<Member>& held,
+                const std::vector<std::vector<std::size_t>>& clusters,
+                const std::vector<MatrixXd>& bases)
+      : pairs_(pairs_within(clusters)), blocks_(pairs_.size()) {
+    std::vector<MatrixXd> solved(bases.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(held[k], bases[k]);
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const auto [target, source] = pairs_[p];
+      blocks_[p] = bases[target].transpose() * (system.block(pairs_[p]) * solved[source]);
+    }
+  }
+
+  // Own rows, those of the first component, of (I + Q^T B Q)^{-1} - I of a cluster.
+  MatrixXd coupling(const std::vector<std::size_t>& cluster,
+                    const std::vector<MatrixXd>& bases) const {
+    std::vector<Index> first{0};
+    for (const std::size_t k : cluster) first.push_back(first.back() + bases[k].cols());
+    MatrixXd transposed = MatrixXd::Identity(first.back(), first.back());
+    for (std::size_t i = 0; i < cluster.size(); ++i) {
+      for (std::size_t j = 0; j < cluster.size(); ++j) {
+        if (i == j) continue;
+        const MatrixXd& block = between({cluster[i], cluster[j]});
+        transposed.block(first[j], first[i], block.cols(), block.rows()) = block.transpose();
+      }
+    }
+    const MatrixXd own = MatrixXd::Identity(first.back(), first[1]);
+    return (transposed.partialPivLu().solve(own) - own).transpose();
+  }
+
+ private:
+  static std::vector<Pair> pairs_within(const std::vector<std::vector<std::size_t>>& clusters) {
+    std::vector<Pair> pairs;
+    for (const std::vector<std::size_t>& cluster : clusters) {
+      for (const std::size_t target : cluster) {
+        for (const std::size_t source : cluster) {
+          if (target != source) pairs.emplace_back(target, source);
+        }
+      }
+    }
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  const MatrixXd& between(const Pair& pair) const {
+    return blocks_[static_cast<std::size_t>(std::ranges::lower_bound(pairs_, pair) -
+                                            pairs_.begin())];
+  }
+
+  std::vector<Pair> pairs_;  // ascending
+  std::vector<MatrixXd> blocks_;
+};
+
+}  // namespace
+
+double held_gauge(const StokesProblem& problem) {
+  double largest = 0.0;
+  for (const Component& component : problem.components) {
+    if (!is_inner(component)) continue;
+    largest = std::max(largest, RigidModes(component.curve, component.centre).gyration_radius());
+  }
+  return 100.0 * largest;
+}
+
+MatrixXd held_block(Component component, double gauge) {
+  if (!is_inner(component)) return self_block(component);
+  component.kind = ComponentKind::prescribed;
+  return self_block(component, gauge);
+}
+
+ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, std::vector<Member> held,
+                                             const std::vector<std::vector<Neighbour>>& neighbours,
+                                             const LayerBlock& layer)
+    : alone_(held), clusters_(held.size()), bases_(held.size()), couplings_(held.size()) {
+  const HeldOperator system(problem, held, layer);
+  for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    clusters_[k].push_back(k);
+    for (const Neighbour& other : neighbours[k]) clusters_[k].push_back(other.component);
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < held.size(); ++k) bases_[k] = system.basis(k, neighbours[k]);
+  const ReducedBlocks reduced(system, held, clusters_, bases_);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    couplings_[k] = reduced.coupling(clusters_[k], bases_);
+  }
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    if (problem.components[k].kind != ComponentKind::free_body) continue;
+    free_.push_back({k, system.modes(k).modes, system.modes(k).projection});
+  }
+  if (!free_.empty()) factorise_resistance(held);
+}
+
+void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& held) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> place(held.size(), none);
+  for (std::size_t f = 0; f < free_.size(); ++f) place[free_[f].component] = f;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    const std::size_t own = free_[f].component;
+    const MatrixXd weights = times_inverse(free_[f].projection, held[own]);
+    const MatrixXd coupled = weights * bases_[own] * couplings_[own];
+    Index first = 0;
+    for (const std::size_t k : clusters_[own]) {
+      const MatrixXd& basis = bases_[k];
+      if (place[k] != none) {
+        Eigen::Matrix3d block =
+            coupled.middleCols(first, basis.cols()) * (basis.transpose() * free_[place[k]].modes);
+        if (k == own) block += weights * free_[f].modes;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) {
+            entries.emplace_back(3 * static_cast<int>(f) + i, 3 * static_cast<int>(place[k]) + j,
+                                 block(i, j));
+          }
+        }
+      }
+      first += basis.cols();
+    }
+  }
+  const auto unknowns = static_cast<Index>(3 * free_.size());
+  Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const auto resistance = std::make_shared<Resistance>();
+  resistance->compute(matrix);
+  if (resistance->info() != Eigen::Success) {
+    throw std::domain_error("the clusters' resistance matrix is singular");
+  }
+  resistance_ = resistance;
+}
+
+VectorXd ClusterPreconditioner::solve_held(const VectorXd& v) const {
+  const auto own = [&](std::size_t k) {
+    return Eigen::seqN(offsets_[k], offsets_[k + 1] - offsets_[k]);
+  };
+  std::vector<VectorXd> along(bases_.size());  // Q^T v
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < bases_.size(); ++k) along[k] = bases_[k].transpose() * v(own(k));
+  VectorXd coupled = v;
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < bases_.size(); ++k) {
+    VectorXd gathered(couplings_[k].cols());
+    Index first = 0;
+    for (const std::size_t other : clusters_[k]) {
+      gathered.segment(first, along[other].size()) = along[other];
+      first += along[other].size();
+    }
+    coupled(own(k)) += bases_[k] * (couplings_[k] * gathered);
+  }
+  return alone_(coupled);
+}
+
+VectorXd ClusterPreconditioner::operator()(const VectorXd& v) const {
+  const VectorXd held = solve_held(v);
+  if (free_.empty()) return held;
+  VectorXd loads(static_cast<Index>(3 * free_.size()));
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    const MatrixXd& projection = free_[f].projection;
+    loads.segment<3>(static_cast<Index>(3 * f)) =
+        projection * held.segment(offsets_[free_[f].component], projection.cols());
+  }
+  const VectorXd motions = resistance_->solve(loads);
+  VectorXd velocity = VectorXd::Zero(v.size());
+  for (std::size_t f = 0; f < free_.size(); ++f) {
+    const MatrixXd& modes = free_[f].modes;
+    velocity.segment(offsets_[free_[f].component], modes.rows()) =
+        modes * motions.segment<3>(static_cast<Index>(3 * f));
+  }
+  return solve_held(v - velocity) - velocity;
+}
+
+double ClusterPreconditioner::mean_rank() const {
+  Index sum = 0;
+  for (const MatrixXd& basis : bases_) sum += basis.cols();
+  return static_cast<double>(sum) / static_cast<double>(bases_.size());
+}
+
+}  // namespace stokesbook

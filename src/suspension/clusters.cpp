@@ -1,0 +1,123 @@
+#include "suspension/clusters.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "closure/rigid_modes.hpp"
+#include "double_layer/double_layer.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "near_singular/near_test.hpp"
+#include "near_singular/rectangle_index.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace {
+
+// Of the layers between components, relative: a preconditioner may err as much.
+constexpr double layer_tolerance = 1e-3;
+
+double least_distance(const ComplexVector& a, const ComplexVector& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Complex point : a) {
+    least = std::min(least, (b.array() - point).abs2().minCoeff());
+  }
+  return std::sqrt(least);
+}
+
+// The double layer of a curve at targets, near ones by its scheme of close evaluation.
+MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
+                      const ComplexVector& targets) {
+  MatrixXd matrix = StressletSum({source}).matrix(targets);
+  if (placed == nullptr) return matrix;
+  const double reach = near_reach(source, layer_tolerance);
+  std::vector<Index> near;
+  for (Index i = 0; i < targets.size(); ++i) {
+    if ((source.x.array() - targets[i]).abs2().minCoeff() < reach * reach &&
+        is_near(source, targets[i], layer_tolerance)) {
+      near.push_back(i);
+    }
+  }
+  if (near.empty()) return matrix;
+  const Complex turn = std::polar(1.0, placed->orientation);
+  const ComplexVector local = (targets(near).array() - placed->position) / turn;
+  const MatrixXd rows =
+      std::visit([&](const auto& scheme) { return scheme->velocity_rows(local); }, placed->scheme);
+  Eigen::Matrix2d rotation;
+  rotation << turn.real(), -turn.imag(), turn.imag(), turn.real();
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    for (Index j = 0; j < source.size(); ++j) {
+      matrix.block<2, 2>(2 * near[k], 2 * j) =
+          rotation * rows.block<2, 2>(2 * static_cast<Index>(k), 2 * j) * rotation.transpose();
+    }
+  }
+  return matrix;
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> cluster_neighbours(const StokesProblem& problem) {
+  const std::vector<Component>& components = problem.components;
+  std::vector<double> radius;
+  std::vector<Rectangle> rectangles;
+  double largest = 0.0;
+  for (const Component& component : components) {
+    radius.push_back(RigidModes(component.curve, component.centre).gyration_radius());
+    rectangles.push_back(bounding_rectangle(component.curve.x));
+    if (component.kind != ComponentKind::enclosing_wall) largest = std::max(largest, radius.back());
+  }
+  const RectangleIndex index(rectangles);
+  std::vector<std::vector<Neighbour>> neighbours(components.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < components.size(); ++a) {
+    if (components[a].kind == ComponentKind::enclosing_wall) continue;
+    for (const std::size_t b : index.meeting(widened(rectangles[a], (radius[a] + largest)))) {
+      if (b == a || components[b].kind == ComponentKind::enclosing_wall) continue;
+      const double gap = least_distance(components[a].curve.x, components[b].curve.x);
+      const double mean = 0.5 * (radius[a] + radius[b]);
+      if (gap < 2.0 * mean) neighbours[a].push_back({b, gap / mean});
+    }
+  }
+  return neighbours;
+}
+
+bool clusters_pay(const StokesProblem& problem) {
+  const std::vector<std::vector<Neighbour>> neighbours = cluster_neighbours(problem);
+  std::size_t tight = 0;  // every pair twice
+  for (std::size_t a = 0; a < neighbours.size(); ++a) {
+    for (const Neighbour& b : neighbours[a]) tight += b.gap < 0.003 ? 1 : 0;
+  }
+  return 3 * tight >= 2 * neighbours.size();
+}
+
+ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const References& references,
+                                             const std::vector<PlacedCurve>& placed) {
+  const double gauge = held_gauge(problem);
+  std::map<const Reference*, std::shared_ptr<const MatrixXd>> inverses;
+  for (const auto& reference : references) inverses[reference.get()];
+  std::vector<const Reference*> distinct;
+  for (const auto& [reference, inverse] : inverses) distinct.push_back(reference);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < distinct.size(); ++k) {
+    const Reference& reference = *distinct[k];
+    inverses.at(&reference) = std::make_shared<const MatrixXd>(
+        invert_block(held_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, gauge)));
+  }
+  std::vector<BlockDiagonalPreconditioner::Member> held;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    held.push_back({inverses.at(references[k].get()), configuration[k].orientation});
+  }
+  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
+    return layer_matrix(problem.components[source].curve,
+                        placed.empty() ? nullptr : &placed[source],
+                        problem.components[target].curve.x);
+  };
+  return {problem, std::move(held), cluster_neighbours(problem), layer};
+}
+
+}  // namespace stokesbook
