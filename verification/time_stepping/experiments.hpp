@@ -17,6 +17,10 @@ study::Experiment work();
 study::Experiment reversal();
 study::Experiment reversal_costs();
 study::Experiment drift();
+study::Experiment sweeps();
+study::Experiment lagged();
+study::Experiment guesses();
+study::Experiment saved_iterations();
 /// @}
 
 }  // namespace stokesbook::verification::time_stepping
