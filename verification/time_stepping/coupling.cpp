@@ -145,7 +145,7 @@ Experiment sweeps() {
       .lines = {{.key = "difference",
                  .label = "measured less closed form",
                  .measure = differences(Blocks::own),
-                 .claim = Claim{.id = "09_25",
+                 .claim = Claim{.id = "09_29",
                                 .statement = "A lagged sweep over two circles contracts errors by "
                                              "e^(-4 a + asinh(2 sinh 2 a)), cosh a = 1 + g/2.",
                                 .law = Identity{1e-5},
@@ -169,7 +169,7 @@ Experiment lagged() {
            .label = "gap 0.2",
            .measure = errors_of_lagged(0.2, Event::none),
            .claim =
-               Claim{.id = "09_26",
+               Claim{.id = "09_30",
                      .statement = "Where densities change smoothly the lagged coupling is of "
                                   "order 1.",
                      .law = Algebraic{1.0, 0.2},
@@ -186,7 +186,7 @@ Experiment lagged() {
           {.key = "jump",
            .label = "gap 0.2, the flow reverses with the last step",
            .measure = errors_of_lagged(0.2, Event::reversal),
-           .claim = Claim{.id = "09_27",
+           .claim = Claim{.id = "09_31",
                           .statement = "Where loads jump the error of the lagged coupling does not "
                                        "depend on the time step.",
                           .law = Algebraic{0.0, 0.05},

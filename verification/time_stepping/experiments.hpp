@@ -17,6 +17,8 @@ study::Experiment work();
 study::Experiment reversal();
 study::Experiment reversal_costs();
 study::Experiment drift();
+study::Experiment returns();
+study::Experiment noisy_rates();
 study::Experiment sweeps();
 study::Experiment lagged();
 study::Experiment guesses();

@@ -111,9 +111,9 @@ Experiment guesses() {
           .title = "Guesses from earlier densities, three bodies in motion",
           .x = "steps a unit of time, 1/h",
           .error = "residual where GMRES begins, relative",
-          .lines = {residual_line(1, "09_28"),
-                    residual_line(2, "09_29"),
-                    residual_line(3, "09_30"),
+          .lines = {residual_line(1, "09_32"),
+                    residual_line(2, "09_33"),
+                    residual_line(3, "09_34"),
                     {.key = "kept_4", .label = "4 earlier densities", .measure = residuals(4)},
                     {.key = "kept_6", .label = "6 earlier densities", .measure = residuals(6)}}};
 }
@@ -129,7 +129,7 @@ Experiment saved_iterations() {
                 {.key = "kept_4",
                  .label = "4 earlier densities",
                  .measure = shares(4),
-                 .claim = Claim{.id = "09_31",
+                 .claim = Claim{.id = "09_35",
                                 .statement = "Guesses from four densities save a third of the "
                                              "iterations or more where a step turns bodies by a "
                                              "tenth of a radian or less.",

@@ -4,7 +4,8 @@
 
 #include <numbers>
 
-#include "double_layer/double_layer.hpp"
+#include <Eigen/LU>
+
 #include "suspension/solver.hpp"
 
 using namespace stokesbook;
