@@ -27,8 +27,9 @@ struct Observer {
 /// Reversals and the end are hit exactly. Methods that interpolate take their steps through written
 /// times; all others even out their steps to hit them too. A step that leads into an overlap is
 /// halved, see Stepper. The order in time.dt is that of the method.
-/// @par Accuracy  of methods that adapt steps, within a factor of ten of time.tolerance where the
-///                motion is smooth and solver.tolerance is below it
+/// @par Accuracy  of methods that adapt steps, time.tolerance within a factor of ten or so where the
+///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
+///                @ref claim_09_20; far better where the flow contracts, as onto a contact
 /// @par Cost      one solve a step with its error estimate, and one for each stage beyond the first;
 ///                one at the start, after a reversal and at an interpolated written time;
 ///                evaluate_field() and Rheometer a written time
