@@ -63,6 +63,7 @@ const Tableau& dormand_prince54() {
   return tableau;
 }
 
+// [stages]
 MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment& start, double dt) {
   MatrixXd stages(start.state.size(), tableau.b.size());
   stages.col(0) = start.rate;
@@ -73,5 +74,6 @@ MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment&
   }
   return stages;
 }
+// [stages]
 
 }  // namespace stokesbook

@@ -4,6 +4,7 @@ namespace stokesbook {
 
 using Eigen::VectorXd;
 
+// [interpolate]
 VectorXd interpolate(const Step& step, double t) {
   const double h = step.dt(), s = (t - step.start.t) / h, r = 1.0 - s;
   const VectorXd change = step.end.state - step.start.state;
@@ -12,5 +13,6 @@ VectorXd interpolate(const Step& step, double t) {
   if (step.bubble.size() > 0) state += s * s * r * r * h * step.bubble;
   return state;
 }
+// [interpolate]
 
 }  // namespace stokesbook

@@ -12,12 +12,14 @@ double ErrorBound::operator()(const VectorXd& error) const {
   return error.cwiseQuotient(scale).lpNorm<Eigen::Infinity>() / tolerance;
 }
 
+// [factor]
 double step_factor(double error, double previous, int order) {
   constexpr double safety = 0.9, least = 0.2, most = 5.0;
   const double history = std::pow(std::max(previous, 1e-4), 0.4 / order);
   const double factor = safety * history * std::pow(error, -0.7 / order);
   return factor > least ? std::min(factor, most) : least;  // no number: least
 }
+// [factor]
 
 double first_step(const Rate& f, const Moment& start, const ErrorBound& bound, int order) {
   const double speed = bound.tolerance * bound(start.rate);
