@@ -123,7 +123,7 @@ double jeffery(double t) {
 void print_orders() {
   constexpr double t_end = 8.0;
   std::puts("An ellipse 3:1 in shear: error of its angle at t = 8\n");
-  std::printf("%8s%18s%18s%18s%18s\n", "steps", "Euler", "Adams-Bashforth 2", "Heun",
+  std::printf("%8s%20s%20s%20s%20s\n", "steps", "Euler", "Adams-Bashforth 2", "Heun",
               "Runge-Kutta 4");
   for (const int steps : {20, 40, 80, 160}) {
     std::printf("%8d", steps);
@@ -132,7 +132,7 @@ void print_orders() {
       Suspension suspension(ellipse());
       const std::vector<Step> path =
           run(fixed(method, t_end / steps), suspension.rate(1.0), suspension.start(), t_end);
-      std::printf("%18.2e", std::abs(path.back().end.state[2] - jeffery(t_end)));
+      std::printf("%20.2e", std::abs(path.back().end.state[2] - jeffery(t_end)));
     }
     std::puts("");
   }

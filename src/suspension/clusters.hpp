@@ -14,11 +14,10 @@ namespace stokesbook {
 /// @{
 
 /// Finds the neighbours that each inner component's cluster takes in: those whose gap is below the
-/// sum of both radii of gyration.
+/// sum of both radii of gyration. Gaps are taken as distances of nodes.
 ///
 /// @param  problem  its components
 /// @return          of each component, ascending; none of an enclosing wall
-/// @par Accuracy    gaps are distances of nodes
 /// @par Cost        a search in a RectangleIndex a component, N_a N_b distances a pair within reach
 std::vector<std::vector<Neighbour>> cluster_neighbours(const StokesProblem& problem);
 

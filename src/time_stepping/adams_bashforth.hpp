@@ -20,7 +20,7 @@ struct PreviousStep {
 /// @param  dt        h, the step, time
 /// @param  previous  the step before
 /// @return           state at t + h
-/// @par Accuracy  order 2
+/// @par Accuracy  order 2, @ref claim_09_2
 /// @par Cost      one evaluation of f a step, by the caller
 /// @par Not for   the step after f has jumped: the extrapolation would reach across
 Eigen::VectorXd adams_bashforth2_step(const Moment& start, double dt, const PreviousStep& previous);

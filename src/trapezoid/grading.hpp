@@ -67,13 +67,13 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::In
 /// @par Cost        as graded_parameters(); for a NodalCurve with p points n p more
 Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
 
-/// Computes where a parameter lies among graded nodes: the inverse of graded_parameters().
+/// Computes where a parameter lies among graded nodes: the inverse of graded_parameters(), with the
+/// rounding of t stretched by dt/ds.
 ///
 /// @param  grading    where nodes crowd
 /// @param  parameter  t, radians
 /// @return            s(t), radians; t itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Accuracy      rounding of t, stretched by dt/ds
 double graded_position(const Grading& grading, double parameter);
 
 /// Computes how far from the real s axis a singularity at \f$ t = p + id \f$ comes to lie:

@@ -174,9 +174,9 @@ Experiment lagged() {
                                   "order 1.",
                      .law = Algebraic{1.0, 0.2},
                      .window = {.from = 80.0},
-                     .reason = "a step adds h eta' to the error, and a sweep leaves the factor f "
-                               "of all that was there: h f / (1 - f) eta' in the end, where "
-                               "h / (1 - f) is a tenth of the time sqrt(g) in which a gap passes "
+                     .reason = "a step adds h eta' to the error, and a sweep leaves the factor rho "
+                               "of all that was there: h rho / (1 - rho) eta' in the end, where "
+                               "h / (1 - rho) is a tenth of the time sqrt(g) in which a gap passes "
                                "by a node, or less",
                      .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
            .control = Control{"a flow that reverses with the last step",

@@ -73,14 +73,13 @@ Experiment tolerances() {
           .operation = "evaluations of the rate"};
 }
 
+// Errors at t = 2, 4, ..., 12; of the pair 8(7) at 12.
 Experiment tolerances_of_passing() {
   const Motion pair = passing();
   return {.key = "tolerance_passing",
           .title = "Error found for the tolerance asked: two circles that pass each other",
           .x = "tolerance",
-          .error =
-              "largest error of position, in radii, and angle at t = 2, 4, ..., 12 (of the pair "
-              "8(7) at 12)",
+          .error = "largest error of position, in radii, and angle",
           .lines = {line(pair, Method::dormand_prince54, {"09_20", 0.02, symmetric}),
                     line(pair, Method::prince_dormand87, {"09_21", 0.02, pessimistic})},
           .work_precision = true,

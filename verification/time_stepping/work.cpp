@@ -77,14 +77,13 @@ std::vector<Measurement> by_effort(Size size) {
 
 }  // namespace
 
+// Errors at those of t = 2, 4, ..., 12 that are hit.
 Experiment work() {
   return {
       .key = "work",
       .title = "What an accuracy costs: two circles that pass each other",
       .x = "solves E",
-      .error =
-          "largest error of position, in radii, and angle at those of t = 2, 4, ..., 12 that are "
-          "hit",
+      .error = "largest error of position, in radii, and angle",
       .lines = {{.key = "euler", .label = "Euler", .measure = equal_steps(Method::euler, 102)},
                 {.key = "effort", .label = "Euler, steps by solver effort", .measure = by_effort},
                 {.key = "adams_bashforth2",

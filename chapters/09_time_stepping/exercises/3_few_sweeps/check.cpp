@@ -69,7 +69,7 @@ void check_contraction(double gap) {
                "cosh a = 1 + g/2; the gap is not the distance of "
                "the centres less one radius"},
               {1.0 - 8.0 * std::pow(gap, 1.5), "this is the law for small gaps"},
-              {1.0 - factor_at(alpha), "this is what a sweep takes away: f is what it leaves"}}});
+              {1.0 - factor_at(alpha), "this is what a sweep takes away: rho is what it leaves"}}});
 }
 
 // What k sweeps leave of the density of two circles in extension, which is an error of 1 at first.
@@ -111,8 +111,8 @@ void check_breaking_gap(int k) {
           .got = got,
           .expected = low,
           .tolerance = 1e-6,
-          .mistakes = {
-              {asymptotic, "the law for small gaps does not hold there: solve f^k = 1/2 itself"}}});
+          .mistakes = {{asymptotic,
+                        "the law for small gaps does not hold there: solve rho^k = 1/2 itself"}}});
   for (const double part : {2.0, 0.5}) {
     const double left = left_by_the_book(part * got, k);
     if ((left < 0.5) == (part > 1.0)) continue;
@@ -167,14 +167,14 @@ int main() {
                                for (const double gap : {1.0, 0.1, 0.01}) check_contraction(gap);
                              }},
                         {.title = "the gap that breaks it",
-                         .formula = "f^k = 1/2",
-                         .hint = "bisect: f grows as the gap closes",
+                         .formula = "rho^k = 1/2",
+                         .hint = "bisect: rho grows as the gap closes",
                          .check =
                              [] {
                                for (const int k : {1, 2, 4}) check_breaking_gap(k);
                              }},
                         {.title = "after a reversal",
-                         .formula = "|eta_k - eta| = f^k |eta' - eta|",
+                         .formula = "|eta_k - eta| = rho^k |eta' - eta|",
                          .hint = "eta' = -eta",
                          .check =
                              [] {
