@@ -14,6 +14,7 @@ study::Study krylov_study();
 study::Study near_singular_study();
 study::Study stress_study();
 study::Study fmm_study();
+study::Study time_stepping_study();
 study::Study suspension_study();
 /// @}
 

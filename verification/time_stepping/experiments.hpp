@@ -1,0 +1,22 @@
+#pragma once
+
+#include "study/study.hpp"
+
+namespace stokesbook::verification::time_stepping {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment orders_in_shear();
+study::Experiment orders_in_extension();
+study::Experiment orders_of_circles();
+study::Experiment orders_of_passing();
+study::Experiment interpolants();
+study::Experiment tolerances();
+study::Experiment tolerances_of_passing();
+study::Experiment work();
+study::Experiment reversal();
+study::Experiment reversal_costs();
+study::Experiment drift();
+/// @}
+
+}  // namespace stokesbook::verification::time_stepping

@@ -1,0 +1,142 @@
+#include "motions.hpp"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+
+#include "suspension/solver.hpp"
+#include "suspension/stepping.hpp"
+#include "time_stepping/stepper.hpp"
+
+namespace stokesbook::verification::time_stepping {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double aspect = 3.0;
+constexpr double shape_factor = (aspect * aspect - 1.0) / (aspect * aspect + 1.0);
+
+VectorXd one(double number) {
+  return VectorXd::Constant(1, number);
+}
+
+VectorXd itself(const VectorXd& state) {
+  return state;
+}
+
+// tan theta = -tan(lambda t / (1 + lambda^2)) / lambda, continued through the half turns.
+double angle_in_shear(double t) {
+  const double phase = aspect * t / (1.0 + aspect * aspect);
+  const double half_turns = std::round(phase / std::numbers::pi);
+  return -half_turns * std::numbers::pi -
+         std::atan(std::tan(phase - half_turns * std::numbers::pi) / aspect);
+}
+
+// D = 2 cosh(al) with 2 al - coth al = const - 2 t.
+double distance_of_circles(double start, double t) {
+  const auto invariant = [](double al) { return 2.0 * al - 1.0 / std::tanh(al); };
+  const double target = invariant(std::acosh(0.5 * start)) - 2.0 * t;
+  double low = 1e-9, high = std::acosh(0.5 * start);
+  for (int bisection = 0; bisection < 100; ++bisection) {
+    const double middle = 0.5 * (low + high);
+    (invariant(middle) < target ? low : high) = middle;
+  }
+  return 2.0 * std::cosh(0.5 * (low + high));
+}
+
+Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
+  Scene scene;
+  scene.flow = flow;
+  for (const Complex position : {first, -first}) {
+    scene.bodies.push_back({.shape = Circle{1.0}, .position = position, .n_nodes = n_nodes});
+  }
+  scene.solver.tolerance = 1e-11;
+  return scene;
+}
+
+// State by the pair 8(7), to 1e-12.
+VectorXd state_at(const Motion& motion, double t) {
+  const SteppingSettings settings{.method = Method::prince_dormand87,
+                                  .bound = {1e-12, VectorXd::Ones(motion.start.size())}};
+  const Stepper stepper(settings, {motion.rate, motion.rate});
+  Moment now{0.0, motion.start, motion.rate(0.0, motion.start)};
+  StepMemory memory;
+  while (now.t < t) {
+    Advance advance = stepper.advance(now, std::move(memory), t);
+    now = std::move(advance.step.end);
+    memory = std::move(advance.memory);
+  }
+  return now.state;
+}
+
+}  // namespace
+
+Motion jeffery_in_shear(double t_final) {
+  const Rate rate = [](double, const VectorXd& q) {
+    return one(-0.5 + 0.5 * shape_factor * std::cos(2.0 * q[0]));
+  };
+  return {rate, one(0.0), t_final, [](double t) { return one(angle_in_shear(t)); }, itself};
+}
+
+Motion jeffery_in_extension(double t_final) {
+  const Rate rate = [](double, const VectorXd& q) {
+    return one(-shape_factor * std::sin(2.0 * q[0]));
+  };
+  const double start = 1.2;
+  const auto exact = [=](double t) {
+    return one(std::atan(std::tan(start) * std::exp(-2.0 * shape_factor * t)));
+  };
+  return {rate, one(start), t_final, exact, itself};
+}
+
+Motion approaching_circles(double t_final) {
+  const Scene scene = circles(ExtensionalFlow{-1.0}, -2.0, 96);
+  return {solved_rate(scene), start_of(scene), t_final,
+          [](double t) { return one(distance_of_circles(4.0, t)); },
+          [](const VectorXd& q) { return one(q[3] - q[0]); }};
+}
+
+Scene passing_circles() {
+  return circles(ShearFlow{1.0}, {-4.0, 0.75}, 48);
+}
+
+Motion passing() {
+  const Scene scene = passing_circles();
+  Motion motion{solved_rate(scene),
+                start_of(scene),
+                12.0,
+                {},
+                [](const VectorXd& q) -> VectorXd { return q.head(3); },
+                {4.0, 8.0, 12.0}};
+  static const std::map<double, VectorXd> reference{
+      {4.0, state_at(motion, 4.0).head(3)},
+      {8.0, state_at(motion, 8.0).head(3)},
+      {12.0, Eigen::Vector3d{5.05560884029, 0.73856191218, -5.92487175825}}};
+  motion.exact = [](double t) { return reference.at(t); };
+  return motion;
+}
+
+Rate solved_rate(const Scene& scene) {
+  const auto solver = std::make_shared<SuspensionSolver>(scene);
+  const auto first = std::make_shared<Solution>(solver->solve(solver->initial_configuration()));
+  return [=](double, const VectorXd& state) {
+    try {
+      const Solution solution = solver->solve_nearby(to_configuration(state), *first);
+      Configuration rate;
+      for (const RigidMotion& motion : solution.motions) {
+        rate.push_back({motion.velocity, motion.omega});
+      }
+      return to_state(rate);
+    } catch (const NumericsRefused& refusal) {  // an overlap, or too close for their nodes
+      throw InadmissibleState(refusal.what());
+    }
+  };
+}
+
+VectorXd start_of(const Scene& scene) {
+  return to_state(SuspensionSolver(scene).initial_configuration());
+}
+
+}  // namespace stokesbook::verification::time_stepping

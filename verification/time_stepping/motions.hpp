@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "time_stepping/rate.hpp"
+
+namespace stokesbook::verification::time_stepping {
+
+/// A motion whose solution is known.
+struct Motion {
+  Rate rate;              ///< right-hand side
+  Eigen::VectorXd start;  ///< state at t = 0, of size one in the sense of an error's scale
+  double t_final;         ///< end
+  std::function<Eigen::VectorXd(double t)> exact;  ///< what is compared, at t
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& state)>
+      compared;                       ///< what of a state is compared
+  std::vector<double> known_at = {};  ///< times at which the solution is known; none: at all
+};
+
+/// Jeffery's equation of an ellipse 3:1 in shear of rate 1, from theta = 0 (C9).
+Motion jeffery_in_shear(double t_final);
+
+/// The same in extension, theta' = -B sin 2 theta, from theta = 1.2.
+Motion jeffery_in_extension(double t_final);
+
+/// Two unit circles that approach each other on the axis of u = (-x, y), from a distance of 4, by
+/// full solves (C13); the distance is compared.
+Motion approaching_circles(double t_final);
+
+/// Scene of two unit circles that pass each other in shear, u = (y, 0), in 12 units of time (NT1).
+Scene passing_circles();
+
+/// Their motion by full solves: position of the first in radii, and its angle. Known at t = 12 from
+/// an independent code (NT1), and at 4 and 8 by the pair 8(7) to 1e-12.
+Motion passing();
+
+/// Right-hand side of a scene by full solves.
+Rate solved_rate(const Scene& scene);
+
+/// State of a scene at the start.
+Eigen::VectorXd start_of(const Scene& scene);
+
+}  // namespace stokesbook::verification::time_stepping

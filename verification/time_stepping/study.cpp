@@ -1,0 +1,19 @@
+// Study of the time steppers: their orders, what a tolerance means, and what an accuracy costs in
+// solves.
+#include "experiments.hpp"
+#include "studies.hpp"
+
+namespace stokesbook {
+
+study::Study time_stepping_study() {
+  using namespace verification::time_stepping;
+  return {.number = "09",
+          .name = "time_stepping",
+          .title = "Time stepping with error control",
+          .experiments = {orders_in_shear(), orders_in_extension(), orders_of_circles(),
+                          orders_of_passing(), interpolants(), tolerances(),
+                          tolerances_of_passing(), work(), reversal(), reversal_costs(), drift()},
+          .has_chapter = false};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,109 @@
+// What an accuracy costs in solves, by every stepper.
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.hpp"
+#include "multistep.hpp"
+#include "suspension/simulation.hpp"
+
+namespace stokesbook::verification::time_stepping {
+
+using namespace study;
+
+namespace {
+
+Measurement measurement(const RunResult& run) {
+  return {.x = run.evaluations, .error = run.error, .operations = run.evaluations};
+}
+
+Measure equal_steps(Method method, int fewest) {
+  return [=](Size size) {
+    const Motion motion = passing();
+    std::vector<Measurement> measurements;
+    for (int k = 0; k < (size == Size::full ? 5 : 3); ++k) {
+      measurements.push_back(measurement(run_equal_steps(motion, method, fewest << k)));
+    }
+    return measurements;
+  };
+}
+
+Measure adapted(const std::function<RunResult(const Motion& motion, double tolerance)>& run,
+                double tightest) {
+  return [=](Size size) {
+    const Motion motion = passing();
+    std::vector<Measurement> measurements;
+    const double factor = size == Size::full ? std::sqrt(10.0) : 10.0;
+    for (double tolerance = 1e-3; tolerance > 0.9 * tightest; tolerance /= factor) {
+      measurements.push_back(measurement(run(motion, tolerance)));
+    }
+    // A tighter tolerance of the multistep method may take fewer.
+    std::ranges::sort(measurements, {}, &Measurement::x);
+    return measurements;
+  };
+}
+
+Measure embedded(Method method, double tightest) {
+  return adapted([=](const Motion& motion,
+                     double tolerance) { return run_to_tolerance(motion, method, tolerance); },
+                 tightest);
+}
+
+// Euler with the steps that solver effort chooses, from finer and finer first and longest steps.
+std::vector<Measurement> by_effort(Size size) {
+  const Motion motion = passing();
+  std::vector<Measurement> measurements;
+  for (int k = 0; k < (size == Size::full ? 5 : 3); ++k) {
+    Scene scene = passing_circles();
+    const double longest = 0.4 / (1 << k);
+    scene.time = TimeSettings{
+        .t_final = motion.t_final, .dt = longest / 4.0, .method = SteppingMethod::euler};
+    scene.time->dt_min = longest / 16.0;
+    scene.time->dt_max = longest;
+    scene.time->effort = EffortBounds{9, 11};
+    scene.output.dt_write = 4.0;
+    RunResult run;
+    Observer observer;
+    observer.checkpoint = [&](const Checkpoint& reached) {
+      run.error = std::max(run.error, error_at(motion, reached.t, reached.state));
+    };
+    const SuspensionSolver solver(scene);
+    Simulation simulation(solver, observer);
+    simulation.run();
+    run.evaluations = static_cast<double>(simulation.totals().solves);
+    measurements.push_back(measurement(run));
+  }
+  return measurements;
+}
+
+}  // namespace
+
+Experiment work() {
+  return {
+      .key = "work",
+      .title = "What an accuracy costs: two circles that pass each other",
+      .x = "solves E",
+      .error = "largest error of position, in radii, and angle at t = 4, 8 and 12",
+      .lines = {{.key = "euler", .label = "Euler", .measure = equal_steps(Method::euler, 102)},
+                {.key = "effort", .label = "Euler, steps by solver effort", .measure = by_effort},
+                {.key = "adams_bashforth2",
+                 .label = "Adams-Bashforth 2",
+                 .measure = equal_steps(Method::adams_bashforth2, 81)},
+                {.key = "heun", .label = "Heun", .measure = equal_steps(Method::heun, 42)},
+                {.key = "rk4", .label = "Runge-Kutta 4", .measure = equal_steps(Method::rk4, 21)},
+                {.key = "bogacki_shampine32",
+                 .label = "Bogacki-Shampine 3(2)",
+                 .measure = embedded(Method::bogacki_shampine32, 1e-5)},
+                {.key = "dormand_prince54",
+                 .label = "Dormand-Prince 5(4)",
+                 .measure = embedded(Method::dormand_prince54, 1e-9)},
+                {.key = "prince_dormand87",
+                 .label = "Prince-Dormand 8(7)",
+                 .measure = embedded(Method::prince_dormand87, 1e-9)},
+                {.key = "multistep",
+                 .label = "GSL's Adams of variable order",
+                 .measure = adapted(run_multistep, 1e-9)}},
+      .work_precision = true,
+      .operation = "solves"};
+}
+
+}  // namespace stokesbook::verification::time_stepping
