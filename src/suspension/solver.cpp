@@ -169,7 +169,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
       plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
   if (plan_.preconditioner == PreconditionerKind::clusters ||
-      (plan_.clusters_at_tight_gaps && clusters_pay(problem))) {
+      (plan_.clusters_at_tight_gaps && clusters_pay(configuration, references))) {
     discrete.precondition = cluster_preconditioner(problem, configuration, references, near_curves);
     return discrete;
   }
