@@ -120,10 +120,11 @@ Motion passing() {
 
 Rate solved_rate(const Scene& scene) {
   const auto solver = std::make_shared<SuspensionSolver>(scene);
-  const auto first = std::make_shared<Solution>(solver->solve(solver->initial_configuration()));
+  const Resolutions first =
+      resolutions_of(solver->solve(solver->initial_configuration()).references);
   return [=](double, const VectorXd& state) {
     try {
-      const Solution solution = solver->solve_nearby(to_configuration(state), *first);
+      const Solution solution = solver->solve_nearby(to_configuration(state), first);
       Configuration rate;
       for (const RigidMotion& motion : solution.motions) {
         rate.push_back({motion.velocity, motion.omega});
