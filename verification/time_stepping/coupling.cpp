@@ -93,26 +93,25 @@ Measure what_is_lost(double (*factor)(double gap)) {
 }  // namespace
 
 Experiment sweeps() {
-  return {.key = "sweeps",
-          .title = "Sweeps of block Jacobi on two circles",
-          .x = "gap, in radii, g",
-          .error = "contraction by a sweep, and the closed form less it",
-          .lines = {{.key = "difference",
-                     .label = "measured less closed form",
-                     .measure = differences(Blocks::own),
-                     .claim = Claim{.id = "09_30",
-                                    .statement =
-                                        "A lagged sweep over two circles contracts errors by "
-                                        "e^(-4 a + asinh(2 sinh 2 a)), cosh a = 1 + g/2.",
-                                    .law = Identity{1e-5},
-                                    .reason = "mode 2 of the pair in bipolar coordinates has the "
-                                              "preconditioned eigenvalue farthest from 1",
-                                    .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
-                     .control = Control{"-1/2 instead of the own blocks",
-                                        differences(Blocks::half)}},
-                    {.key = "left",
-                     .label = "1 less closed form",
-                     .measure = what_is_lost(exact_contraction)}}};
+  return {
+      .key = "sweeps",
+      .title = "Sweeps of block Jacobi on two circles",
+      .x = "gap, in radii, g",
+      .error = "contraction by a sweep, and the closed form less it",
+      .lines = {{.key = "difference",
+                 .label = "measured less closed form",
+                 .measure = differences(Blocks::own),
+                 .claim = Claim{.id = "09_30",
+                                .statement = "A lagged sweep over two circles contracts errors by "
+                                             "e^(-4 a + asinh(2 sinh 2 a)), cosh a = 1 + g/2.",
+                                .law = Identity{1e-5},
+                                .reason = "mode 2 of the pair in bipolar coordinates has the "
+                                          "preconditioned eigenvalue farthest from 1",
+                                .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
+                 .control = Control{"-1/2 instead of the own blocks", differences(Blocks::half)}},
+                {.key = "left",
+                 .label = "1 less closed form",
+                 .measure = what_is_lost(exact_contraction)}}};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -57,9 +57,9 @@ Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
 }
 
 // State by the pair 8(7), to 1e-12.
-VectorXd state_at(const Motion& motion, double t) {
+VectorXd state_at(const Motion& motion, double t, double tolerance = 1e-12) {
   const SteppingSettings settings{.method = Method::prince_dormand87,
-                                  .bound = {1e-12, VectorXd::Ones(motion.start.size())}};
+                                  .bound = {tolerance, VectorXd::Ones(motion.start.size())}};
   const Stepper stepper(settings, {motion.rate, motion.rate});
   Moment now{0.0, motion.start, motion.rate(0.0, motion.start)};
   StepMemory memory;
@@ -69,6 +69,13 @@ VectorXd state_at(const Motion& motion, double t) {
     memory = std::move(advance.memory);
   }
   return now.state;
+}
+
+// All positions and angles of a scene, known at the end.
+Motion solved_motion(const Scene& scene, double t_final) {
+  Motion motion{solved_rate(scene), start_of(scene), t_final, {}, itself, {t_final}};
+  motion.exact = [end = state_at(motion, t_final, 1e-9)](double) { return end; };
+  return motion;
 }
 
 }  // namespace
@@ -116,6 +123,34 @@ Motion passing() {
       {12.0, Eigen::Vector3d{5.05560884029, 0.73856191218, -5.92487175825}}};
   motion.exact = [](double t) { return reference.at(t); };
   return motion;
+}
+
+Motion nine_circles() {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  for (int k = 0; k < 9; ++k) {
+    scene.bodies.push_back({.shape = Circle{0.5},
+                            .position = {1.5 * (k % 3 - 1) + 0.1 * k, 1.4 * (k / 3 - 1)},
+                            .n_nodes = 16});
+  }
+  scene.solver.tolerance = 0.05;  // steps are in question, not nodes
+  scene.solver.gmres_tol = 1e-10;
+  return solved_motion(scene, 2.0);
+}
+
+Motion couette_cell() {
+  Scene scene;
+  scene.walls.push_back({WallRole::outer, Circle{2.5}, {}, 0.0, 48, RotatingWall{1.0}});
+  scene.walls.push_back({WallRole::inner, Circle{1.0}, {}, 0.0, 32, {}});
+  for (int k = 0; k < 6; ++k) {
+    scene.bodies.push_back({.shape = Ellipse{0.3, 0.15},
+                            .position = std::polar(1.6 + 0.1 * (k % 3), 1.05 * k),
+                            .orientation = 0.7 * k,
+                            .n_nodes = 24});
+  }
+  scene.solver.tolerance = 0.05;
+  scene.solver.gmres_tol = 1e-10;
+  return solved_motion(scene, 1.0);
 }
 
 Rate solved_rate(const Scene& scene) {

@@ -35,8 +35,12 @@ Configuration at(double t) {
 
 /// What is remembered of a time: it, or, a planted defect, half of it.
 using Clock = double (*)(double t);
-double right(double t) { return t; }
-double stopping(double t) { return std::round(t / 0.3) * 0.3 + 1e-3 * t; }
+double right(double t) {
+  return t;
+}
+double stopping(double t) {
+  return std::round(t / 0.3) * 0.3 + 1e-3 * t;
+}
 
 /// The last of a row of solutions.
 struct Last {
@@ -105,12 +109,15 @@ Line residual_line(std::size_t kept, const std::string& id) {
 }  // namespace
 
 Experiment guesses() {
-  return {.key = "guesses",
-          .title = "Guesses from earlier densities",
-          .x = "time step dt",
-          .error = "residual where GMRES begins, relative",
-          .lines = {residual_line(1, "09_31"), residual_line(2, "09_32"), residual_line(3, "09_33"),
-                    {.key = "kept_4", .label = "4 densities kept", .measure = residuals(4, right)}}};
+  return {
+      .key = "guesses",
+      .title = "Guesses from earlier densities",
+      .x = "time step dt",
+      .error = "residual where GMRES begins, relative",
+      .lines = {residual_line(1, "09_31"),
+                residual_line(2, "09_32"),
+                residual_line(3, "09_33"),
+                {.key = "kept_4", .label = "4 densities kept", .measure = residuals(4, right)}}};
 }
 
 Experiment saved_iterations() {
@@ -130,7 +137,8 @@ Experiment saved_iterations() {
                                     .reason = "iterations are as the digits to be gained: of "
                                               "eight, the guess has three to six",
                                     .api = {"stokesbook::DensityHistory"}},
-                     .control = Control{"no guess", [](Size) {
+                     .control = Control{"no guess",
+                                        [](Size) {
                                           std::vector<Measurement> all;
                                           for (const double dt : steps)
                                             all.push_back({.x = dt, .error = 1.0});
