@@ -31,8 +31,9 @@ struct Observer {
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
 /// latest estimate.
-/// @par Accuracy  of methods that adapt steps, within a factor of ten of time.tolerance where the
-///                motion is smooth and solver.tolerance is below it
+/// @par Accuracy  of methods that adapt steps, time.tolerance within a factor of ten or so where the
+///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
+///                @ref claim_09_20; far better where the flow contracts, as onto a contact
 /// @par Cost      one solve a step, and one for each stage beyond the first;
 ///                one at the start, after a reversal and at an interpolated written time;
 ///                evaluate_field() and Rheometer a written time

@@ -45,7 +45,7 @@ EstimatedEnd prince_dormand87_step(const Rate& f, const Moment& start, double dt
   gsl_odeiv2_step_apply(stepper.get(), start.t, dt, step.end.data(), step.error.data(),
                         start.rate.data(), nullptr, &system);
   if (guarded.thrown) std::rethrow_exception(guarded.thrown);
-  step.error *= 0.1;
+  step.error *= 0.2;
   return step;
 }
 

@@ -25,7 +25,7 @@ struct Step {
 /// @param  t     time
 /// @return       state, n numbers
 /// @par Accuracy  within one step of order h^4, of order h^5 with the bubble of Dormand and Prince:
-///                as the step itself and one less
+///                as the step itself and one less; @ref claim_09_15, @ref claim_09_16
 /// @par Cost      no evaluation of f
 /// @par Not for   steps by prince_dormand87_step(), which are far more accurate
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.6

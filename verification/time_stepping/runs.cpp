@@ -8,6 +8,17 @@ using Eigen::VectorXd;
 
 namespace {
 
+// At the end of a step, and where it has an interpolant, at the times within it that are known.
+double error_of(const Motion& motion, Method method, const Step& step) {
+  double error = error_at(motion, step.end.t, step.end.state);
+  if (!has_dense_output(method)) return error;
+  for (const double t : motion.known_at) {
+    if (t <= step.start.t || t >= step.end.t) continue;
+    error = std::max(error, error_at(motion, t, interpolate(step, t)));
+  }
+  return error;
+}
+
 RunResult run(const Motion& motion, const SteppingSettings& settings,
               const std::function<double(double t)>& next_event, const MakeRates& make_rates) {
   const Counted counted(motion.rate);
@@ -18,9 +29,9 @@ RunResult run(const Motion& motion, const SteppingSettings& settings,
   while (now.t < motion.t_final) {
     const Stepper stepper(settings, make_rates(counted.rate(), now));
     Advance advance = stepper.advance(now, std::move(memory), next_event(now.t));
+    result.error = std::max(result.error, error_of(motion, settings.method, advance.step));
     now = std::move(advance.step.end);
     memory = std::move(advance.memory);
-    result.error = std::max(result.error, error_at(motion, now.t, now.state));
   }
   result.evaluations = counted.evaluations();
   result.state = now.state;
@@ -73,11 +84,8 @@ RunResult run_equal_steps(const Motion& motion, Method method, int steps,
 RunResult run_to_tolerance(const Motion& motion, Method method, double tolerance, double scale) {
   const SteppingSettings settings{
       .method = method, .bound = {0.5 * tolerance, VectorXd::Constant(motion.start.size(), scale)}};
-  const auto next_known = [&](double t) {
-    const auto later = std::ranges::upper_bound(motion.known_at, t);
-    return later == motion.known_at.end() ? motion.t_final : *later;
-  };
-  return run(motion, settings, next_known, same_rates);
+  return run(
+      motion, settings, [&](double) { return motion.t_final; }, same_rates);
 }
 
 }  // namespace stokesbook::verification::time_stepping
