@@ -84,11 +84,15 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
 }
 
 bool clusters_pay(const Configuration& configuration, const References& references) {
+  const auto is_fine = [](const auto& reference) {
+    return reference->kind != ComponentKind::enclosing_wall && reference->curve.size() > 256;
+  };
+  if (std::ranges::any_of(references, is_fine)) return false;
   const std::vector<std::vector<Neighbour>> neighbours =
       cluster_neighbours(configuration, references);
   std::size_t tight = 0;  // every pair twice
-  for (std::size_t a = 0; a < neighbours.size(); ++a) {
-    for (const Neighbour& b : neighbours[a]) tight += b.gap < 0.003 ? 1 : 0;
+  for (const std::vector<Neighbour>& of_one : neighbours) {
+    for (const Neighbour& other : of_one) tight += other.gap < 0.003 ? 1 : 0;
   }
   return 3 * tight >= 2 * neighbours.size();
 }

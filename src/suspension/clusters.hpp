@@ -23,11 +23,13 @@ namespace stokesbook {
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
                                                        const References& references);
 
-/// Tells whether clusters save more iterations than they take to set up: where a third as many pairs
-/// as there are components have gaps below 0.003 of their mean radius of gyration.
+/// Tells whether clusters save more time than they take to set up: where a third as many pairs as
+/// there are components have gaps below 0.003 of their mean radius of gyration, and no inner
+/// component has more than 256 nodes.
 ///
-/// Measured on chains, hexagons and random packings of disks, with the set-up's 10 to 100
-/// milliseconds a body: at gaps of 0.01 clusters take longer, at 0.001 half the time or less.
+/// Measured on hexagons and random packings of disks: at gaps of 0.01 the set-up takes longer than
+/// all iterations that it saves, at 0.001 a half of them or less. It grows like the cube of a
+/// component's nodes.
 /// @param  configuration  where the components are, none overlapping
 /// @param  references     of each component
 /// @return                true where they pay
