@@ -19,6 +19,12 @@ study::Experiment work_of_cell();
 study::Experiment reversal();
 study::Experiment reversal_costs();
 study::Experiment drift();
+study::Experiment returns();
+study::Experiment noisy_rates();
+study::Experiment sweeps();
+study::Experiment lagged();
+study::Experiment guesses();
+study::Experiment saved_iterations();
 /// @}
 
 }  // namespace stokesbook::verification::time_stepping

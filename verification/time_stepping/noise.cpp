@@ -1,0 +1,78 @@
+// Rates with noise, as solves have it that stop at a tolerance: what steps come to that are asked
+// for less.
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "experiments.hpp"
+#include "runs.hpp"
+
+namespace stokesbook::verification::time_stepping {
+
+using namespace study;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double noise = 1e-5;
+
+Motion noisy(Motion motion) {
+  const auto random = std::make_shared<std::mt19937>(1);
+  const Rate exact = motion.rate;
+  motion.rate = [=](double t, const VectorXd& q) -> VectorXd {
+    const double part = std::uniform_real_distribution(-noise, noise)(*random);
+    return exact(t, q).array() + part;
+  };
+  return motion;
+}
+
+Measure evaluations(Method method, bool has_noise) {
+  return [=](Size size) {
+    const Motion exact = jeffery_in_shear(8.0);
+    std::vector<Measurement> measurements;
+    const double factor = size == Size::full ? std::pow(10.0, 0.25) : std::sqrt(10.0);
+    for (double tolerance = 1e-9 / std::sqrt(10.0); tolerance < 1.1e-3; tolerance *= factor) {
+      const RunResult run = run_to_tolerance(has_noise ? noisy(exact) : exact, method, tolerance);
+      measurements.push_back(
+          {.x = tolerance, .error = run.evaluations, .operations = run.evaluations});
+    }
+    return measurements;
+  };
+}
+
+Line line(const std::string& key, const std::string& label, Method method, const std::string& id) {
+  return {.key = key,
+          .label = label + ", rates with noise",
+          .measure = evaluations(method, true),
+          .claim = Claim{.id = id,
+                         .statement = "Below the noise of the rates " + label +
+                                      " takes steps in proportion to the tolerance.",
+                         .law = Cost{-1.0, 0.2},
+                         .window = {.to = 2e-3 * noise},
+                         .reason = "noise leaves a tenth of h times itself in the estimate of a "
+                                   "step, whatever the order: it is met by a shorter h. At 2e-8 "
+                                   "that is shorter than what the order asks for",
+                         .api = {"stokesbook::Stepper"}},
+          .control = Control{"no noise", evaluations(method, false)}};
+}
+
+}  // namespace
+
+Experiment noisy_rates() {
+  return {
+      .key = "noise",
+      .title = "Rates with noise of 1e-5, an ellipse 3:1 in shear",
+      .x = "tolerance",
+      .error = "evaluations of the rate",
+      .lines = {line("dormand_prince54", "Dormand-Prince 5(4)", Method::dormand_prince54, "09_27"),
+                line("prince_dormand87", "Prince-Dormand 8(7)", Method::prince_dormand87, "09_28"),
+                {.key = "exact_54",
+                 .label = "Dormand-Prince 5(4), no noise",
+                 .measure = evaluations(Method::dormand_prince54, false)},
+                {.key = "exact_87",
+                 .label = "Prince-Dormand 8(7), no noise",
+                 .measure = evaluations(Method::prince_dormand87, false)}},
+      .operation = "evaluations of the rate"};
+}
+
+}  // namespace stokesbook::verification::time_stepping
