@@ -68,7 +68,8 @@ VectorXd velocities(const Solution& solution) {
 class Suspension {
  public:
   explicit Suspension(const Scene& scene)
-      : solver_(scene), first_(solver_.solve(solver_.initial_configuration())) {}
+      : solver_(scene),
+        nodes_(resolutions_of(solver_.solve(solver_.initial_configuration()).references)) {}
 
   VectorXd start() const { return to_state(solver_.initial_configuration()); }
   int solves() const { return solves_; }
@@ -77,13 +78,13 @@ class Suspension {
   Rate rate(double drive) {
     return [=, this](double, const VectorXd& state) {
       ++solves_;
-      return velocities(solver_.solve_nearby(to_configuration(state), first_, drive));
+      return velocities(solver_.solve_nearby(to_configuration(state), nodes_, drive));
     };
   }
 
  private:
   SuspensionSolver solver_;
-  Solution first_;
+  Resolutions nodes_;
   int solves_ = 0;
 };
 // [rate]

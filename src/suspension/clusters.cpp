@@ -1,7 +1,6 @@
 #include "suspension/clusters.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "closure/rigid_modes.hpp"
@@ -9,6 +8,7 @@
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/near_test.hpp"
 #include "near_singular/rectangle_index.hpp"
+#include "suspension/gaps.hpp"
 
 namespace stokesbook {
 
@@ -19,14 +19,6 @@ namespace {
 
 // Of the layers between components, relative: a preconditioner may err as much.
 constexpr double layer_tolerance = 1e-3;
-
-double least_distance(const ComplexVector& a, const ComplexVector& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Complex point : a) {
-    least = std::min(least, (b.array() - point).abs2().minCoeff());
-  }
-  return std::sqrt(least);
-}
 
 // The double layer of a curve at targets, near ones by its scheme of close evaluation.
 MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
@@ -59,36 +51,48 @@ MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
 
 }  // namespace
 
-std::vector<std::vector<Neighbour>> cluster_neighbours(const StokesProblem& problem) {
-  const std::vector<Component>& components = problem.components;
+std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
+                                                       const References& references) {
+  const std::size_t count = references.size();
+  const auto encloses = [&](std::size_t k) {
+    return references[k]->kind == ComponentKind::enclosing_wall;
+  };
   std::vector<double> radius;
   std::vector<Rectangle> rectangles;
+  std::vector<SmoothCurve> curves;
   double largest = 0.0;
-  for (const Component& component : components) {
-    radius.push_back(RigidModes(component.curve, component.centre).gyration_radius());
-    rectangles.push_back(bounding_rectangle(component.curve.x));
-    if (component.kind != ComponentKind::enclosing_wall) largest = std::max(largest, radius.back());
+  for (std::size_t k = 0; k < count; ++k) {
+    radius.push_back(RigidModes(references[k]->curve, {}).gyration_radius());
+    curves.push_back(smooth_curve(*references[k], configuration[k]));
+    rectangles.push_back(bounding_rectangle(curves[k].nodes.x));
+    if (!encloses(k)) largest = std::max(largest, radius[k]);
   }
   const RectangleIndex index(rectangles);
-  std::vector<std::vector<Neighbour>> neighbours(components.size());
+  std::vector<std::vector<Neighbour>> neighbours(count);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t a = 0; a < components.size(); ++a) {
-    if (components[a].kind == ComponentKind::enclosing_wall) continue;
-    for (const std::size_t b : index.meeting(widened(rectangles[a], (radius[a] + largest)))) {
-      if (b == a || components[b].kind == ComponentKind::enclosing_wall) continue;
-      const double gap = least_distance(components[a].curve.x, components[b].curve.x);
+  for (std::size_t a = 0; a < count; ++a) {
+    if (encloses(a)) continue;
+    for (const std::size_t b : index.meeting(widened(rectangles[a], radius[a] + largest))) {
+      if (b == a || encloses(b)) continue;
       const double mean = 0.5 * (radius[a] + radius[b]);
+      // In one order, so that both find the same gap.
+      const double gap = closest_points(curves[std::min(a, b)], curves[std::max(a, b)]).gap;
       if (gap < 2.0 * mean) neighbours[a].push_back({b, gap / mean});
     }
   }
   return neighbours;
 }
 
-bool clusters_pay(const StokesProblem& problem) {
-  const std::vector<std::vector<Neighbour>> neighbours = cluster_neighbours(problem);
+bool clusters_pay(const Configuration& configuration, const References& references) {
+  const auto is_fine = [](const auto& reference) {
+    return reference->kind != ComponentKind::enclosing_wall && reference->curve.size() > 256;
+  };
+  if (std::ranges::any_of(references, is_fine)) return false;
+  const std::vector<std::vector<Neighbour>> neighbours =
+      cluster_neighbours(configuration, references);
   std::size_t tight = 0;  // every pair twice
-  for (std::size_t a = 0; a < neighbours.size(); ++a) {
-    for (const Neighbour& b : neighbours[a]) tight += b.gap < 0.003 ? 1 : 0;
+  for (const std::vector<Neighbour>& of_one : neighbours) {
+    for (const Neighbour& other : of_one) tight += other.gap < 0.003 ? 1 : 0;
   }
   return 3 * tight >= 2 * neighbours.size();
 }
@@ -117,7 +121,7 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                         placed.empty() ? nullptr : &placed[source],
                         problem.components[target].curve.x);
   };
-  return {problem, std::move(held), cluster_neighbours(problem), layer};
+  return {problem, std::move(held), cluster_neighbours(configuration, references), layer};
 }
 
 }  // namespace stokesbook

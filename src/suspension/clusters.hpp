@@ -14,22 +14,27 @@ namespace stokesbook {
 /// @{
 
 /// Finds the neighbours that each inner component's cluster takes in: those whose gap is below the
-/// sum of both radii of gyration. Gaps are taken as distances of nodes.
+/// sum of both radii of gyration.
 ///
-/// @param  problem  its components
-/// @return          of each component, ascending; none of an enclosing wall
-/// @par Cost        a search in a RectangleIndex a component, N_a N_b distances a pair within reach
-std::vector<std::vector<Neighbour>> cluster_neighbours(const StokesProblem& problem);
+/// @param  configuration  where the components are, none overlapping
+/// @param  references     of each component
+/// @return                of each component, ascending; none of an enclosing wall
+/// @par Cost              a search in a RectangleIndex a component, N_a N_b distances a close pair
+std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
+                                                       const References& references);
 
-/// Tells whether clusters save more iterations than they take to set up: where a third as many pairs
-/// as there are components have gaps below 0.003 of their mean radius of gyration.
+/// Tells whether clusters save more time than they take to set up: where a third as many pairs as
+/// there are components have gaps below 0.003 of their mean radius of gyration, and no inner
+/// component has more than 256 nodes.
 ///
-/// Measured on chains, hexagons and random packings of disks, with the set-up's 10 to 100
-/// milliseconds a body: at gaps of 0.01 clusters take longer, at 0.001 half the time or less.
-/// @param  problem  its components
-/// @return          true where they pay
-/// @par Cost        that of cluster_neighbours()
-bool clusters_pay(const StokesProblem& problem);
+/// Measured on chains, hexagons and random packings of disks: at gaps of 0.01 the set-up takes longer
+/// than all iterations that it saves, at 0.001 less; where few gaps are tight among many, as in a
+/// random packing, it takes longer. It grows like the cube of a component's nodes.
+/// @param  configuration  where the components are, none overlapping
+/// @param  references     of each component
+/// @return                true where they pay
+/// @par Cost              that of cluster_neighbours()
+bool clusters_pay(const Configuration& configuration, const References& references);
 
 /// Builds the preconditioner by clusters of held components, with near-corrected layers.
 ///

@@ -28,6 +28,12 @@ class DensityHistory {
   /// @return true at the start
   bool empty() const { return entries_.empty(); }
 
+  /// Returns the nodes of the latest density.
+  /// @return of each component; empty where nothing is kept
+  Resolutions latest_resolutions() const {
+    return entries_.empty() ? Resolutions{} : entries_.back().resolutions;
+  }
+
   /// Adds a density; it takes the place of one at the same time, or else of the oldest one if all
   /// places are taken.
   ///

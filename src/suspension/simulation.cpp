@@ -59,6 +59,9 @@ Rate shorter_at_overlaps(const Rate& rate) {
 // The polynomial through four: more amplify what GMRES leaves, and stages are not that smooth.
 constexpr std::size_t densities_kept = 4;
 
+// An estimate takes about as long as a solve.
+constexpr int solves_per_estimate = 8;
+
 std::string density_name(std::size_t k) {
   return "density_" + std::to_string(k);
 }
@@ -81,8 +84,9 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       stepping_(stepping_settings(solver)),
       observer_(std::move(observer)),
       now_{0.0, to_state(solver.initial_configuration()), {}},
-      densities_(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept),
-      begun_(densities_) {}
+      latest_{
+          DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
+      begun_(latest_) {}
 
 void Simulation::resume(const Checkpoint& checkpoint) {
   now_ = {checkpoint.t, checkpoint.state, {}};
@@ -93,21 +97,25 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   while (checkpoint.history.contains(density_name(packed.size()))) {
     packed.push_back(checkpoint.history.at(density_name(packed.size())));
   }
-  densities_.unpack(packed, to_configuration(now_.state).size());
+  latest_.densities.unpack(packed, to_configuration(now_.state).size());
+  latest_.error_estimate = checkpoint.history.at("estimate")[0];
+  latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
 }
 
 // The step under way is taken again after a resume: what it computes is the same to the last bit.
 Checkpoint Simulation::checkpoint() const {
   Checkpoint checkpoint{now_.t, totals_.steps, now_.state, to_history(memory_)};
   checkpoint.history["written"] = VectorXd::Constant(1, written_);
-  const std::vector<VectorXd> packed = begun_.packed();
+  checkpoint.history["estimate"] =
+      VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};
+  const std::vector<VectorXd> packed = begun_.densities.packed();
   for (std::size_t k = 0; k < packed.size(); ++k) checkpoint.history[density_name(k)] = packed[k];
   return checkpoint;
 }
 
 void Simulation::run() {
   drive_ = drive_at(solver_.scene().reverse_at, now_.t);
-  Solved now = solve(now_.t, now_.state);
+  Solved now = solve(now_.t, now_.state, Role::step);
   while (true) {
     begun_ = now.before;
     if (is_written_time(now_.t)) write(now_.t, now_.state, now.solution);
@@ -117,19 +125,23 @@ void Simulation::run() {
 }
 
 void Simulation::solve_once() {
-  write(now_.t, now_.state, solve(now_.t, now_.state).solution);
+  write(now_.t, now_.state, solve(now_.t, now_.state, Role::step).solution);
 }
 
-Simulation::Solved Simulation::solve(double t, const VectorXd& state,
-                                     const Solution* first_of_step) {
+Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role) {
   const auto start = std::chrono::steady_clock::now();
   const std::string when = "t = " + short_number(t, 6) + ": ";
+  const bool due = latest_.densities.empty() || latest_.since >= solves_per_estimate;
+  const bool estimated = role == Role::frame || (role == Role::step && (due || is_written_time(t)));
   try {
     const Configuration configuration = to_configuration(state);
-    DensityHistory before = densities_;
-    Solution solution = solve_by_guess(t, configuration, first_of_step);
-    densities_.add(t, configuration, solution.references, solution.density);
-    if (first_of_step == nullptr) note_resolution(solution);
+    SolveMemory before = latest_;
+    Solution solution = solve_by_guess(t, configuration, estimated);
+    if (!estimated) solution.error_estimate = latest_.error_estimate;
+    latest_.densities.add(t, configuration, solution.references, solution.density);
+    latest_.error_estimate = solution.error_estimate;
+    latest_.since = estimated ? 0 : latest_.since + 1;
+    note_resolution(solution);
     ++totals_.solves;
     totals_.gmres_iterations += solution.cost.gmres_iterations;
     totals_.matvecs += solution.cost.matvecs;
@@ -143,15 +155,16 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state,
 }
 
 Solution Simulation::solve_by_guess(double t, const Configuration& configuration,
-                                    const Solution* first_of_step) const {
+                                    bool estimated) const {
+  const DensityHistory& densities = latest_.densities;
   const DensityGuess guess = [&](const References& references) {
-    return densities_.guess(t, configuration, references);
+    return densities.guess(t, configuration, references);
   };
   const bool local = solver_.scene().solver.coupling == Coupling::local;
-  if (local && !densities_.empty()) return solver_.solve_lagged(configuration, guess, drive_);
-  return first_of_step == nullptr
+  if (local && !densities.empty()) return solver_.solve_lagged(configuration, guess, drive_);
+  return estimated
              ? solver_.solve(configuration, drive_, guess)
-             : solver_.solve_nearby(configuration, *first_of_step, drive_, guess);
+             : solver_.solve_nearby(configuration, densities.latest_resolutions(), drive_, guess);
 }
 
 void Simulation::note_resolution(const Solution& solution) {
@@ -186,9 +199,9 @@ void Simulation::write_within(const Step& step) {
   for (double t = next_written_time(std::max(step.start.t, written_)); t < step.end.t;
        t = next_written_time(t)) {
     const VectorXd state = interpolate(step, t);
-    const DensityHistory before = densities_;
-    write(t, state, solve(t, state).solution);
-    densities_ = before;
+    const Solved frame = solve(t, state, Role::frame);
+    latest_ = frame.before;
+    write(t, state, frame.solution);
   }
 }
 
@@ -232,13 +245,13 @@ Simulation::Solved Simulation::advance(const Solved& first) {
   add(info, first.solution, first.seconds);
   std::optional<Solved> last;
   const auto within = [&](double t, const VectorXd& state) {
-    const Solved stage = solve(t, state, &first.solution);
+    const Solved stage = solve(t, state, Role::stage);
     add(info, stage.solution, stage.seconds);
     return to_rate(stage.solution);
   };
   const auto at_end = [&](double t, const VectorXd& state) {
     if (last) add(info, last->solution, last->seconds);  // of a step that was rejected
-    last = solve(t, state);
+    last = solve(t, state, Role::step);
     return to_rate(last->solution);
   };
   now_.rate = to_rate(first.solution);
@@ -263,8 +276,8 @@ bool Simulation::is_reversal(double t) const {
 Simulation::Solved Simulation::reverse() {
   drive_ = drive_at(solver_.scene().reverse_at, now_.t);
   memory_.previous.reset();  // an earlier rate says nothing about what comes after
-  densities_.reverse(now_.t);
-  return solve(now_.t, now_.state);
+  latest_.densities.reverse(now_.t);
+  return solve(now_.t, now_.state, Role::step);
 }
 
 void Simulation::adapt_to_effort(const StepInfo& step) {

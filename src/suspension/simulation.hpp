@@ -27,10 +27,14 @@ struct Observer {
 /// Reversals and the end are hit exactly. Methods that interpolate take their steps through written
 /// times; all others even out their steps to hit them too. A step that leads into an overlap is
 /// halved, see Stepper. The order in time.dt is that of the method.
+///
+/// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
+/// written times, and at the first step's end after eight solves without; steps between carry the
+/// latest estimate.
 /// @par Accuracy  of methods that adapt steps, time.tolerance within a factor of ten or so where the
 ///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
 ///                @ref claim_09_20; far better where the flow contracts, as onto a contact
-/// @par Cost      one solve a step with its error estimate, and one for each stage beyond the first;
+/// @par Cost      one solve a step, and one for each stage beyond the first;
 ///                one at the start, after a reversal and at an interpolated written time;
 ///                evaluate_field() and Rheometer a written time
 class Simulation {
@@ -67,22 +71,27 @@ class Simulation {
   const RunTotals& totals() const { return totals_; }
 
   /// Returns how finely the run was resolved, and how well.
-  /// @return of this simulation's solves; inner stages of steps left out
+  /// @return of this simulation's solves
   const RunResolution& resolution() const { return resolution_; }
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
+  enum class Role { step, stage, frame };  // at a step's ends, within it, for a frame within it
+  // What solves take from those before.
+  struct SolveMemory {
+    DensityHistory densities;
+    double error_estimate = 0.0;  // the latest
+    int since = 0;                // solves since then
+  };
   struct Solved {
     Solution solution;
-    DensityHistory before;  // that the guess was made from
+    SolveMemory before;
     double seconds = 0.0;
   };
   /// @endcond
-  // Stages within a step give the step's first solution.
-  Solved solve(double t, const Eigen::VectorXd& state, const Solution* first_of_step = nullptr);
-  Solution solve_by_guess(double t, const Configuration& configuration,
-                          const Solution* first_of_step) const;
+  Solved solve(double t, const Eigen::VectorXd& state, Role role);
+  Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
   Solved advance(const Solved& first);
   Advance take_step(const Rates& rates) const;
   Solved reverse();
@@ -103,8 +112,8 @@ class Simulation {
   double drive_ = 1.0;
   Moment now_;  // the rate is set before a step
   StepMemory memory_;
-  DensityHistory densities_;            // of all solves but those for frames within steps
-  DensityHistory begun_;                // as they were before the solve at now_
+  SolveMemory latest_;                  // after all solves but those for frames within steps
+  SolveMemory begun_;                   // before the solve at now_
   double written_ = -1.0;               // the last time on record
   std::optional<Rheometer> rheometer_;  // made for the first frame
   RunTotals totals_;

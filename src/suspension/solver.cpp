@@ -169,7 +169,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
       plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
   if (plan_.preconditioner == PreconditionerKind::clusters ||
-      (plan_.clusters_at_tight_gaps && clusters_pay(problem))) {
+      (plan_.clusters_at_tight_gaps && clusters_pay(configuration, references))) {
     discrete.precondition = cluster_preconditioner(problem, configuration, references, near_curves);
     return discrete;
   }
@@ -301,13 +301,14 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
   return next;
 }
 
-Solution SuspensionSolver::solve_nearby(const Configuration& configuration, const Solution& earlier,
-                                        double drive, const DensityGuess& guess) const {
+Solution SuspensionSolver::solve_nearby(const Configuration& configuration,
+                                        const Resolutions& earlier, double drive,
+                                        const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
   Resolutions resolutions = first_resolutions(configuration, gaps);
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     int& nodes = resolutions[k].n_nodes;
-    nodes = std::max(nodes, earlier.references[k]->resolution.n_nodes);
+    nodes = std::max(nodes, earlier[k].n_nodes);
   }
   Solution solution =
       attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive).solution;

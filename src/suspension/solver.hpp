@@ -87,18 +87,18 @@ class SuspensionSolver {
   Solution solve(const Configuration& configuration, double drive = 1.0,
                  const DensityGuess& guess = {}) const;
 
-  /// Solves a configuration near one that was solved before, without an estimate: for the inner
-  /// stages of a time step.
+  /// Solves a configuration near one that was solved before, without an estimate: for the stages
+  /// of a time step, and for steps between those that estimate their error.
   ///
   /// @param  configuration  where the components are
-  /// @param  earlier        solution whose resolution will do, unless gaps have closed
+  /// @param  earlier        resolution that has done, and will unless gaps have closed
   /// @param  drive          as in solve()
   /// @param  guess          as in solve()
   /// @return                density, motions and loads of all components
   /// @throws NumericsRefused as solve() does, but for estimates
   /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES
-  Solution solve_nearby(const Configuration& configuration, const Solution& earlier,
+  Solution solve_nearby(const Configuration& configuration, const Resolutions& earlier,
                         double drive = 1.0, const DensityGuess& guess = {}) const;
 
   /// Solves every component alone in the flow that all others had before: the lagged, "locally

@@ -14,6 +14,8 @@ study::Experiment interpolants();
 study::Experiment tolerances();
 study::Experiment tolerances_of_passing();
 study::Experiment work();
+study::Experiment work_of_nine();
+study::Experiment work_of_cell();
 study::Experiment reversal();
 study::Experiment reversal_costs();
 study::Experiment drift();

@@ -56,10 +56,10 @@ Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
   return scene;
 }
 
-// What is compared of a motion, by the pair 8(7) to 1e-12.
-std::map<double, VectorXd> reference(const Motion& motion) {
+// What is compared of a motion, by the pair 8(7).
+std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   const SteppingSettings settings{.method = Method::prince_dormand87,
-                                  .bound = {1e-12, VectorXd::Ones(motion.start.size())}};
+                                  .bound = {tolerance, VectorXd::Ones(motion.start.size())}};
   const Stepper stepper(settings, {motion.rate, motion.rate});
   Moment now{0.0, motion.start, motion.rate(0.0, motion.start)};
   StepMemory memory;
@@ -73,6 +73,13 @@ std::map<double, VectorXd> reference(const Motion& motion) {
     states[t] = motion.compared(now.state);
   }
   return states;
+}
+
+// All positions and angles of a scene, known at the end.
+Motion solved_motion(const Scene& scene, double t_final) {
+  Motion motion{solved_rate(scene), start_of(scene), t_final, {}, itself, {t_final}};
+  motion.exact = [end = reference(motion, 1e-9).at(t_final)](double) { return end; };
+  return motion;
 }
 
 }  // namespace
@@ -115,7 +122,7 @@ Motion passing() {
                 [](const VectorXd& q) -> VectorXd { return q.head(3); },
                 {2.0, 4.0, 6.0, 8.0, 10.0, 12.0}};
   static const std::map<double, VectorXd> states = [&] {
-    auto known = reference(motion);
+    auto known = reference(motion, 1e-12);
     known[12.0] << 5.05560884029, 0.73856191218, -5.92487175825;
     return known;
   }();
@@ -123,12 +130,41 @@ Motion passing() {
   return motion;
 }
 
+Motion nine_circles() {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  for (int k = 0; k < 9; ++k) {
+    scene.bodies.push_back({.shape = Circle{0.5},
+                            .position = {1.5 * (k % 3 - 1) + 0.1 * k, 1.4 * (k / 3 - 1)},
+                            .n_nodes = 16});
+  }
+  scene.solver.tolerance = 0.05;  // steps are in question, not nodes
+  scene.solver.gmres_tol = 1e-10;
+  return solved_motion(scene, 2.0);
+}
+
+Motion couette_cell() {
+  Scene scene;
+  scene.walls.push_back({WallRole::outer, Circle{2.5}, {}, 0.0, 48, RotatingWall{1.0}});
+  scene.walls.push_back({WallRole::inner, Circle{1.0}, {}, 0.0, 32, {}});
+  for (int k = 0; k < 6; ++k) {
+    scene.bodies.push_back({.shape = Ellipse{0.3, 0.15},
+                            .position = std::polar(1.6 + 0.1 * (k % 3), 1.05 * k),
+                            .orientation = 0.7 * k,
+                            .n_nodes = 24});
+  }
+  scene.solver.tolerance = 0.05;
+  scene.solver.gmres_tol = 1e-10;
+  return solved_motion(scene, 1.0);
+}
+
 Rate solved_rate(const Scene& scene) {
   const auto solver = std::make_shared<SuspensionSolver>(scene);
-  const auto first = std::make_shared<Solution>(solver->solve(solver->initial_configuration()));
+  const Resolutions first =
+      resolutions_of(solver->solve(solver->initial_configuration()).references);
   return [=](double, const VectorXd& state) {
     try {
-      const Solution solution = solver->solve_nearby(to_configuration(state), *first);
+      const Solution solution = solver->solve_nearby(to_configuration(state), first);
       Configuration rate;
       for (const RigidMotion& motion : solution.motions) {
         rate.push_back({motion.velocity, motion.omega});

@@ -36,6 +36,13 @@ Scene passing_circles();
 /// independent code (NT1), and at 2, 4, ..., 10 by the pair 8(7) to 1e-12.
 Motion passing();
 
+/// Nine circles in three rows that shear slides past each other, by full solves; known at the end, by
+/// the pair 8(7).
+Motion nine_circles();
+
+/// Six ellipses in a Couette cell that turns a seventh of a turn, likewise.
+Motion couette_cell();
+
 /// Right-hand side of a scene by full solves.
 Rate solved_rate(const Scene& scene);
 

@@ -13,8 +13,8 @@ study::Study time_stepping_study() {
       .title = "Time stepping with error control",
       .experiments = {orders_in_shear(), orders_in_extension(), orders_of_circles(),
                       orders_of_passing(), interpolants(), tolerances(), tolerances_of_passing(),
-                      work(), reversal(), reversal_costs(), drift(), returns(), noisy_rates(),
-                      sweeps(), lagged(), guesses(), saved_iterations()}};
+                      work(), work_of_nine(), work_of_cell(), reversal(), reversal_costs(), drift(),
+                      returns(), noisy_rates(), sweeps(), lagged(), guesses(), saved_iterations()}};
 }
 
 }  // namespace stokesbook

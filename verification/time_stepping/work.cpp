@@ -4,6 +4,7 @@
 
 #include "experiments.hpp"
 #include "multistep.hpp"
+#include "support/once.hpp"
 #include "suspension/simulation.hpp"
 
 namespace stokesbook::verification::time_stepping {
@@ -16,9 +17,17 @@ Measurement measurement(const RunResult& run) {
   return {.x = run.evaluations, .error = run.error, .operations = run.evaluations};
 }
 
-Measure equal_steps(Method method, int fewest) {
+using MakeMotion = Motion (*)();
+
+// Made once: its reference takes longer than the runs.
+const Motion& made(MakeMotion make) {
+  static test::Once<MakeMotion, Motion> motions;
+  return motions(make, [&] { return make(); });
+}
+
+Measure equal_steps(MakeMotion make, Method method, int fewest) {
   return [=](Size size) {
-    const Motion motion = passing();
+    const Motion& motion = made(make);
     std::vector<Measurement> measurements;
     for (int k = 0; k < (size == Size::full ? 5 : 3); ++k) {
       measurements.push_back(measurement(run_equal_steps(motion, method, fewest << k)));
@@ -27,10 +36,11 @@ Measure equal_steps(Method method, int fewest) {
   };
 }
 
-Measure adapted(const std::function<RunResult(const Motion& motion, double tolerance)>& run,
+Measure adapted(MakeMotion make,
+                const std::function<RunResult(const Motion& motion, double tolerance)>& run,
                 double tightest) {
   return [=](Size size) {
-    const Motion motion = passing();
+    const Motion& motion = made(make);
     std::vector<Measurement> measurements;
     const double factor = size == Size::full ? std::sqrt(10.0) : 10.0;
     for (double tolerance = 1e-3; tolerance > 0.9 * tightest; tolerance /= factor) {
@@ -42,15 +52,18 @@ Measure adapted(const std::function<RunResult(const Motion& motion, double toler
   };
 }
 
-Measure embedded(Method method, double tightest) {
-  return adapted([=](const Motion& motion,
-                     double tolerance) { return run_to_tolerance(motion, method, tolerance); },
-                 tightest);
+Measure embedded(MakeMotion make, Method method, double tightest) {
+  return adapted(
+      make,
+      [=](const Motion& motion, double tolerance) {
+        return run_to_tolerance(motion, method, tolerance);
+      },
+      tightest);
 }
 
 // Euler with the steps that solver effort chooses, from finer and finer first and longest steps.
 std::vector<Measurement> by_effort(Size size) {
-  const Motion motion = passing();
+  const Motion& motion = made(passing);
   std::vector<Measurement> measurements;
   for (int k = 0; k < (size == Size::full ? 5 : 3); ++k) {
     Scene scene = passing_circles();
@@ -75,6 +88,21 @@ std::vector<Measurement> by_effort(Size size) {
   return measurements;
 }
 
+std::vector<Line> lines_of(MakeMotion make, int fewest) {
+  return {
+      {.key = "euler", .label = "Euler", .measure = equal_steps(make, Method::euler, 4 * fewest)},
+      {.key = "adams_bashforth2",
+       .label = "Adams-Bashforth 2",
+       .measure = equal_steps(make, Method::adams_bashforth2, 4 * fewest)},
+      {.key = "rk4", .label = "Runge-Kutta 4", .measure = equal_steps(make, Method::rk4, fewest)},
+      {.key = "dormand_prince54",
+       .label = "Dormand-Prince 5(4)",
+       .measure = embedded(make, Method::dormand_prince54, 1e-5)},
+      {.key = "prince_dormand87",
+       .label = "Prince-Dormand 8(7)",
+       .measure = embedded(make, Method::prince_dormand87, 1e-5)}};
+}
+
 }  // namespace
 
 // Errors at those of t = 2, 4, ..., 12 that are hit.
@@ -84,27 +112,51 @@ Experiment work() {
       .title = "What an accuracy costs: two circles that pass each other",
       .x = "solves E",
       .error = "largest error of position, in radii, and angle",
-      .lines = {{.key = "euler", .label = "Euler", .measure = equal_steps(Method::euler, 102)},
+      .lines = {{.key = "euler",
+                 .label = "Euler",
+                 .measure = equal_steps(passing, Method::euler, 102)},
                 {.key = "effort", .label = "Euler, steps by solver effort", .measure = by_effort},
                 {.key = "adams_bashforth2",
                  .label = "Adams-Bashforth 2",
-                 .measure = equal_steps(Method::adams_bashforth2, 84)},
-                {.key = "heun", .label = "Heun", .measure = equal_steps(Method::heun, 42)},
-                {.key = "rk4", .label = "Runge-Kutta 4", .measure = equal_steps(Method::rk4, 24)},
+                 .measure = equal_steps(passing, Method::adams_bashforth2, 84)},
+                {.key = "heun", .label = "Heun", .measure = equal_steps(passing, Method::heun, 42)},
+                {.key = "rk4",
+                 .label = "Runge-Kutta 4",
+                 .measure = equal_steps(passing, Method::rk4, 24)},
                 {.key = "bogacki_shampine32",
                  .label = "Bogacki-Shampine 3(2)",
-                 .measure = embedded(Method::bogacki_shampine32, 1e-5)},
+                 .measure = embedded(passing, Method::bogacki_shampine32, 1e-5)},
                 {.key = "dormand_prince54",
                  .label = "Dormand-Prince 5(4)",
-                 .measure = embedded(Method::dormand_prince54, 1e-9)},
+                 .measure = embedded(passing, Method::dormand_prince54, 1e-9)},
                 {.key = "prince_dormand87",
                  .label = "Prince-Dormand 8(7)",
-                 .measure = embedded(Method::prince_dormand87, 1e-9)},
+                 .measure = embedded(passing, Method::prince_dormand87, 1e-9)},
                 {.key = "multistep",
                  .label = "GSL's Adams of variable order",
-                 .measure = adapted(run_multistep, 1e-9)}},
+                 .measure = adapted(passing, run_multistep, 1e-9)}},
       .work_precision = true,
       .operation = "solves"};
+}
+
+Experiment work_of_nine() {
+  return {.key = "work_of_nine",
+          .title = "What an accuracy costs: nine circles in shear",
+          .x = "solves E",
+          .error = "largest error of a position or angle at t = 2",
+          .lines = lines_of(nine_circles, 5),
+          .work_precision = true,
+          .operation = "solves"};
+}
+
+Experiment work_of_cell() {
+  return {.key = "work_of_cell",
+          .title = "What an accuracy costs: six ellipses in a Couette cell",
+          .x = "solves E",
+          .error = "largest error of a position or angle at t = 1",
+          .lines = lines_of(couette_cell, 3),
+          .work_precision = true,
+          .operation = "solves"};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -121,12 +121,12 @@ void check_experiment() {
   scene.solver.gmres_tol = 1e-12;
   const SuspensionSolver solver(scene);
   const Configuration initial = solver.initial_configuration();
-  const Solution first = solver.solve(initial);
+  const Resolutions nodes = resolutions_of(solver.solve(initial).references);
   int solves = 0;
   const Flow disks = [&](const VectorXd& q) {
     ++solves;
     Configuration rates;
-    for (const RigidMotion& motion : solver.solve_nearby(to_configuration(q), first).motions) {
+    for (const RigidMotion& motion : solver.solve_nearby(to_configuration(q), nodes).motions) {
       rates.push_back({motion.velocity, motion.omega});
     }
     return to_state(rates);
