@@ -86,7 +86,9 @@ Measure differences(Blocks blocks) {
 enum class Event { none, reversal, reversal_that_is_told };
 
 /// Error of the velocity after a unit of time of the lagged coupling: two circles that turn about
-/// each other, carried by the clock, their densities lagging by a step.
+/// each other, carried by the clock, their densities lagging by a step. The last hundred steps
+/// count: a hundred sweeps leave a thousandth of what was before at a gap of 0.05, and less at wider
+/// ones.
 double error_of_lagged(double gap, int steps, Event event) {
   const SuspensionSolver solver(pair_of_nodes(gap, 96));
   const auto at = [gap](double t) -> Configuration {
@@ -94,12 +96,14 @@ double error_of_lagged(double gap, int steps, Event event) {
     return {{-position, 0.0}, {position, 0.0}};
   };
   const Solution exact = solver.solve(at(1.0));
-  const Solution first = solver.solve(at(0.0));
+  const auto time = [=](int k) { return static_cast<double>(k) / steps; };
+  const int begin = std::max(0, steps - 100);
+  const Solution first = solver.solve(at(time(begin)));
   DensityHistory densities(1);
-  densities.add(0.0, at(0.0), first.references, first.density);
+  densities.add(time(begin), at(time(begin)), first.references, first.density);
   Solution lagged;
-  for (int k = 1; k <= steps; ++k) {
-    const double t = static_cast<double>(k) / steps;
+  for (int k = begin + 1; k <= steps; ++k) {
+    const double t = time(k);
     const bool reverses = k == steps && event != Event::none;
     if (reverses && event == Event::reversal_that_is_told) densities.reverse(t);
     const auto before = [&](const References& references) {
