@@ -55,7 +55,6 @@ Rate shorter_at_overlaps(const Rate& rate) {
   };
 }
 
-// Adds a solve to what a step has done.
 // The polynomial through four: more amplify what GMRES leaves, and stages are not that smooth.
 constexpr std::size_t densities_kept = 4;
 
@@ -66,6 +65,7 @@ std::string density_name(std::size_t k) {
   return "density_" + std::to_string(k);
 }
 
+// Adds a solve to what a step has done.
 void add(StepInfo& step, const Solution& solution, double seconds) {
   const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
                                            : solution.gaps.front().points.gap;
