@@ -136,24 +136,24 @@ Motion nine_circles() {
   for (int k = 0; k < 9; ++k) {
     scene.bodies.push_back({.shape = Circle{0.5},
                             .position = {1.5 * (k % 3 - 1) + 0.1 * k, 1.4 * (k / 3 - 1)},
-                            .n_nodes = 16});
+                            .n_nodes = 24});
   }
-  scene.solver.tolerance = 0.05;  // steps are in question, not nodes
+  scene.solver.tolerance = 1e-6;  // rates jump by as much as near corrections err
   scene.solver.gmres_tol = 1e-10;
   return solved_motion(scene, 2.0);
 }
 
 Motion couette_cell() {
   Scene scene;
-  scene.walls.push_back({WallRole::outer, Circle{2.5}, {}, 0.0, 48, RotatingWall{1.0}});
-  scene.walls.push_back({WallRole::inner, Circle{1.0}, {}, 0.0, 32, {}});
+  scene.walls.push_back({WallRole::outer, Circle{2.5}, {}, 0.0, 80, RotatingWall{1.0}});
+  scene.walls.push_back({WallRole::inner, Circle{1.0}, {}, 0.0, 64, {}});
   for (int k = 0; k < 6; ++k) {
     scene.bodies.push_back({.shape = Ellipse{0.3, 0.15},
                             .position = std::polar(1.6 + 0.1 * (k % 3), 1.05 * k),
                             .orientation = 0.7 * k,
-                            .n_nodes = 24});
+                            .n_nodes = 32});
   }
-  scene.solver.tolerance = 0.05;
+  scene.solver.tolerance = 1e-6;
   scene.solver.gmres_tol = 1e-10;
   return solved_motion(scene, 1.0);
 }
