@@ -69,9 +69,9 @@ std::vector<Case> by_gap() {
 
 std::vector<Case> by_disks() {
   std::vector<Case> cases;
-  for (const int count : {20, 40, 80, 150, 400, 1000}) {
+  for (const int count : {20, 40, 60, 150, 400, 1000}) {
     cases.push_back({static_cast<double>(count), "random " + std::to_string(count),
-                     [=] { return disk_packing(count); }, count > 80});
+                     [=] { return disk_packing(count); }, count > 60});
   }
   return cases;
 }
