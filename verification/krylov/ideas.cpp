@@ -18,6 +18,8 @@ using Eigen::VectorXd;
 
 namespace {
 
+constexpr double tolerance = 1e-4;
+
 using Bodies = std::vector<std::size_t>;
 
 MatrixXd dense(const SuspensionOperator& system) {
@@ -44,8 +46,8 @@ Scene held(Scene scene) {
 class Hexagon {
  public:
   explicit Hexagon(double gap)
-      : free_(hexagon(gap), PreconditionerKind::clusters),
-        held_(held(hexagon(gap)), PreconditionerKind::none),
+      : free_(disk_hexagon(1, gap, tolerance), PreconditionerKind::clusters),
+        held_(held(disk_hexagon(1, gap, tolerance)), PreconditionerKind::none),
         free_matrix(dense(free_.discrete.system)),
         held_matrix(dense(held_.discrete.system)) {
     const auto& components = free_.discrete.problem.components;
@@ -79,12 +81,6 @@ class Hexagon {
   const LinearMap& shipped() const { return free_.discrete.precondition; }
 
  private:
-  static Scene hexagon(double gap) {
-    Scene scene = disk_hexagon(1, gap);
-    scene.solver.tolerance = 1e-4;
-    return scene;
-  }
-
   Index first(std::size_t body) const { return free_.discrete.system.offsets()[body]; }
 
   void set_modes(Index body, const RigidModes& rigid) {

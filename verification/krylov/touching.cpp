@@ -11,7 +11,7 @@ namespace stokesbook::verification::krylov {
 
 namespace {
 
-Scene disks(const std::vector<Complex>& positions, double tolerance = 1e-6) {
+Scene disks(const std::vector<Complex>& positions, double tolerance) {
   Scene scene;
   scene.flow = ShearFlow{1.0};
   scene.solver.tolerance = tolerance;
@@ -33,18 +33,23 @@ std::vector<Complex> lattice(int rings, double pitch) {
   return points;
 }
 
+Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
+  scene.solver.preconditioner = preconditioner;
+  return scene;
+}
+
 }  // namespace
 
 Scene disk_chain(double gap) {
   std::vector<Complex> positions;
   for (int k = -2; k <= 2; ++k) positions.push_back(std::polar(k * (2.0 + gap), 0.3));
-  return disks(positions);
+  return disks(positions, 1e-6);
 }
 
-Scene disk_hexagon(int rings, double gap) {
+Scene disk_hexagon(int rings, double gap, double tolerance) {
   std::vector<Complex> positions = lattice(rings, 2.0 + gap);
   for (Complex& position : positions) position *= std::polar(1.0, 0.2);
-  return disks(positions);
+  return disks(positions, tolerance);
 }
 
 Scene disk_packing(int count) {
@@ -84,15 +89,6 @@ Scene ellipses_in_vortices() {
   }
   return scene;
 }
-
-namespace {
-
-Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
-  scene.solver.preconditioner = preconditioner;
-  return scene;
-}
-
-}  // namespace
 
 Discretised::Discretised(Scene scene, PreconditionerKind preconditioner)
     : solver(with_preconditioner(std::move(scene), preconditioner)),

@@ -11,8 +11,8 @@ namespace stokesbook::verification::krylov {
 Scene disk_chain(double gap);
 
 /// A disk of radius 1 among rings of six, twelve, ... that touch their neighbours but for a gap, in
-/// shear.
-Scene disk_hexagon(int rings, double gap);
+/// shear; resolved to a tolerance.
+Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 
 /// Disks of radius 1 at random, with gaps of 0.001 or more, in shear: hard disks at an area fraction
 /// of 0.6 after many random moves, the same on every machine.
