@@ -35,11 +35,7 @@ Measure measured(const std::vector<Case>& cases, Kind preconditioner, double Eff
     for (const Case& one : cases) {
       if (one.full_only && size == Size::quick) continue;
       const Effort& needed = effort_of(one, preconditioner);
-      measurements.push_back({.x = one.x,
-                              .error = needed.*quantity,
-                              .unknowns = needed.unknowns,
-                              .operations = needed.iterations,
-                              .seconds = needed.seconds});
+      measurements.push_back({.x = one.x, .error = needed.*quantity, .unknowns = needed.unknowns});
     }
     return measurements;
   };

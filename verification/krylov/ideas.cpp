@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double tolerance = 1e-4;
+constexpr double tolerance = 1e-4;  // of the nodes
+constexpr int most_applications = 40;
 
 using Bodies = std::vector<std::size_t>;
 
@@ -75,7 +76,7 @@ class Hexagon {
   GmresResult solve(const LinearMap& precondition) const {
     const ComplexVector rhs = free_.discrete.system.right_hand_side();
     return gmres([this](const VectorXd& v) -> VectorXd { return free_matrix * v; }, precondition,
-                 interleaved(rhs), {1e-8, 1000});
+                 interleaved(rhs), {1e-8, most_applications});
   }
 
   const LinearMap& shipped() const { return free_.discrete.precondition; }
