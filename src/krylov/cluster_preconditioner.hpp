@@ -60,6 +60,11 @@ struct Neighbour {
 /// With \f$ A_h = (I + B)D \f$, D the components alone, clusters are solved in the few directions
 /// Q of each component that it feels its neighbours through or is felt by them:
 /// \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
+/// @par Accuracy  residuals fall by a digit an iteration or more on seven disks at gaps of 0.01,
+/// @ref claim_05_29; iterations of bodies that nearly touch, @ref claim_05_26; what clusters leave
+/// out falls with the square of the distance, @ref claim_05_27
+/// @par Not for   held bodies alone whose gaps of a few hundredths or less close pores: GMRES may
+/// break down by rounding
 class ClusterPreconditioner {
  public:
   /// Factorises all clusters and the resistance matrix.

@@ -1,4 +1,4 @@
-// Study of GMRES and the block-diagonal preconditioner: iterations that theory predicts.
+// Study of GMRES and its preconditioners: iterations that theory predicts.
 #include "experiments.hpp"
 #include "studies.hpp"
 
@@ -8,11 +8,31 @@ study::Study krylov_study() {
   using namespace verification::krylov;
   return {.number = "05",
           .name = "krylov",
-          .title = "GMRES and the block-diagonal preconditioner",
-          .experiments = {known_spectra(), least_residuals(), normality(), orthogonality(),
-                          residuals(), pair_spectrum(), clusters(), nine_by_form(),
-                          published_count(), one_body(), slender_bodies(), aspect_ratios(), gaps(),
-                          restarts(), tolerances(), solvers(), costs_of_a_solve()}};
+          .title = "GMRES and its preconditioners",
+          .experiments = {known_spectra(),
+                          least_residuals(),
+                          normality(),
+                          orthogonality(),
+                          residuals(),
+                          pair_spectrum(),
+                          clusters(),
+                          nine_by_form(),
+                          published_count(),
+                          one_body(),
+                          slender_bodies(),
+                          aspect_ratios(),
+                          gaps(),
+                          restarts(),
+                          asked_iterations(),
+                          ideas(),
+                          screening(),
+                          pores(),
+                          contact_iterations(),
+                          contact_seconds(),
+                          packings(),
+                          tolerances(),
+                          solvers(),
+                          costs_of_a_solve()}};
 }
 
 }  // namespace stokesbook

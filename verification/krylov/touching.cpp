@@ -1,0 +1,109 @@
+#include "touching.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+
+namespace stokesbook::verification::krylov {
+
+namespace {
+
+Scene disks(const std::vector<Complex>& positions, double tolerance) {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  scene.solver.tolerance = tolerance;
+  for (const Complex position : positions) {
+    scene.bodies.push_back({.shape = Circle{1.0}, .position = position});
+  }
+  return scene;
+}
+
+/// Points of a hexagonal lattice whose hexagonal distance from the origin is at most `rings`.
+std::vector<Complex> lattice(int rings, double pitch) {
+  std::vector<Complex> points;
+  for (int i = -rings; i <= rings; ++i) {
+    for (int j = -rings; j <= rings; ++j) {
+      if (std::abs(i + j) > rings) continue;
+      points.push_back(pitch * Complex(i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j));
+    }
+  }
+  return points;
+}
+
+Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
+  scene.solver.preconditioner = preconditioner;
+  return scene;
+}
+
+}  // namespace
+
+Scene disk_chain(double gap) {
+  std::vector<Complex> positions;
+  for (int k = -2; k <= 2; ++k) positions.push_back(std::polar(k * (2.0 + gap), 0.3));
+  return disks(positions, 1e-6);
+}
+
+Scene disk_hexagon(int rings, double gap, double tolerance) {
+  std::vector<Complex> positions = lattice(rings, 2.0 + gap);
+  for (Complex& position : positions) position *= std::polar(1.0, 0.2);
+  return disks(positions, tolerance);
+}
+
+Scene disk_packing(int count) {
+  constexpr double fraction = 0.6, least_distance = 2.001, longest_move = 0.4;
+  constexpr int moves_each = 500;
+  const double pitch = std::sqrt(2.0 * std::numbers::pi / (std::numbers::sqrt3 * fraction));
+  const Complex centre(0.31, 0.17);
+  std::vector<Complex> positions =
+      lattice(2 + static_cast<int>(std::ceil(std::sqrt(count / 2.0))), pitch);
+  const auto from_centre = [&](Complex z) { return std::abs(z - centre); };
+  std::ranges::sort(positions, {}, from_centre);
+  positions.resize(static_cast<std::size_t>(count));
+  const double radius = from_centre(positions.back());
+  std::mt19937_64 random(7);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(random()), -64); };
+  for (int move = 0; move < moves_each * count; ++move) {
+    Complex& position = positions[random() % positions.size()];
+    const Complex moved =
+        position + longest_move * Complex(2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0);
+    const bool meets = std::ranges::any_of(positions, [&](const Complex& other) {
+      return &other != &position && std::norm(other - moved) < least_distance * least_distance;
+    });
+    if (!meets && from_centre(moved) <= radius) position = moved;
+  }
+  return disks(positions, 1e-5);
+}
+
+Scene ellipses_in_vortices() {
+  Scene scene;
+  scene.flow = TaylorGreenFlow{1.0};
+  scene.solver.tolerance = 1e-4;
+  for (const double x : {-1.492, -0.4973, 0.4973, 1.492}) {
+    for (int k = 0; k < 12; ++k) {
+      scene.bodies.push_back(
+          {.shape = Ellipse{0.475, 0.1}, .position = {x, 0.13567 * (2 * k - 11)}});
+    }
+  }
+  return scene;
+}
+
+Discretised::Discretised(Scene scene, PreconditionerKind preconditioner)
+    : solver(with_preconditioner(std::move(scene), preconditioner)),
+      configuration(solver.initial_configuration()),
+      references(solver.references(solver.first_resolutions(configuration))),
+      discrete(solver.discretise(configuration, references)) {}
+
+Effort effort(const Scene& scene, PreconditionerKind preconditioner) {
+  const auto start = std::chrono::steady_clock::now();
+  const Discretised discretised(scene, preconditioner);
+  const DiscreteProblem& discrete = discretised.discrete;
+  const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-8, 2000});
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return {static_cast<double>(result.iterations), static_cast<double>(result.solution.size()),
+          taken.count()};
+}
+
+}  // namespace stokesbook::verification::krylov

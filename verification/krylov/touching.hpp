@@ -1,0 +1,44 @@
+#pragma once
+
+#include "suspension/solver.hpp"
+
+namespace stokesbook::verification::krylov {
+
+/// @name Scenes of bodies that nearly touch, with automatic nodes
+/// @{
+
+/// Five disks of radius 1 in a row, in shear.
+Scene disk_chain(double gap);
+
+/// A disk of radius 1 among rings of six, twelve, ... that touch their neighbours but for a gap, in
+/// shear; resolved to a tolerance.
+Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
+
+/// Disks of radius 1 at random, with gaps of 0.001 or more, in shear: hard disks at an area fraction
+/// of 0.6 after many random moves, the same on every machine.
+Scene disk_packing(int count);
+
+/// The 48 ellipses of the published Taylor-Green run at its start.
+Scene ellipses_in_vortices();
+
+/// @}
+
+/// The system of a scene's start at the resolution with which its solver begins.
+struct Discretised {
+  SuspensionSolver solver;
+  Configuration configuration;
+  References references;
+  DiscreteProblem discrete;
+
+  Discretised(Scene scene, PreconditionerKind preconditioner);
+};
+
+/// What it takes to solve a scene's start to 1e-8.
+struct Effort {
+  double iterations, unknowns;
+  double seconds;  ///< of references, operator, preconditioner and iteration
+};
+
+Effort effort(const Scene& scene, PreconditionerKind preconditioner);
+
+}  // namespace stokesbook::verification::krylov
