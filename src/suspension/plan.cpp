@@ -146,7 +146,8 @@ Plan make_plan(const Scene& scene) {
                         : !chosen_here ? scene.solver.preconditioner
                         : only_circles ? PreconditionerKind::none
                                        : PreconditionerKind::block_diagonal;
-  plan.clusters_at_tight_gaps = chosen_here && census.components - census.outer > 1;
+  // Among held components close to one another, GMRES with clusters breaks down.
+  plan.clusters_at_tight_gaps = chosen_here && census.free > 1 && census.held + census.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
