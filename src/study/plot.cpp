@@ -72,6 +72,17 @@ std::vector<Tick> ticks(const Axis& axis) {
   constexpr double most = 7.0;
   std::vector<Tick> values;
   const double range = axis.high - axis.low;
+  if (axis.logarithmic && range < 2.2 && axis.low < 0.0) {
+    for (double e = std::floor(axis.low); e <= axis.high; ++e) {
+      for (const double leading : {1.0, 2.0, 5.0}) {
+        const double value = leading * std::pow(10.0, e);
+        if (axis.fraction(value) > -1e-9 && axis.fraction(value) < 1.0 + 1e-9) {
+          values.push_back({value, short_number(value)});
+        }
+      }
+    }
+    return values;
+  }
   if (axis.logarithmic && range < 2.2) {  // powers of two: node counts are
     for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
          e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
