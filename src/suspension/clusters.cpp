@@ -20,6 +20,9 @@ namespace {
 // Of the layers between components, relative: a preconditioner may err as much.
 constexpr double layer_tolerance = 1e-3;
 
+// In mean radii of gyration: gaps within a cluster, and those that make clusters pay.
+constexpr double cluster_reach = 2.0, tight = 0.003;
+
 // The double layer of a curve at targets, near ones by its scheme of close evaluation.
 MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
                       const ComplexVector& targets) {
@@ -49,10 +52,10 @@ MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
   return matrix;
 }
 
-}  // namespace
-
-std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
-                                                       const References& references) {
+// Neighbours of each component with gaps below `reach` mean radii of gyration.
+std::vector<std::vector<Neighbour>> neighbours_within(double reach,
+                                                      const Configuration& configuration,
+                                                      const References& references) {
   const std::size_t count = references.size();
   const auto encloses = [&](std::size_t k) {
     return references[k]->kind == ComponentKind::enclosing_wall;
@@ -68,19 +71,29 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
     if (!encloses(k)) largest = std::max(largest, radius[k]);
   }
   const RectangleIndex index(rectangles);
+  // At least what curves may bulge out of the rectangles of their nodes.
+  const double widening = 0.5 * std::max(reach, 0.1);
   std::vector<std::vector<Neighbour>> neighbours(count);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t a = 0; a < count; ++a) {
     if (encloses(a)) continue;
-    for (const std::size_t b : index.meeting(widened(rectangles[a], radius[a] + largest))) {
+    for (const std::size_t b :
+         index.meeting(widened(rectangles[a], widening * (radius[a] + largest)))) {
       if (b == a || encloses(b)) continue;
       const double mean = 0.5 * (radius[a] + radius[b]);
       // In one order, so that both find the same gap.
       const double gap = closest_points(curves[std::min(a, b)], curves[std::max(a, b)]).gap;
-      if (gap < 2.0 * mean) neighbours[a].push_back({b, gap / mean});
+      if (gap < reach * mean) neighbours[a].push_back({b, gap / mean});
     }
   }
   return neighbours;
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
+                                                       const References& references) {
+  return neighbours_within(cluster_reach, configuration, references);
 }
 
 bool clusters_pay(const Configuration& configuration, const References& references) {
@@ -88,13 +101,11 @@ bool clusters_pay(const Configuration& configuration, const References& referenc
     return reference->kind != ComponentKind::enclosing_wall && reference->curve.size() > 256;
   };
   if (std::ranges::any_of(references, is_fine)) return false;
-  const std::vector<std::vector<Neighbour>> neighbours =
-      cluster_neighbours(configuration, references);
-  std::size_t tight = 0;  // every pair twice
-  for (const std::vector<Neighbour>& of_one : neighbours) {
-    for (const Neighbour& other : of_one) tight += other.gap < 0.003 ? 1 : 0;
+  std::size_t twice_the_pairs = 0;
+  for (const auto& of_one : neighbours_within(tight, configuration, references)) {
+    twice_the_pairs += of_one.size();
   }
-  return 3 * tight >= 2 * neighbours.size();
+  return 3 * twice_the_pairs >= 2 * references.size();
 }
 
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
