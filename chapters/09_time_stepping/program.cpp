@@ -58,12 +58,6 @@ Scene cluster() {
 }
 
 // [rate]
-VectorXd velocities(const Solution& solution) {
-  Configuration rates;
-  for (const auto& [velocity, omega] : solution.motions) rates.push_back({velocity, omega});
-  return to_state(rates);
-}
-
 /// A scene as a right-hand side: each evaluation is a boundary integral solve, and is counted.
 class Suspension {
  public:
@@ -78,7 +72,7 @@ class Suspension {
   Rate rate(double drive) {
     return [=, this](double, const VectorXd& state) {
       ++solves_;
-      return velocities(solver_.solve_nearby(to_configuration(state), nodes_, drive));
+      return to_rate(solver_.solve_nearby(to_configuration(state), nodes_, drive));
     };
   }
 
@@ -243,7 +237,7 @@ double iterations(std::size_t kept) {
     history.add(t, now, solution.references, solution.density);
     ++solves;
     iterations += solution.gmres.iterations;
-    return velocities(solution);
+    return to_rate(solution);
   };
   run(fixed(Method::adams_bashforth2, 0.025), rate, to_state(solver.initial_configuration()), 1.0);
   return static_cast<double>(iterations) / solves;

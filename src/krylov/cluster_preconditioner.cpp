@@ -29,6 +29,11 @@ bool is_inner(const Component& component) {
   return component.kind != ComponentKind::enclosing_wall;
 }
 
+bool is_held(const Component& component, ClusterForm form) {
+  return component.kind == ComponentKind::prescribed ||
+         (component.kind == ComponentKind::free_body && form == ClusterForm::resistance);
+}
+
 // The tighter the gap, over the radii of gyration, the larger what small components make of it.
 double basis_tolerance(double gap) {
   return std::min(0.1, 0.3 * std::sqrt(gap));
@@ -107,12 +112,12 @@ MatrixXd significant_directions(const MatrixXd& gram, double tolerance) {
   return solver.eigenvectors().rightCols(count);
 }
 
-// The held operator's blocks between components, A_h = (I + B) D, for the set-up.
-class HeldOperator {
+// Blocks between components, of (I + B) D, for the set-up.
+class ClusterOperator {
  public:
-  HeldOperator(const StokesProblem& problem, const std::vector<Member>& held,
-               const LayerBlock& layer)
-      : problem_(problem), held_(held), layer_(layer), gauge_(held_gauge(problem)) {
+  ClusterOperator(const StokesProblem& problem, ClusterForm form, const std::vector<Member>& alone,
+                  const LayerBlock& layer)
+      : problem_(problem), form_(form), alone_(alone), layer_(layer), gauge_(held_gauge(problem)) {
     for (const Component& component : problem.components) {
       modes_.push_back(is_inner(component) ? mode_matrices(component) : ModeMatrices{});
     }
@@ -124,21 +129,24 @@ class HeldOperator {
     const auto [target, source] = pair;
     const ModeMatrices& rigid = modes_[source];
     MatrixXd block = layer_(target, source);
-    const MatrixXd loads = load_flows(problem_.components[target].curve.x,
-                                      problem_.components[source].centre, rigid.radius, gauge_);
-    block += (loads - block * rigid.modes) * rigid.projection;
+    MatrixXd of_motions = -block * rigid.modes;
+    if (is_held(problem_.components[source], form_)) {
+      of_motions += load_flows(problem_.components[target].curve.x,
+                               problem_.components[source].centre, rigid.radius, gauge_);
+    }
+    block += of_motions * rigid.projection;
     return block;
   }
 
   // Directions through which a component feels its neighbours or is felt by them.
   MatrixXd basis(std::size_t own, const std::vector<Neighbour>& neighbours) const {
-    const Index size = held_[own].inverse->rows();
+    const Index size = alone_[own].inverse->rows();
     MatrixXd gram = MatrixXd::Zero(size, size);
     auto products = gram.selfadjointView<Eigen::Upper>();
     double least_gap = std::numeric_limits<double>::infinity();
     for (const auto& [other, gap] : neighbours) {
-      products.rankUpdate(times_inverse(block({other, own}), held_[own]).transpose());
-      products.rankUpdate(times_inverse(block({own, other}), held_[other]));
+      products.rankUpdate(times_inverse(block({other, own}), alone_[own]).transpose());
+      products.rankUpdate(times_inverse(block({own, other}), alone_[other]));
       least_gap = std::min(least_gap, gap);
     }
     return significant_directions(products, basis_tolerance(least_gap));
@@ -146,7 +154,8 @@ class HeldOperator {
 
  private:
   const StokesProblem& problem_;
-  const std::vector<Member>& held_;
+  ClusterForm form_;
+  const std::vector<Member>& alone_;
   const LayerBlock& layer_;
   double gauge_;
   std::vector<ModeMatrices> modes_;
@@ -155,13 +164,13 @@ class HeldOperator {
 // Q^T B Q of all pairs that meet in clusters.
 class ReducedBlocks {
  public:
-  ReducedBlocks(const HeldOperator& system, const std::vector<Member>& held,
+  ReducedBlocks(const ClusterOperator& system, const std::vector<Member>& alone,
                 const std::vector<std::vector<std::size_t>>& clusters,
                 const std::vector<MatrixXd>& bases)
       : pairs_(pairs_within(clusters)), blocks_(pairs_.size()) {
     std::vector<MatrixXd> solved(bases.size());
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(held[k], bases[k]);
+    for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(alone[k], bases[k]);
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const auto [target, source] = pairs_[p];
@@ -221,52 +230,54 @@ double held_gauge(const StokesProblem& problem) {
   return 100.0 * largest;
 }
 
-MatrixXd held_block(Component component, double gauge) {
-  if (!is_inner(component)) return self_block(component);
+MatrixXd cluster_block(Component component, ClusterForm form, double gauge) {
+  if (!is_held(component, form)) return self_block(component);
   component.kind = ComponentKind::prescribed;
   return self_block(component, gauge);
 }
 
-ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, std::vector<Member> held,
+ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
+                                             std::vector<Member> alone,
                                              const std::vector<std::vector<Neighbour>>& neighbours,
                                              const LayerBlock& layer)
-    : alone_(held), clusters_(held.size()), bases_(held.size()), couplings_(held.size()) {
-  const HeldOperator system(problem, held, layer);
+    : alone_(alone), clusters_(alone.size()), bases_(alone.size()), couplings_(alone.size()) {
+  const ClusterOperator system(problem, form, alone, layer);
   for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
-  for (std::size_t k = 0; k < held.size(); ++k) {
+  for (std::size_t k = 0; k < alone.size(); ++k) {
     clusters_[k].push_back(k);
     for (const Neighbour& other : neighbours[k]) clusters_[k].push_back(other.component);
   }
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < held.size(); ++k) bases_[k] = system.basis(k, neighbours[k]);
-  const ReducedBlocks reduced(system, held, clusters_, bases_);
+  for (std::size_t k = 0; k < alone.size(); ++k) bases_[k] = system.basis(k, neighbours[k]);
+  const ReducedBlocks reduced(system, alone, clusters_, bases_);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < held.size(); ++k) {
+  for (std::size_t k = 0; k < alone.size(); ++k) {
     couplings_[k] = reduced.coupling(clusters_[k], bases_);
   }
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    if (problem.components[k].kind != ComponentKind::free_body) continue;
-    free_.push_back({k, system.modes(k).modes, system.modes(k).projection});
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    const bool is_free = problem.components[k].kind == ComponentKind::free_body;
+    if (!is_free || form == ClusterForm::mobility) continue;
+    released_.push_back({k, system.modes(k).modes, system.modes(k).projection});
   }
-  if (!free_.empty()) factorise_resistance(held);
+  if (!released_.empty()) factorise_resistance(alone);
 }
 
-void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& held) {
+void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alone) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> place(held.size(), none);
-  for (std::size_t f = 0; f < free_.size(); ++f) place[free_[f].component] = f;
+  std::vector<std::size_t> place(alone.size(), none);
+  for (std::size_t f = 0; f < released_.size(); ++f) place[released_[f].component] = f;
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t f = 0; f < free_.size(); ++f) {
-    const std::size_t own = free_[f].component;
-    const MatrixXd weights = times_inverse(free_[f].projection, held[own]);
+  for (std::size_t f = 0; f < released_.size(); ++f) {
+    const std::size_t own = released_[f].component;
+    const MatrixXd weights = times_inverse(released_[f].projection, alone[own]);
     const MatrixXd coupled = weights * bases_[own] * couplings_[own];
     Index first = 0;
     for (const std::size_t k : clusters_[own]) {
       const MatrixXd& basis = bases_[k];
       if (place[k] != none) {
-        Eigen::Matrix3d block =
-            coupled.middleCols(first, basis.cols()) * (basis.transpose() * free_[place[k]].modes);
-        if (k == own) block += weights * free_[f].modes;
+        Eigen::Matrix3d block = coupled.middleCols(first, basis.cols()) *
+                                (basis.transpose() * released_[place[k]].modes);
+        if (k == own) block += weights * released_[f].modes;
         for (int i = 0; i < 3; ++i) {
           for (int j = 0; j < 3; ++j) {
             entries.emplace_back(3 * static_cast<int>(f) + i, 3 * static_cast<int>(place[k]) + j,
@@ -277,7 +288,7 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& held
       first += basis.cols();
     }
   }
-  const auto unknowns = static_cast<Index>(3 * free_.size());
+  const auto unknowns = static_cast<Index>(3 * released_.size());
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const auto resistance = std::make_shared<Resistance>();
@@ -288,7 +299,7 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& held
   resistance_ = resistance;
 }
 
-VectorXd ClusterPreconditioner::solve_held(const VectorXd& v) const {
+VectorXd ClusterPreconditioner::solve_clusters(const VectorXd& v) const {
   const auto own = [&](std::size_t k) {
     return Eigen::seqN(offsets_[k], offsets_[k + 1] - offsets_[k]);
   };
@@ -310,22 +321,22 @@ VectorXd ClusterPreconditioner::solve_held(const VectorXd& v) const {
 }
 
 VectorXd ClusterPreconditioner::operator()(const VectorXd& v) const {
-  const VectorXd held = solve_held(v);
-  if (free_.empty()) return held;
-  VectorXd loads(static_cast<Index>(3 * free_.size()));
-  for (std::size_t f = 0; f < free_.size(); ++f) {
-    const MatrixXd& projection = free_[f].projection;
+  const VectorXd solved = solve_clusters(v);
+  if (released_.empty()) return solved;
+  VectorXd loads(static_cast<Index>(3 * released_.size()));
+  for (std::size_t f = 0; f < released_.size(); ++f) {
+    const MatrixXd& projection = released_[f].projection;
     loads.segment<3>(static_cast<Index>(3 * f)) =
-        projection * held.segment(offsets_[free_[f].component], projection.cols());
+        projection * solved.segment(offsets_[released_[f].component], projection.cols());
   }
   const VectorXd motions = resistance_->solve(loads);
   VectorXd velocity = VectorXd::Zero(v.size());
-  for (std::size_t f = 0; f < free_.size(); ++f) {
-    const MatrixXd& modes = free_[f].modes;
-    velocity.segment(offsets_[free_[f].component], modes.rows()) =
+  for (std::size_t f = 0; f < released_.size(); ++f) {
+    const MatrixXd& modes = released_[f].modes;
+    velocity.segment(offsets_[released_[f].component], modes.rows()) =
         modes * motions.segment<3>(static_cast<Index>(3 * f));
   }
-  return solve_held(v - velocity) - velocity;
+  return solve_clusters(v - velocity) - velocity;
 }
 
 double ClusterPreconditioner::mean_rank() const {

@@ -28,14 +28,21 @@ using LayerBlock = std::function<Eigen::MatrixXd(std::size_t target, std::size_t
 /// @return          length
 double held_gauge(const StokesProblem& problem);
 
-/// Assembles a component's own block when it is held: that of a prescribed component at a gauge, or
-/// of an enclosing wall.
+/// How free bodies are taken in clusters.
+enum class ClusterForm {
+  mobility,   ///< free, as they are
+  resistance  ///< held, and let go together by a resistance problem
+};
+
+/// Assembles a component's own block as it is in clusters: of a free body in the mobility form as it
+/// is, of any other inner component that of a prescribed one at a gauge.
 ///
 /// @param  component  of any kind, in any frame
+/// @param  form       of the clusters
 /// @param  gauge      from held_gauge(), length
 /// @return            2N x 2N, dimensionless, interleaved
 /// @par Cost          that of self_block()
-Eigen::MatrixXd held_block(Component component, double gauge);
+Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
 
 /// Another component that is solved for in a component's cluster.
 struct Neighbour {
@@ -43,21 +50,27 @@ struct Neighbour {
   double gap = 0.0;           ///< between the two, over their mean radius of gyration
 };
 
-/// Solves clusters of held bodies, and the resistance problem that lets the free ones go.
+/// Solves clusters of neighbours, in one of two forms.
 ///
-/// With all inner components held, the operator is
+/// \f$ A^{-1} \f$ is replaced by a restricted additive Schwarz method: each component's rows are
+/// those of the inverse of its cluster, itself and its neighbours with all pairs among them. In the
+/// mobility form that is all. It leaves the far flow of the bodies' stresslets, which is weak, so
+/// that iterations hardly grow with their number; but contacts that make a rigid network have
+/// collective modes, which clusters do not see.
+///
+/// The resistance form sees them. With all inner components held, the operator is
 /// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$, where \f$ \Pi\eta \f$ are the rigid motions of
 /// \f$ P = K\Pi \f$ and S the flows of their loads. Free bodies have
 /// \f$ A = A_h - (S_f + K_f)\Pi_f \f$; as \f$ A_h K_f = S_f \f$, exactly
 /// \f[ A^{-1}r = A_h^{-1}(r - K_f V) - K_f V, \qquad
 ///     \Pi_f A_h^{-1} K_f\, V = \Pi_f A_h^{-1} r: \f]
 /// the loads of held bodies under the data r are those that motions -V balance. Held bodies screen
-/// the flow, so that \f$ A_h^{-1} \f$ is nearly local, as \f$ A^{-1} \f$ is not. It is replaced by
-/// a restricted additive Schwarz method: each component's rows are those of the inverse of its
-/// cluster, itself and its neighbours with all pairs among them. The resistance matrix
-/// \f$ \Pi_f A_h^{-1} K_f \f$ is sparse then, three unknowns a body.
+/// the flow, so that \f$ A_h^{-1} \f$ is nearly local: it is what clusters replace here. The
+/// resistance matrix \f$ \Pi_f A_h^{-1} K_f \f$ is sparse then, three unknowns a body. Motions as
+/// long as the suspension meet little resistance, and what clusters leave out of it makes the
+/// iterations grow with the number of bodies.
 ///
-/// With \f$ A_h = (I + B)D \f$, D the components alone, clusters are solved in the few directions
+/// With \f$ (I + B)D \f$ for the operator in question, D the components alone, clusters are solved in the few directions
 /// Q of each component that it feels its neighbours through or is felt by them:
 /// \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
 /// @par Accuracy  residuals fall by a digit an iteration or more on seven disks at gaps of 0.01,
@@ -70,7 +83,8 @@ class ClusterPreconditioner {
   /// Factorises all clusters and the resistance matrix.
   ///
   /// @param  problem     components in the order of the densities, n nodes in all
-  /// @param  held        inverses of their held_block() and how they are turned
+  /// @param  form        of the clusters
+  /// @param  alone       inverses of their cluster_block() and how they are turned
   /// @param  neighbours  of each component, without itself; none of an enclosing wall, which is
   ///                     solved alone
   /// @param  layer       between any two components of a cluster
@@ -78,8 +92,8 @@ class ClusterPreconditioner {
   /// @par Cost      for clusters of m components with N nodes each, a component: some 3 m matrix
   /// products of size 2N, an eigenvalue problem of size 2N, and a factorisation of size m q for q
   /// directions
-  ClusterPreconditioner(const StokesProblem& problem,
-                        std::vector<BlockDiagonalPreconditioner::Member> held,
+  ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
+                        std::vector<BlockDiagonalPreconditioner::Member> alone,
                         const std::vector<std::vector<Neighbour>>& neighbours,
                         const LayerBlock& layer);
 
@@ -87,7 +101,7 @@ class ClusterPreconditioner {
   ///
   /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
   /// @return    2n numbers, ordered as v, unit of v
-  /// @par Cost  two solutions for held bodies, a component 8 N^2 + 8 N q + 2 m q^2 multiplications
+  /// @par Cost  4 N^2 + 4 N q + m q^2 multiplications a component, twice in the resistance form
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
   /// Returns the mean number of directions in which a component is coupled to its cluster.
@@ -97,7 +111,7 @@ class ClusterPreconditioner {
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
-  struct FreeBody {
+  struct ReleasedBody {
     std::size_t component;
     Eigen::MatrixXd modes;       // K, 2N x 3
     Eigen::MatrixXd projection;  // Pi, 3 x 2N
@@ -105,16 +119,16 @@ class ClusterPreconditioner {
   using Resistance = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
   /// @endcond
 
-  void factorise_resistance(const std::vector<BlockDiagonalPreconditioner::Member>& held);
-  Eigen::VectorXd solve_held(const Eigen::VectorXd& v) const;
+  void factorise_resistance(const std::vector<BlockDiagonalPreconditioner::Member>& alone);
+  Eigen::VectorXd solve_clusters(const Eigen::VectorXd& v) const;
 
   std::vector<Eigen::Index> offsets_;  // first of each component's numbers, and 2n
   BlockDiagonalPreconditioner alone_;
   std::vector<std::vector<std::size_t>> clusters_;  // of each component, itself first
   std::vector<Eigen::MatrixXd> bases_;              // Q of each component
   std::vector<Eigen::MatrixXd> couplings_;  // own rows of (I + Q^T B Q)^{-1} - I of its cluster
-  std::vector<FreeBody> free_;
-  std::shared_ptr<const Resistance> resistance_;  // of the free bodies, three unknowns each
+  std::vector<ReleasedBody> released_;      // free ones of the resistance form
+  std::shared_ptr<const Resistance> resistance_;  // of these, three unknowns each
 };
 
 /// @}

@@ -20,8 +20,12 @@ namespace {
 // Of the layers between components, relative: a preconditioner may err as much.
 constexpr double layer_tolerance = 1e-3;
 
-// In mean radii of gyration: gaps within a cluster, and those that make clusters pay.
-constexpr double cluster_reach = 2.0, tight = 0.003;
+// In mean radii of gyration: gaps within a cluster, those of contacts that may make a rigid network,
+// and those that slow GMRES down, in few bodies and in many.
+constexpr double cluster_reach = 2.0, contact = 0.05, tight = 0.003, tight_in_crowd = 0.005;
+
+// As many bodies are a crowd.
+constexpr std::size_t crowd = 150;
 
 // The double layer of a curve at targets, near ones by its scheme of close evaluation.
 MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed,
@@ -89,6 +93,16 @@ std::vector<std::vector<Neighbour>> neighbours_within(double reach,
   return neighbours;
 }
 
+// Pairs with gaps below `reach`, every one twice.
+std::size_t twice_the_pairs(const std::vector<std::vector<Neighbour>>& neighbours, double reach) {
+  std::size_t count = 0;
+  for (const std::vector<Neighbour>& of_one : neighbours) {
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(of_one, [=](const Neighbour& other) { return other.gap < reach; }));
+  }
+  return count;
+}
+
 }  // namespace
 
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
@@ -101,17 +115,25 @@ bool clusters_pay(const Configuration& configuration, const References& referenc
     return reference->kind != ComponentKind::enclosing_wall && reference->curve.size() > 256;
   };
   if (std::ranges::any_of(references, is_fine)) return false;
-  std::size_t twice_the_pairs = 0;
-  for (const auto& of_one : neighbours_within(tight, configuration, references)) {
-    twice_the_pairs += of_one.size();
-  }
-  return 3 * twice_the_pairs >= 2 * references.size();
+  const std::size_t count = references.size();
+  const auto neighbours = neighbours_within(tight_in_crowd, configuration, references);
+  if (count >= crowd && twice_the_pairs(neighbours, tight_in_crowd) > 0) return true;
+  return 3 * twice_the_pairs(neighbours, tight) >= 2 * count;
+}
+
+ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) {
+  const std::size_t count = neighbours.size();
+  const bool rigid = twice_the_pairs(neighbours, contact) >= 2 * count;
+  return count < crowd || rigid ? ClusterForm::resistance : ClusterForm::mobility;
 }
 
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const References& references,
-                                             const std::vector<PlacedCurve>& placed) {
+                                             const std::vector<PlacedCurve>& placed,
+                                             std::optional<ClusterForm> given_form) {
+  const auto neighbours = cluster_neighbours(configuration, references);
+  const ClusterForm form = given_form.value_or(cluster_form(neighbours));
   const double gauge = held_gauge(problem);
   std::map<const Reference*, std::shared_ptr<const MatrixXd>> inverses;
   for (const auto& reference : references) inverses[reference.get()];
@@ -120,19 +142,19 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < distinct.size(); ++k) {
     const Reference& reference = *distinct[k];
-    inverses.at(&reference) = std::make_shared<const MatrixXd>(
-        invert_block(held_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, gauge)));
+    inverses.at(&reference) = std::make_shared<const MatrixXd>(invert_block(
+        cluster_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, form, gauge)));
   }
-  std::vector<BlockDiagonalPreconditioner::Member> held;
+  std::vector<BlockDiagonalPreconditioner::Member> alone;
   for (std::size_t k = 0; k < references.size(); ++k) {
-    held.push_back({inverses.at(references[k].get()), configuration[k].orientation});
+    alone.push_back({inverses.at(references[k].get()), configuration[k].orientation});
   }
   const LayerBlock layer = [&](std::size_t target, std::size_t source) {
     return layer_matrix(problem.components[source].curve,
                         placed.empty() ? nullptr : &placed[source],
                         problem.components[target].curve.x);
   };
-  return {problem, std::move(held), cluster_neighbours(configuration, references), layer};
+  return {problem, form, std::move(alone), neighbours, layer};
 }
 
 }  // namespace stokesbook

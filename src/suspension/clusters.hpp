@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "closure/problem.hpp"
@@ -24,31 +25,39 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
                                                        const References& references);
 
 /// Tells whether clusters save more time than they take to set up: where a third as many pairs as
-/// there are components have gaps below 0.003 of their mean radius of gyration, and no inner
-/// component has more than 256 nodes.
+/// there are components have gaps below 0.003 of their mean radius of gyration, or among 150
+/// components one below 0.005; and no inner component has more than 256 nodes.
 ///
 /// Measured on chains, hexagons and random packings of disks: at gaps of 0.01 the set-up takes longer
-/// than all iterations that it saves, at 0.001 less; where few gaps are tight among many, as in a
-/// random packing, it takes longer. It grows like the cube of a component's nodes.
+/// than all iterations that it saves, at 0.001 less. It grows like the cube of a component's nodes.
 /// @param  configuration  where the components are, none overlapping
 /// @param  references     of each component
 /// @return                true where they pay
 /// @par Cost              that of cluster_neighbours()
 bool clusters_pay(const Configuration& configuration, const References& references);
 
-/// Builds the preconditioner by clusters of held components, with near-corrected layers.
+/// Chooses the form that takes fewer iterations: the mobility form among 150 components or more,
+/// unless as many gaps as there are components are below 0.05, where contacts make a rigid network.
+///
+/// @param  neighbours  from cluster_neighbours()
+/// @return             the form
+ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
+
+/// Builds the preconditioner by clusters, with near-corrected layers.
 ///
 /// @param  problem        the boundary value problem
 /// @param  configuration  where its components are
 /// @param  references     of each component
 /// @param  placed         the same components for near corrections; empty: none
+/// @param  form           of the clusters; as cluster_form() chooses where none is given
 /// @return                the approximate inverse of its SuspensionOperator
-/// @throws std::domain_error as held blocks and ClusterPreconditioner do
-/// @par Cost              that of ClusterPreconditioner, and of a held_block() a distinct reference
+/// @throws std::domain_error as cluster_block() and ClusterPreconditioner do
+/// @par Cost              that of ClusterPreconditioner, and of a cluster_block() a distinct reference
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const References& references,
-                                             const std::vector<PlacedCurve>& placed);
+                                             const std::vector<PlacedCurve>& placed,
+                                             std::optional<ClusterForm> form = {});
 
 /// @}
 

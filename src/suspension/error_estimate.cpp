@@ -37,6 +37,19 @@ ComplexVector transferred(const ComplexVector& density, const DiscreteProblem& f
   return result;
 }
 
+// The coarse system's preconditioner for the fine one. Of modes beyond the coarse nodes the operator
+// leaves little but the jump -1/2.
+LinearMap refined_preconditioner(const DiscreteProblem& coarse, const DiscreteProblem& fine) {
+  if (!coarse.precondition) return {};
+  return [&](const Eigen::VectorXd& v) {
+    const ComplexVector all = deinterleaved(v), low = transferred(all, fine, coarse);
+    const ComplexVector solved = deinterleaved(coarse.precondition(interleaved(low)));
+    const ComplexVector high = all - transferred(low, coarse, fine);
+    const ComplexVector both = transferred(solved, coarse, fine) - 2.0 * high;
+    return Eigen::VectorXd(interleaved(both));
+  };
+}
+
 }  // namespace
 
 std::optional<double> relative_change(const StokesProblem& problem, const Completion& p,
@@ -72,7 +85,8 @@ ErrorEstimate estimate_error(const DiscreteProblem& coarse, const GmresResult& s
   const ComplexVector residual = rhs - fine.system(interpolated);
   const double tolerance = correction_tolerance(residual.norm() / rhs.norm(), solution.residual);
   const GmresResult correction =
-      solve(fine, residual, {tolerance, static_cast<int>(2 * residual.size())});
+      solve({fine.problem, fine.system, refined_preconditioner(coarse, fine)}, residual,
+            {tolerance, static_cast<int>(2 * residual.size())});
   const ComplexVector change = deinterleaved(correction.solution);
   const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
                                        closure.complete(interpolated + change), scale)

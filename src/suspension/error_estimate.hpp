@@ -40,10 +40,10 @@ struct ErrorEstimate {
 /// ill-conditioned. So the correction is solved to a residual of the lesser of
 /// \f$ 100\,|r|^2/|b| \f$ and \f$ 0.1\,|r_0| \f$: the less there is to find, the closer one has
 /// to look.
-/// @param  coarse    the system that was solved
+/// @param  coarse    the system that was solved, whose preconditioner serves the fine one too
 /// @param  solution  of it, by solve()
 /// @param  fine      the same problem at a quarter more nodes or so, each component's parameter the
-///                   same
+///                   same; it needs no preconditioner
 /// @param  scale     of velocities, > 0, length / time
 /// @return           the estimate
 /// @throws std::domain_error as gmres() does

@@ -21,13 +21,6 @@ double drive_at(const std::vector<double>& reverse_at, double t) {
   return passed % 2 == 0 ? 1.0 : -1.0;
 }
 
-VectorXd to_rate(const Solution& solution) {
-  Configuration rate;
-  for (const RigidMotion& motion : solution.motions)
-    rate.push_back({motion.velocity, motion.omega});
-  return to_state(rate);
-}
-
 Frame make_frame(double t, std::size_t bodies, const Configuration& configuration,
                  const Solution& solution) {
   Frame frame{t, {}, {}};
@@ -45,11 +38,11 @@ Frame make_frame(double t, std::size_t bodies, const Configuration& configuratio
 }
 
 // Lets a stepper know where a shorter step may do.
-Rate shorter_at_overlaps(const Rate& rate) {
+Rate shorter_where_refused(const Rate& rate) {
   return [=](double t, const VectorXd& state) {
     try {
       return rate(t, state);
-    } catch (const OverlapRefused& refusal) {
+    } catch (const ConfigurationRefused& refusal) {
       throw InadmissibleState(refusal.what());
     }
   };
@@ -147,8 +140,8 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
     totals_.matvecs += solution.cost.matvecs;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return {std::move(solution), std::move(before), passed.count()};
-  } catch (const OverlapRefused& refusal) {
-    throw OverlapRefused(when + refusal.what());
+  } catch (const ConfigurationRefused& refusal) {
+    throw ConfigurationRefused(when + refusal.what());
   } catch (const NumericsRefused& refusal) {
     throw NumericsRefused(when + refusal.what());
   }
@@ -231,8 +224,9 @@ Advance Simulation::take_step(const Rates& rates) const {
   const std::string dt_min = "time.dt_min = " + short_number(stepping_.dt_min);
   try {
     return Stepper(stepping_, rates).advance(now_, memory_, next_event());
-  } catch (const InadmissibleState& overlap) {
-    throw OverlapRefused(std::string(overlap.what()) + "; steps down to " + dt_min + " lead there");
+  } catch (const InadmissibleState& refusal) {
+    throw ConfigurationRefused(std::string(refusal.what()) + "; steps down to " + dt_min +
+                               " lead there");
   } catch (const StepRefused& refusal) {
     throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + refusal.what() +
                           ", and steps are not to be shorter than " + dt_min);
@@ -255,7 +249,7 @@ Simulation::Solved Simulation::advance(const Solved& first) {
     return to_rate(last->solution);
   };
   now_.rate = to_rate(first.solution);
-  const Advance advance = take_step({shorter_at_overlaps(within), shorter_at_overlaps(at_end)});
+  const Advance advance = take_step({shorter_where_refused(within), shorter_where_refused(at_end)});
   write_within(advance.step);
   now_ = advance.step.end;
   memory_ = advance.memory;

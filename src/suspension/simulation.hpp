@@ -25,8 +25,8 @@ struct Observer {
 /// Moves a scene from t = 0 to its end.
 ///
 /// Reversals and the end are hit exactly. Methods that interpolate take their steps through written
-/// times; all others even out their steps to hit them too. A step that leads into an overlap is
-/// halved, see Stepper. The order in time.dt is that of the method.
+/// times; all others even out their steps to hit them too. A step that leads into an
+/// overlap, or too close for the nodes, is halved, see Stepper. The order in time.dt is that of the method.
 ///
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the

@@ -49,8 +49,9 @@ Resolution own_resolution(const Scene& scene, std::size_t component) {
 }
 
 // A refusal's text, if there is any, ends the solve.
+template <class Refused = NumericsRefused>
 void refuse(const std::string& message) {
-  if (!message.empty()) throw NumericsRefused(message);
+  if (!message.empty()) throw Refused(message);
 }
 
 // A hundredth of what is planned, as far as rounding allows.
@@ -162,15 +163,25 @@ DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
   return discretise(problem(configuration, references, drive), configuration, references);
 }
 
+std::vector<PlacedCurve> SuspensionSolver::near_curves(const Configuration& configuration,
+                                                       const References& references) const {
+  return plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
+}
+
+DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
+                                                   const Configuration& configuration,
+                                                   const References& references) const {
+  return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
+}
+
 DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const References& references) const {
-  const auto near_curves =
-      plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
-  DiscreteProblem discrete{problem, SuspensionOperator(problem, near_curves, plan_)};
+  DiscreteProblem discrete = unpreconditioned(problem, configuration, references);
   if (plan_.preconditioner == PreconditionerKind::clusters ||
       (plan_.clusters_at_tight_gaps && clusters_pay(configuration, references))) {
-    discrete.precondition = cluster_preconditioner(problem, configuration, references, near_curves);
+    discrete.precondition = cluster_preconditioner(problem, configuration, references,
+                                                   near_curves(configuration, references));
     return discrete;
   }
   if (plan_.preconditioner == PreconditionerKind::none) return discrete;
@@ -188,8 +199,7 @@ std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) cons
 
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
   std::vector<Gap> gaps = this->gaps(configuration);
-  const std::string overlap = overlap_refusal(scene_, gaps, configuration);
-  if (!overlap.empty()) throw OverlapRefused(overlap);
+  refuse<ConfigurationRefused>(overlap_refusal(scene_, gaps, configuration));
   return gaps;
 }
 
@@ -217,9 +227,9 @@ SuspensionSolver::System SuspensionSolver::system(const Configuration& configura
                                                   const std::vector<Gap>& gaps,
                                                   const Resolutions& resolutions,
                                                   double drive) const {
-  refuse(limit_refusal(scene_, resolutions, gaps));
+  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
   References references = this->references(resolutions);
-  refuse(geometry_refusal(scene_, gaps, configuration, references));
+  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
   const StokesProblem problem = this->problem(configuration, references, drive);
   refuse(data_refusal(scene_, problem));
   DiscreteProblem discrete = discretise(problem, configuration, references);
@@ -256,8 +266,9 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
                                          const Configuration& configuration,
                                          const Solution& solution, double drive) const {
   if (solution.velocity_scale == 0.0) return {};
-  const Resolutions resolutions = finer(resolutions_of(solution.references));
-  const DiscreteProblem fine = discretise(configuration, references(resolutions), drive);
+  const References finer = references(stokesbook::finer(resolutions_of(solution.references)));
+  const DiscreteProblem fine =
+      unpreconditioned(problem(configuration, finer, drive), configuration, finer);
   return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
 }
 
@@ -277,7 +288,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     const std::vector<TailEstimate> tails = tails_of(discrete, solution);
     Effort next = greater(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
-      throw NumericsRefused(
+      throw ConfigurationRefused(
           accuracy_refusal(scene_, effort.resolutions, tails, solution.error_estimate, gaps));
     }
     DensityHistory found(1);

@@ -77,11 +77,10 @@ class SuspensionSolver {
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @param  guess          of the density, where GMRES begins
   /// @return                density, motions and loads of all components, and the error estimate
-  /// @throws OverlapRefused on overlap
+  /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
+  ///                tolerance that no node count within the limits of node_choice.hpp brings down
   /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
-  ///                large against held components, hopeless shapes and gaps, an estimate above the
-  ///                tolerance that no node count within the limits of node_choice.hpp brings down,
-  ///                no convergence, and numbers that are not finite
+  ///                large against held components, no convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
   Solution solve(const Configuration& configuration, double drive = 1.0,
@@ -255,8 +254,12 @@ class SuspensionSolver {
   ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
                          const Solution& solution, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
+  DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
+                                   const References& references) const;
   DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
                              const References& references) const;
+  std::vector<PlacedCurve> near_curves(const Configuration& configuration,
+                                       const References& references) const;
   System system(const Configuration& configuration, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions, double drive) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;

@@ -64,6 +64,12 @@ Configuration to_configuration(const VectorXd& state) {
   return configuration;
 }
 
+VectorXd to_rate(const Solution& solution) {
+  Configuration rate;
+  for (const auto& [velocity, omega] : solution.motions) rate.push_back({velocity, omega});
+  return to_state(rate);
+}
+
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
   SteppingSettings settings{.method = to_method(time.method), .dt = time.dt};

@@ -21,6 +21,12 @@ Eigen::VectorXd to_state(const Configuration& configuration);
 /// @return        placements of K components
 Configuration to_configuration(const Eigen::VectorXd& state);
 
+/// Packs the motions of a solution as the rate of a state.
+///
+/// @param  solution  of K components
+/// @return           3K numbers: velocity and angular velocity of every component
+Eigen::VectorXd to_rate(const Solution& solution);
+
 /// Says how the state of a scene is advanced.
 ///
 /// Errors of positions count in units of the largest body's radius, the largest distance of its

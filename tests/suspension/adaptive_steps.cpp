@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "suspension/closed_forms.hpp"
+#include "support/known_motions.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

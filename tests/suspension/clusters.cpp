@@ -1,75 +1,16 @@
-// Clusters of held bodies: the counts of nearly touching bodies, and the same solutions as without.
+// Clusters of neighbours: the counts of nearly touching bodies, and the same solutions as without.
 
 #include "suspension/clusters.hpp"
 
 #include <omp.h>
 
 #include "double_layer/double_layer.hpp"
+#include "support/touching.hpp"
 #include "suspension/scenes.hpp"
 
 namespace stokesbook::test {
 
 namespace {
-
-Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
-  scene.solver.preconditioner = preconditioner;
-  return scene;
-}
-
-Scene disks(const std::vector<Complex>& positions) {
-  std::vector<Body> bodies;
-  for (const Complex position : positions) {
-    bodies.push_back(body(Circle{1.0}, automatic_nodes, position));
-  }
-  Scene result = scene(bodies, ShearFlow{1.0});
-  result.solver.tolerance = 1e-6;
-  return result;
-}
-
-Scene chain(double gap) {
-  std::vector<Complex> positions;
-  for (int k = -2; k <= 2; ++k) positions.push_back(std::polar(k * (2.0 + gap), 0.3));
-  return disks(positions);
-}
-
-// A disk among rings of six, twelve, ... disks that touch their neighbours but for a gap.
-Scene hexagon(int rings, double gap) {
-  std::vector<Complex> positions;
-  for (int i = -rings; i <= rings; ++i) {
-    for (int j = -rings; j <= rings; ++j) {
-      if (std::abs(i + j) > rings) continue;
-      positions.push_back(std::polar(2.0 + gap, 0.2) *
-                          Complex(i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j));
-    }
-  }
-  return disks(positions);
-}
-
-Scene taylor_green() {
-  std::vector<Body> ellipses;
-  for (const double x : {-1.492, -0.4973, 0.4973, 1.492}) {
-    for (int k = 0; k < 12; ++k) {
-      ellipses.push_back(body(Ellipse{0.475, 0.1}, automatic_nodes, {x, 0.13567 * (2 * k - 11)}));
-    }
-  }
-  Scene result = scene(ellipses, TaylorGreenFlow{1.0});
-  result.solver.tolerance = 1e-3;
-  return result;
-}
-
-// The system at its first resolution, as solve() begins.
-struct Discretised {
-  SuspensionSolver solver;
-  Configuration configuration;
-  References references;
-  DiscreteProblem discrete;
-
-  explicit Discretised(const Scene& scene)
-      : solver(scene),
-        configuration(solver.initial_configuration()),
-        references(solver.references(solver.first_resolutions(configuration))),
-        discrete(solver.discretise(configuration, references)) {}
-};
 
 int iterations(const Scene& scene) {
   const DiscreteProblem discrete = Discretised(scene).discrete;
@@ -97,21 +38,23 @@ Scene mixed(const std::vector<Wall>& walls) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(chains_and_hexagons_take_few_iterations) {
-  BOOST_TEST(iterations_by_clusters(chain(1e-3)) <= 12);
-  BOOST_TEST(iterations_by_clusters(hexagon(1, 1e-2)) <= 12);
-  BOOST_TEST(iterations_by_clusters(hexagon(1, 1e-3)) <= 24);
+  BOOST_TEST(iterations_by_clusters(disk_chain(1e-3)) <= 12);
+  BOOST_TEST(iterations_by_clusters(disk_hexagon(1, 1e-2)) <= 12);
+  BOOST_TEST(iterations_by_clusters(disk_hexagon(1, 1e-3)) <= 24);
 }
 
 BOOST_AUTO_TEST_CASE(two_rings_about_a_disk_take_few_iterations) {
-  BOOST_TEST(iterations_by_clusters(hexagon(2, 1e-2)) <= 18);
+  BOOST_TEST(iterations_by_clusters(disk_hexagon(2, 1e-2)) <= 18);
 }
 
 BOOST_AUTO_TEST_CASE(slender_ellipses_in_vortices_take_few_iterations) {
-  BOOST_TEST(iterations_by_clusters(taylor_green()) <= 12);
+  BOOST_TEST(iterations_by_clusters(ellipses_in_vortices(1e-3)) <= 12);
 }
 
 BOOST_AUTO_TEST_CASE(without_neighbours_clusters_are_components_alone) {
-  const Scene far = disks({{-4, 0}, {4, 0}});
+  const Scene far = scene(
+      {body(Circle{1.0}, automatic_nodes, {-4, 0}), body(Circle{1.0}, automatic_nodes, {4, 0})},
+      ShearFlow{1.0});
   BOOST_TEST(std::abs(iterations_by_clusters(far) -
                       iterations(with_preconditioner(far, PreconditionerKind::block_diagonal))) <=
              1);
@@ -120,7 +63,7 @@ BOOST_AUTO_TEST_CASE(without_neighbours_clusters_are_components_alone) {
 BOOST_AUTO_TEST_CASE(solutions_are_those_without_a_preconditioner) {
   const Wall container = outer_wall(Circle{6.0}, automatic_nodes, RotatingWall{-0.4});
   for (const Scene& scene :
-       {chain(3e-2), mixed({}), with_gauge(mixed({}), 50.0), mixed({container})}) {
+       {disk_chain(3e-2), mixed({}), with_gauge(mixed({}), 50.0), mixed({container})}) {
     const Solved with(with_preconditioner(scene, PreconditionerKind::clusters));
     const Solved without(with_preconditioner(scene, PreconditionerKind::none));
     BOOST_TEST(2 * with.solution.gmres.iterations < without.solution.gmres.iterations);
@@ -134,7 +77,8 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_without_a_preconditioner) {
 
 BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
   const DiscreteProblem discrete =
-      Discretised(with_preconditioner(hexagon(1, 1e-2), PreconditionerKind::clusters)).discrete;
+      Discretised(with_preconditioner(disk_hexagon(1, 1e-2), PreconditionerKind::clusters))
+          .discrete;
   const Eigen::Index n = 2 * discrete.system.offsets().back();
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0).array().sin(),
                         w = Eigen::VectorXd::LinSpaced(n, 3.0, -50.0).array().cos();
@@ -152,15 +96,34 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
-  const Scene scene = with_preconditioner(hexagon(1, 1e-2), PreconditionerKind::clusters);
-  const auto applied = [&](int threads) {
-    omp_set_num_threads(threads);
-    const DiscreteProblem discrete = Discretised(scene).discrete;
-    const ComplexVector rhs = discrete.system.right_hand_side();
-    return discrete.precondition(interleaved(rhs));
+  for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
+    const auto applied = [&](int threads) {
+      omp_set_num_threads(threads);
+      const DiscreteProblem discrete = Discretised(disk_hexagon(1, 1e-2), form).discrete;
+      const ComplexVector rhs = discrete.system.right_hand_side();
+      return discrete.precondition(interleaved(rhs));
+    };
+    const Eigen::VectorXd one = applied(1), two = applied(2);
+    BOOST_TEST((one.array() == two.array()).all());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(free_clusters_solve_crowds_and_held_ones_networks) {
+  const auto count = [](const Scene& scene, ClusterForm form) {
+    const DiscreteProblem discrete = Discretised(scene, form).discrete;
+    return solve(discrete, discrete.system.right_hand_side(), {1e-8, 300}).iterations;
   };
-  const Eigen::VectorXd one = applied(1), two = applied(2);
-  BOOST_TEST((one.array() == two.array()).all());
+  const Scene crowd = disk_packing(200), network = disk_hexagon(2, 1e-2, 1e-3);
+  BOOST_TEST(count(crowd, ClusterForm::mobility) < count(crowd, ClusterForm::resistance));
+  BOOST_TEST(2 * count(network, ClusterForm::resistance) < count(network, ClusterForm::mobility));
+  const auto chosen = [](const Scene& scene) {
+    const Discretised start(scene);
+    return cluster_form(cluster_neighbours(start.configuration, start.references));
+  };
+  BOOST_TEST((chosen(crowd) == ClusterForm::mobility));
+  BOOST_TEST((chosen(network) == ClusterForm::resistance));
+  BOOST_TEST((chosen(disk_packing(40)) == ClusterForm::resistance));
+  BOOST_TEST((chosen(disk_hexagon(7, 1e-2, 1e-1)) == ClusterForm::resistance));  // 169 disks
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
@@ -180,11 +143,11 @@ BOOST_AUTO_TEST_CASE(the_plan_takes_clusters_where_many_gaps_are_tight) {
     const Discretised start(scene);
     return clusters_pay(start.configuration, start.references);
   };
-  BOOST_TEST(pays(chain(1e-3)));
-  BOOST_TEST(pays(hexagon(1, 1e-3)));
-  BOOST_TEST(!pays(hexagon(1, 1e-2)));
-  BOOST_TEST(!pays(disks({{0, 0}})));
-  BOOST_TEST(iterations(chain(1e-3)) == iterations_by_clusters(chain(1e-3)));
+  BOOST_TEST(pays(disk_chain(1e-3)));
+  BOOST_TEST(pays(disk_hexagon(1, 1e-3)));
+  BOOST_TEST(!pays(disk_hexagon(1, 1e-2)));
+  BOOST_TEST(!pays(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})));
+  BOOST_TEST(iterations(disk_chain(1e-3)) == iterations_by_clusters(disk_chain(1e-3)));
 }
 
 }  // namespace stokesbook::test

@@ -1,9 +1,9 @@
-// Steps that lead into an overlap are halved, down to time.dt_min; steps by solver effort double and
+// Steps that lead into an overlap, or too close for the nodes, are halved, down to time.dt_min; steps by solver effort double and
 // halve.
 
 #include <boost/test/unit_test.hpp>
 
-#include "suspension/closed_forms.hpp"
+#include "support/known_motions.hpp"
 #include "suspension/numerics_refused.hpp"
 #include "suspension/trajectories.hpp"
 
@@ -72,12 +72,22 @@ BOOST_AUTO_TEST_CASE(adapted_steps_into_an_overlap_are_halved_and_stay_accurate)
 BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
   TimeSettings time{2.0, 1.0, euler};
   time.dt_min = 0.6;
-  const auto names_time_bodies_and_limit = [](const OverlapRefused& refusal) {
+  const auto names_time_bodies_and_limit = [](const ConfigurationRefused& refusal) {
     const std::string message = refusal.what();
     return message.starts_with("t = 1: ") && message.find("body 0") != std::string::npos &&
            message.find("time.dt_min = 0.6") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), OverlapRefused, names_time_bodies_and_limit);
+  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), ConfigurationRefused,
+                        names_time_bodies_and_limit);
+}
+
+BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
+  // One step leaves a gap of 0.04, two halves one of 0.4.
+  Scene scene = approaching({0.66, 0.66, euler});
+  for (Body& body : scene.bodies) body.n_nodes = 48;
+  const Taken taken = steps_of(scene);
+  BOOST_TEST(taken.totals.rejected_steps == 1);
+  BOOST_TEST(taken.distance > 2.2);
 }
 
 BOOST_AUTO_TEST_CASE(a_tolerance_beyond_the_least_step_stops_the_run) {

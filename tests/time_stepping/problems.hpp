@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "support/known_motions.hpp"
 #include "time_stepping/stepper.hpp"
 
 namespace stokesbook::test {
@@ -18,16 +19,8 @@ inline Eigen::VectorXd problem_rate(double t, const Eigen::VectorXd& q) {
                          std::cos(t) * (1.0 + q[1] * q[1])};
 }
 
-/// tan theta = -(1 / lambda) tan(lambda t / (1 + lambda^2)), on the branch that starts at 0.
-inline double jeffery_angle(double t) {
-  const double phase = aspect * t / (1.0 + aspect * aspect);
-  const double half_turns = std::floor(phase / std::numbers::pi + 0.5);
-  return -std::numbers::pi * half_turns -
-         std::atan(std::tan(phase - std::numbers::pi * half_turns) / aspect);
-}
-
 inline Eigen::VectorXd problem_solution(double t) {
-  return Eigen::Vector2d{jeffery_angle(t), std::tan(std::sin(t))};
+  return Eigen::Vector2d{jeffery_angle(aspect, t), std::tan(std::sin(t))};
 }
 
 inline double problem_error(double t, const Eigen::VectorXd& q) {

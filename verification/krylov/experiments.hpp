@@ -31,6 +31,8 @@ study::Experiment pores();
 study::Experiment contact_iterations();
 study::Experiment contact_seconds();
 study::Experiment packings();
+study::Experiment packing_seconds();
+study::Experiment crystals();
 study::Experiment tolerances();
 study::Experiment solvers();
 study::Experiment costs_of_a_solve();

@@ -6,8 +6,8 @@
 #include "experiments.hpp"
 #include "support/dense.hpp"
 #include "support/once.hpp"
+#include "support/touching.hpp"
 #include "suspension/clusters.hpp"
-#include "touching.hpp"
 
 namespace stokesbook::verification::krylov {
 
@@ -47,8 +47,9 @@ Scene held(Scene scene) {
 class Hexagon {
  public:
   explicit Hexagon(double gap)
-      : free_(disk_hexagon(1, gap, tolerance), PreconditionerKind::clusters),
-        held_(held(disk_hexagon(1, gap, tolerance)), PreconditionerKind::none),
+      : free_(test::disk_hexagon(1, gap, tolerance), ClusterForm::resistance),
+        held_(test::with_preconditioner(held(test::disk_hexagon(1, gap, tolerance)),
+                                        PreconditionerKind::none)),
         free_matrix(dense(free_.discrete.system)),
         held_matrix(dense(held_.discrete.system)) {
     const auto& components = free_.discrete.problem.components;
@@ -106,7 +107,7 @@ class Hexagon {
     return first(k + 1) - first(k);
   }
 
-  Discretised free_, held_;
+  test::Discretised free_, held_;
 
  public:
   MatrixXd free_matrix, held_matrix;  // A, A_h

@@ -8,7 +8,7 @@
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 #include "support/once.hpp"
-#include "touching.hpp"
+#include "support/touching.hpp"
 
 namespace stokesbook::verification::krylov {
 
@@ -28,7 +28,7 @@ Completion moved_middle(Scene scene, Others others, PreconditionerKind precondit
   for (Body& body : scene.bodies) body.held = others == Others::held;
   scene.bodies[middle].held = true;
   scene.bodies[middle].velocity = std::polar(1.0, 0.4);
-  const Discretised system(std::move(scene), preconditioner);
+  const test::Discretised system(test::with_preconditioner(std::move(scene), preconditioner));
   const GmresResult result =
       solve(system.discrete, system.discrete.system.right_hand_side(), {1e-5, 2000});
   return system.discrete.system.closure().complete(deinterleaved(result.solution));
@@ -37,7 +37,7 @@ Completion moved_middle(Scene scene, Others others, PreconditionerKind precondit
 /// Forces of held disks in a hexagonal patch, or velocities of free ones, relative to those of the
 /// moved one: root mean squares over equal distances from it.
 std::vector<Measurement> responses(int rings, Others others) {
-  const Scene scene = disk_hexagon(rings, 0.05, 1e-2);
+  const Scene scene = test::disk_hexagon(rings, 0.05, 1e-2);
   const Completion completion = moved_middle(scene, others, PreconditionerKind::clusters);
   const auto response = [&](std::size_t k) {
     return std::abs(others == Others::held ? completion.loads[k].force
@@ -71,15 +71,15 @@ const std::vector<double> pore_gaps{0.005, 0.01, 0.02};
 
 /// Force on the middle disk of seven, moved among held ones.
 double force_in_hexagon(double gap) {
-  return std::abs(
-      moved_middle(disk_hexagon(1, gap, 1e-3), Others::held, PreconditionerKind::block_diagonal)
-          .loads[3]
-          .force);
+  return std::abs(moved_middle(test::disk_hexagon(1, gap, 1e-3), Others::held,
+                               PreconditionerKind::block_diagonal)
+                      .loads[3]
+                      .force);
 }
 
 /// The same as a sum over its six pairs.
 double force_of_pairs(double gap) {
-  const Scene hexagon = disk_hexagon(1, gap, 1e-3);
+  const Scene hexagon = test::disk_hexagon(1, gap, 1e-3);
   Complex force = 0.0;
   for (std::size_t k = 0; k < hexagon.bodies.size(); ++k) {
     if (k == 3) continue;

@@ -30,6 +30,8 @@ study::Study krylov_study() {
                           contact_iterations(),
                           contact_seconds(),
                           packings(),
+                          packing_seconds(),
+                          crystals(),
                           tolerances(),
                           solvers(),
                           costs_of_a_solve()}};

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 
+#include "support/known_motions.hpp"
 #include "suspension/solver.hpp"
 #include "suspension/stepping.hpp"
 #include "time_stepping/stepper.hpp"
@@ -24,26 +25,6 @@ VectorXd one(double number) {
 
 VectorXd itself(const VectorXd& state) {
   return state;
-}
-
-// tan theta = -tan(lambda t / (1 + lambda^2)) / lambda, continued through the half turns.
-double angle_in_shear(double t) {
-  const double phase = aspect * t / (1.0 + aspect * aspect);
-  const double half_turns = std::round(phase / std::numbers::pi);
-  return -half_turns * std::numbers::pi -
-         std::atan(std::tan(phase - half_turns * std::numbers::pi) / aspect);
-}
-
-// D = 2 cosh(al) with 2 al - coth al = const - 2 t.
-double distance_of_circles(double start, double t) {
-  const auto invariant = [](double al) { return 2.0 * al - 1.0 / std::tanh(al); };
-  const double target = invariant(std::acosh(0.5 * start)) - 2.0 * t;
-  double low = 1e-9, high = std::acosh(0.5 * start);
-  for (int bisection = 0; bisection < 100; ++bisection) {
-    const double middle = 0.5 * (low + high);
-    (invariant(middle) < target ? low : high) = middle;
-  }
-  return 2.0 * std::cosh(0.5 * (low + high));
 }
 
 Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
@@ -88,7 +69,8 @@ Motion jeffery_in_shear(double t_final) {
   const Rate rate = [](double, const VectorXd& q) {
     return one(-0.5 + 0.5 * shape_factor * std::cos(2.0 * q[0]));
   };
-  return {rate, one(0.0), t_final, [](double t) { return one(angle_in_shear(t)); }, itself};
+  return {rate, one(0.0), t_final, [](double t) { return one(test::jeffery_angle(aspect, t)); },
+          itself};
 }
 
 Motion jeffery_in_extension(double t_final) {
@@ -105,7 +87,7 @@ Motion jeffery_in_extension(double t_final) {
 Motion approaching_circles(double t_final) {
   const Scene scene = circles(ExtensionalFlow{-1.0}, -2.0, 96);
   return {solved_rate(scene), start_of(scene), t_final,
-          [](double t) { return one(distance_of_circles(4.0, t)); },
+          [](double t) { return one(test::circle_distance(4.0, t)); },
           [](const VectorXd& q) { return one(q[3] - q[0]); }};
 }
 
@@ -164,12 +146,7 @@ Rate solved_rate(const Scene& scene) {
       resolutions_of(solver->solve(solver->initial_configuration()).references);
   return [=](double, const VectorXd& state) {
     try {
-      const Solution solution = solver->solve_nearby(to_configuration(state), first);
-      Configuration rate;
-      for (const RigidMotion& motion : solution.motions) {
-        rate.push_back({motion.velocity, motion.omega});
-      }
-      return to_state(rate);
+      return to_rate(solver->solve_nearby(to_configuration(state), first));
     } catch (const NumericsRefused& refusal) {  // an overlap, or too close for their nodes
       throw InadmissibleState(refusal.what());
     }

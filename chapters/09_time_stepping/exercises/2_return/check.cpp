@@ -125,11 +125,7 @@ void check_experiment() {
   int solves = 0;
   const Flow disks = [&](const VectorXd& q) {
     ++solves;
-    Configuration rates;
-    for (const RigidMotion& motion : solver.solve_nearby(to_configuration(q), nodes).motions) {
-      rates.push_back({motion.velocity, motion.omega});
-    }
-    return to_state(rates);
+    return to_rate(solver.solve_nearby(to_configuration(q), nodes));
   };
 
   struct Entry {

@@ -1,13 +1,12 @@
-#include "touching.hpp"
+#include "support/touching.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <utility>
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::test {
 
 namespace {
 
@@ -31,11 +30,6 @@ std::vector<Complex> lattice(int rings, double pitch) {
     }
   }
   return points;
-}
-
-Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
-  scene.solver.preconditioner = preconditioner;
-  return scene;
 }
 
 }  // namespace
@@ -77,10 +71,10 @@ Scene disk_packing(int count) {
   return disks(positions, 1e-5);
 }
 
-Scene ellipses_in_vortices() {
+Scene ellipses_in_vortices(double tolerance) {
   Scene scene;
   scene.flow = TaylorGreenFlow{1.0};
-  scene.solver.tolerance = 1e-4;
+  scene.solver.tolerance = tolerance;
   for (const double x : {-1.492, -0.4973, 0.4973, 1.492}) {
     for (int k = 0; k < 12; ++k) {
       scene.bodies.push_back(
@@ -90,20 +84,26 @@ Scene ellipses_in_vortices() {
   return scene;
 }
 
-Discretised::Discretised(Scene scene, PreconditionerKind preconditioner)
-    : solver(with_preconditioner(std::move(scene), preconditioner)),
+Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
+  scene.solver.preconditioner = preconditioner;
+  return scene;
+}
+
+Discretised::Discretised(const Scene& scene)
+    : solver(scene),
       configuration(solver.initial_configuration()),
       references(solver.references(solver.first_resolutions(configuration))),
       discrete(solver.discretise(configuration, references)) {}
 
-Effort effort(const Scene& scene, PreconditionerKind preconditioner) {
-  const auto start = std::chrono::steady_clock::now();
-  const Discretised discretised(scene, preconditioner);
-  const DiscreteProblem& discrete = discretised.discrete;
-  const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-8, 2000});
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {static_cast<double>(result.iterations), static_cast<double>(result.solution.size()),
-          taken.count()};
+Discretised::Discretised(const Scene& scene, ClusterForm form)
+    : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {
+  std::vector<PlacedCurve> placed;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const auto [position, orientation] = configuration[k];
+    placed.push_back({references[k]->cauchy, position, orientation});
+  }
+  discrete.precondition =
+      cluster_preconditioner(discrete.problem, configuration, references, placed, form);
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::test

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "suspension/clusters.hpp"
 #include "suspension/solver.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::test {
 
 /// @name Scenes of bodies that nearly touch, with automatic nodes
 /// @{
@@ -18,10 +19,13 @@ Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 /// of 0.6 after many random moves, the same on every machine.
 Scene disk_packing(int count);
 
-/// The 48 ellipses of the published Taylor-Green run at its start.
-Scene ellipses_in_vortices();
+/// The 48 ellipses of the published Taylor-Green run at its start, resolved to a tolerance.
+Scene ellipses_in_vortices(double tolerance = 1e-4);
 
 /// @}
+
+/// The same scene with a preconditioner.
+Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner);
 
 /// The system of a scene's start at the resolution with which its solver begins.
 struct Discretised {
@@ -30,15 +34,8 @@ struct Discretised {
   References references;
   DiscreteProblem discrete;
 
-  Discretised(Scene scene, PreconditionerKind preconditioner);
+  explicit Discretised(const Scene& scene);
+  Discretised(const Scene& scene, ClusterForm form);  // clusters in this form
 };
 
-/// What it takes to solve a scene's start to 1e-8.
-struct Effort {
-  double iterations, unknowns;
-  double seconds;  ///< of references, operator, preconditioner and iteration
-};
-
-Effort effort(const Scene& scene, PreconditionerKind preconditioner);
-
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::test

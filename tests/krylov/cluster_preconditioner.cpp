@@ -1,0 +1,94 @@
+// Clusters on their own: the inverse where a cluster takes in all, in both forms, free and held.
+#include "krylov/cluster_preconditioner.hpp"
+
+#include "closure/bordered_system.hpp"
+#include "double_layer/double_layer.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "krylov/matrices.hpp"
+
+namespace stokesbook::test {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Member = BlockDiagonalPreconditioner::Member;
+
+namespace {
+
+Component ellipse(ComponentKind kind, Complex centre, double orientation) {
+  const Curve curve =
+      place(sample(Ellipse{1.0, 0.6}, 48, Side::fluid_outside), centre, orientation);
+  ComplexVector velocity = ComplexVector::Zero(curve.size());
+  return {kind, curve, centre, {0.3, -0.2}, 0.1, velocity};
+}
+
+// Two ellipses with a gap of 0.4.
+StokesProblem pair(ComponentKind second) {
+  return {{ellipse(ComponentKind::free_body, {-0.8, 0.0}, 1.2), ellipse(second, {1.0, 0.3}, 0.7)},
+          1.0,
+          {},
+          20.0};
+}
+
+// All are neighbours; `gap` says how far clusters are compressed.
+ClusterPreconditioner clusters(const StokesProblem& problem, ClusterForm form, double gap = 0.2) {
+  const double gauge = held_gauge(problem);
+  std::vector<Member> alone;
+  const std::vector<std::vector<Neighbour>> neighbours{{{1, gap}}, {{0, gap}}};
+  for (const Component& component : problem.components) {
+    alone.push_back(
+        {std::make_shared<const MatrixXd>(invert_block(cluster_block(component, form, gauge))),
+         0.0});
+  }
+  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
+    return StressletSum({problem.components[source].curve})
+        .matrix(problem.components[target].curve.x);
+  };
+  return {problem, form, alone, neighbours, layer};
+}
+
+double error_of_inverse(const StokesProblem& problem, ClusterForm form, double gap) {
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
+  const VectorXd solved = clusters(problem, form, gap)(system.matrix * density);
+  return (solved - density).norm() / density.norm();
+}
+
+int iterations(const StokesProblem& problem, ClusterForm form) {
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const GmresResult result = gmres(map_of(system.matrix), clusters(problem, form),
+                                   normal_matrix(system.matrix.rows(), 1, 5), {1e-10, 100});
+  BOOST_TEST(result.converged);
+  return result.iterations;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(cluster_preconditioner)
+
+BOOST_AUTO_TEST_CASE(uncompressed_clusters_of_all_free_bodies_are_the_inverse) {
+  // Gram matrices show all directions but those below the root of rounding.
+  const double tight = 1e-24;
+  for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
+    BOOST_TEST(error_of_inverse(pair(ComponentKind::free_body), form, tight) < 1e-8);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(compression_leaves_little) {
+  for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
+    const StokesProblem problem = pair(ComponentKind::free_body);
+    BOOST_TEST(clusters(problem, form).mean_rank() < 30);
+    BOOST_TEST(error_of_inverse(problem, form, 0.2) < 0.2);
+    BOOST_TEST(iterations(problem, form) <= 10);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(held_bodies_are_held_in_both_forms) {
+  for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
+    BOOST_TEST(iterations(pair(ComponentKind::prescribed), form) <= 12);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test
