@@ -33,6 +33,7 @@ study::Experiment contact_seconds();
 study::Experiment packings();
 study::Experiment packing_seconds();
 study::Experiment crystals();
+study::Experiment recycling();
 study::Experiment tolerances();
 study::Experiment solvers();
 study::Experiment costs_of_a_solve();

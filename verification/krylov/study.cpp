@@ -32,6 +32,7 @@ study::Study krylov_study() {
                           packings(),
                           packing_seconds(),
                           crystals(),
+                          recycling(),
                           tolerances(),
                           solvers(),
                           costs_of_a_solve()}};
