@@ -17,10 +17,10 @@ VectorXd projected_gradient(const VectorXd& z, const VectorXd& w) {
   return (z.array() > 0.0).select(w, w.cwiseMin(0.0));
 }
 
-// The two lengths in turn; where M is zero along s, a length that goes on as before.
+// The two lengths in turn; where M is zero along s, the one before.
 double step_length(const VectorXd& s, const VectorXd& y, int turn, double before) {
   const double curvature = s.dot(y);
-  if (!(curvature > 0.0)) return 2.0 * before;
+  if (!(curvature > 0.0)) return before;
   return turn % 2 == 0 ? s.squaredNorm() / curvature : curvature / y.squaredNorm();
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr int default_steps = 100;
 constexpr double armijo = 1e-4;
-constexpr double shortest = 1e-12;  // factor of a step
+constexpr double shortest = 1e-12;       // factor of a step
+constexpr double regularisation = 1e-6;  // beside M_ii = 1
 
 VectorXd fischer(const VectorXd& z, const VectorXd& w) {
   return (z.array().square() + w.array().square()).sqrt() - z.array() - w.array();
@@ -52,8 +53,9 @@ LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options) {
          steps < options.max_iterations.value_or(default_steps)) {
     const VectorXd phi = fischer(z, w);
     const double merit = 0.5 * phi.squaredNorm();
-    const MatrixXd slope = jacobian(matrix, z, w);
+    MatrixXd slope = jacobian(matrix, z, w);
     const VectorXd gradient = slope.transpose() * phi;
+    slope.diagonal().array() -= std::min(regularisation, phi.norm());
     VectorXd direction = -slope.partialPivLu().solve(phi);
     // Newton's slope is -2 merit; a singular Jacobian's is anything.
     if (!direction.allFinite() || !(gradient.dot(direction) < -0.1 * merit)) direction = -gradient;

@@ -12,7 +12,9 @@ namespace stokesbook {
 /// z_i w_i = 0.
 ///
 /// A row of the Jacobian is \f$ (z_i/r - 1)\, e_i^T + (w_i/r - 1)\, M_i,\ r^2 = z_i^2 + w_i^2 \f$;
-/// where both vanish, their limit along \f$ e \f$ takes their place. Steps are halved until
+/// where both vanish, their limit along \f$ (1, \dots, 1) \f$ takes their place. The Newton step is
+/// that of the matrix \f$ M + \varepsilon D,\ D \f$ diagonal and \f$ \varepsilon = \min(10^{-6}, |\varphi|) \f$:
+/// without it, singular M with many multipliers stall the search. Steps are halved until
 /// \f$ |\varphi|^2/2 \f$ falls by \f$ 10^{-4} \f$ of what the slope promises; where the Newton step is
 /// not finite or does not descend, its negative gradient is the step.
 /// @param  problem  with m rows

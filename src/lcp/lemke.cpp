@@ -16,6 +16,8 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int pivots_between_refreshments = 50;
+constexpr int side_changes = 40;
+constexpr double rounding = 1e-15;        // beside offsets of size one
 constexpr double smallest_pivot = 1e-11;  // relative to the largest entry of its column
 constexpr double tie = 1e-13;             // relative to the largest entry of what is compared
 
@@ -162,19 +164,35 @@ VectorXd solve_active(const LcpProblem& problem, const std::vector<Index>& activ
   return z;
 }
 
-// The solution that pivoting found, as far as possible without its rounding.
+// Of the z of the active set and the w of the others, the most negative; -1 where none is.
+Index worst_index(const std::vector<Index>& active, const VectorXd& z, const VectorXd& w) {
+  VectorXd numbers = w;
+  numbers(active) = z(active);
+  Index worst = -1;
+  return numbers.minCoeff(&worst) < -rounding ? worst : -1;
+}
+
+// The solution that pivoting found, without its rounding. Where M_AA is badly conditioned, indices with
+// z = w = 0 may have been taken for the wrong side: they change it, the worst one first.
 LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
-  const LcpResult raw = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
-  const auto active = active_set(tableau, scaled.problem.offset.size());
-  if (active.empty()) return raw;
-  const LcpResult result = judge(scaled, solve_active(scaled.problem, active), tolerance);
-  return result.residual < raw.residual ? result : raw;
+  LcpResult best = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
+  std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());
+  for (int change = 0; change < side_changes && !active.empty(); ++change) {
+    const VectorXd z = solve_active(scaled.problem, active);
+    const LcpResult result = judge(scaled, z, tolerance);
+    if (result.residual < best.residual) best = result;
+    const Index worst =
+        worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
+    if (worst < 0) break;
+    if (std::erase(active, worst) == 0) active.push_back(worst);
+  }
+  return best;
 }
 
 // Pivots until the artificial variable leaves the basis, or a ray is met.
 LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
   const Index m = scaled.problem.offset.size();
-  const int most = options.max_iterations.value_or(10000 + 20 * static_cast<int>(m));
+  const int most = options.max_iterations.value_or(50000 + 20 * static_cast<int>(m));
   //! [pivots]
   Tableau tableau(scaled.problem);
   Index entering = tableau.artificial();

@@ -20,7 +20,7 @@ namespace stokesbook {
 /// symmetric or not, it proves that there is no solution: \f$ M^T v \le 0 \f$, but
 /// \f$ q \cdot v < 0 \f$. For other M it proves nothing.
 /// @param  problem  with m rows
-/// @param  options  the guess is not used; without a limit, 10000 + 20 m pivots are allowed
+/// @param  options  the guess is not used; without a limit, 50000 + 20 m pivots are allowed
 /// @return          solution or ray; iterations are pivots
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when M or q is not finite

@@ -29,7 +29,7 @@ enum class LcpStatus {
 
 /// When to stop, and where to begin.
 struct LcpOptions {
-  double tolerance = 1e-11;             ///< of the residual of LcpResult
+  double tolerance = 1e-10;             ///< of the residual of LcpResult
   std::optional<int> max_iterations{};  ///< none: what the solver allows
   Eigen::VectorXd guess{};              ///< m numbers, or empty: zero; pivoting makes no use of it
 };
