@@ -11,6 +11,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int default_products = 2000;
+constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
 
 // Where z = 0 a gradient w > 0 leads nowhere.
 VectorXd projected_gradient(const VectorXd& z, const VectorXd& w) {
@@ -44,9 +45,10 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
   VectorXd z = scaled_guess(units, options.guess);
   VectorXd w = gradient(z);
   int products = 1;
-  VectorXd best_z = z, best_w = w;
+  double residual = natural_residual(z, w);
+  LcpResult best = judge(units, z, w, options.tolerance);
   double length = 1.0 / projected_gradient(z, w).lpNorm<Eigen::Infinity>();
-  while (natural_residual(best_z, best_w) > options.tolerance &&
+  while (residual > options.tolerance && residual < divergence &&
          products < options.max_iterations.value_or(default_products)) {
     const VectorXd next_z = (z - length * w).cwiseMax(0.0);
     const VectorXd next_w = gradient(next_z);
@@ -54,14 +56,11 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
     length = step_length(next_z - z, next_w - w, products, length);
     z = next_z;
     w = next_w;
-    if (natural_residual(z, w) < natural_residual(best_z, best_w)) {
-      best_z = z;
-      best_w = w;
-    }
+    residual = natural_residual(z, w);
+    if (residual < best.residual) best = judge(units, z, w, options.tolerance);
   }
-  LcpResult result = judge(units, best_z, best_w, options.tolerance);
-  result.iterations = products;
-  return result;
+  best.iterations = products;
+  return best;
 }
 
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options) {

@@ -181,8 +181,7 @@ LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double toler
     const VectorXd z = solve_active(scaled.problem, active);
     const LcpResult result = judge(scaled, z, tolerance);
     if (result.residual < best.residual) best = result;
-    const Index worst =
-        worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
+    const Index worst = worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
     if (worst < 0) break;
     if (std::erase(active, worst) == 0) active.push_back(worst);
   }

@@ -14,6 +14,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int default_sweeps = 1000;
+constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
 
 void require_positive_diagonal(const LcpProblem& problem) {
   for (Index i = 0; i < problem.offset.size(); ++i) {
@@ -35,12 +36,14 @@ LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& op
   const Eigen::MatrixXd transposed = matrix.transpose();
   VectorXd z = scaled_guess(scaled.units, options.guess);
   int sweeps = 0;
-  while (natural_residual(z, offset + matrix * z) > options.tolerance &&
+  double residual = natural_residual(z, offset + matrix * z);
+  while (residual > options.tolerance && residual < divergence &&
          sweeps < options.max_iterations.value_or(default_sweeps)) {
     for (Index i = 0; i < z.size(); ++i) {
       const double w = offset[i] + transposed.col(i).dot(z);
       z[i] = std::max(0.0, z[i] - w);  // M_ii = 1
     }
+    residual = natural_residual(z, offset + matrix * z);
     ++sweeps;
   }
   LcpResult result = judge(scaled, z, options.tolerance);
