@@ -243,8 +243,9 @@ ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions&
     result.keys = problem.keys;
     result.force_gradient = problem.force_gradient;
     result.response = problem.matrix.diagonal();
-    Index least = 0;
-    if (!(result.response.minCoeff(&least) > 0.0)) return response_not_seen(result, least);
+    for (Index i = 0; i < result.response.size(); ++i) {
+      if (!(result.response[i] > 0.0)) return response_not_seen(result, i);
+    }
 
     const auto [solution, rays] = solve(problem, step, options.solver, guess);
     result.rays += rays;

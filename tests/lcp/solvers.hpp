@@ -32,7 +32,9 @@ inline MatrixXd matrix2(double a, double b, double c, double d) {
   return (MatrixXd(2, 2) << a, b, c, d).finished();
 }
 
-inline VectorXd vector2(double a, double b) { return (VectorXd(2) << a, b).finished(); }
+inline VectorXd vector2(double a, double b) {
+  return (VectorXd(2) << a, b).finished();
+}
 
 inline double largest(const VectorXd& v) {
   return v.cwiseAbs().maxCoeff();
