@@ -76,7 +76,7 @@ struct ContactResult {
   Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
   Eigen::VectorXd gaps{};     ///< at U: least gap of each row's contact; infinite where it is gone
   Eigen::VectorXd force{};    ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
-  double power = 0.0;         ///< of these forces; <= 0 where no gap was violated at U = 0
+  double power = 0.0;         ///< of these forces
   double kkt_residual = 0.0;  ///< length: largest violation, or gap across which a force acts
   int iterations = 0;         ///< linear problems
   int columns = 0;            ///< columns of response asked for
@@ -94,10 +94,12 @@ struct ContactResult {
 /// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes where it
 /// is no longer needed.
 ///
-/// c is the gap at U = 0. Where the linear problem ends in a ray, max(c, 0) takes its place: U = 0
-/// then violates nothing, so that there is a solution, with \f$ |U|_{B^{-1}} \le |U^*|_{B^{-1}} \f$ and
-/// power \f$ -\lambda \cdot c / \Delta t \le 0 \f$. Gaps themselves are never clipped: the result is
-/// accepted only when all of rows(U) are at least -tolerance.
+/// c is the gap that the linearisation gives U = 0. Where c >= 0, as it is for a gap along a straight
+/// path, U = 0 violates nothing, so that with J_f = J there is a solution,
+/// \f$ |U|_{B^{-1}} \le |U^*|_{B^{-1}} \f$, and the power of contact is
+/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$. Where the linear problem ends in a ray, max(c, 0) takes the
+/// place of c. Gaps themselves are never clipped: the result is accepted only when all of rows(U) are
+/// at least -tolerance.
 ///
 /// After some iterations, rows that were violated earlier and whose points are no longer among
 /// rows(U_k) come back with their last linearisation. Without them, points that take turns at being
