@@ -122,34 +122,12 @@ VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& ke
   return result;
 }
 
-struct Multipliers {
-  LcpResult solution;
-  int rays = 0;
-};
-
-Multipliers solve(const LinearProblem& problem, const ContactStep& step, const LcpSolver& solver,
-                  const VectorXd& guess) {
-  const VectorXd free_opening = step.dt * (problem.gradient * step.free_velocity);
-  LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
-  const LcpOptions options{.guess = guess};
-  Multipliers result{solver(lcp, options)};
-  //! [clip]
-  if (result.solution.status == LcpStatus::ray) {
-    ++result.rays;
-    lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
-    result.solution = solver(lcp, options);
-  }
-  //! [clip]
-  if (result.solution.status != LcpStatus::solved) result.solution = fischer_newton(lcp, options);
-  return result;
-}
-
 // Least gap of each contact of `keys`, by the rows as they are now.
 VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) {
   std::map<std::int64_t, double> least;
   for (Index i = 0; i < rows.gap.size(); ++i) {
-    const auto [entry, first] =
-        least.emplace(rows.keys[static_cast<std::size_t>(i)].contact, rows.gap[i]);
+    const std::int64_t contact = rows.keys[static_cast<std::size_t>(i)].contact;
+    const auto [entry, first] = least.emplace(contact, rows.gap[i]);
     if (!first) entry->second = std::min(entry->second, rows.gap[i]);
   }
   VectorXd gaps(static_cast<Index>(keys.size()));
@@ -161,118 +139,160 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   return gaps;
 }
 
-// Of the gaps across which a force acts, the widest; none: -1.
-Index widest_with_force(const ContactResult& result, double tolerance) {
-  Index widest = -1;
-  for (Index i = 0; i < result.gaps.size(); ++i) {
-    if (result.response[i] * result.multipliers[i] <= tolerance) continue;
-    if (widest < 0 || result.gaps[i] > result.gaps[widest]) widest = i;
-  }
-  return widest;
-}
-
 std::string name(const ContactKey& key) {
   return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
 }
 
-ContactResult given_up(ContactResult result, ContactStatus status, const std::string& reason) {
-  result.status = status;
-  result.reason = reason;
-  return result;
-}
+class ContactLoop {
+ public:
+  ContactLoop(const ContactStep& step, const ContactLoopOptions& options)
+      : step_{step}, options_{options} {
+    result_.force = VectorXd::Zero(step.free_velocity.size());
+    move_to(step.free_velocity);
+  }
 
-ContactResult response_not_seen(ContactResult result, Index i) {
-  std::ostringstream reason;
-  reason << name(result.keys[static_cast<std::size_t>(i)]) << ": a unit force opens its own gap by "
-         << result.response[i]
-         << ", which must be positive: the quadrature does not resolve the gap, or nothing there "
-            "can move";
-  return given_up(std::move(result), ContactStatus::response_not_seen, reason.str());
-}
+  ContactResult run() {
+    bool ended = settled();
+    while (!ended && result_.iterations < options_.max_iterations) {
+      ++result_.iterations;
+      const LinearProblem problem = linear_problem(next_cuts(), step_);
+      ended = !apply(problem) || settled();
+    }
+    if (!ended) give_up_on_violation();
+    return result_;
+  }
 
-ContactResult no_linear_solution(ContactResult result, const LcpResult& solution) {
-  std::ostringstream reason;
-  reason << "the linear problem of iteration " << result.iterations << " with "
-         << result.keys.size() << " rows was not solved: its residual is " << solution.residual;
-  return given_up(std::move(result), ContactStatus::no_linear_solution, reason.str());
-}
+ private:
+  void move_to(const VectorXd& velocity) {
+    result_.velocity = velocity;
+    rows_ = rows_at(step_, velocity);
+    result_.violations.push_back(violation(rows_));
+    result_.gaps = gaps_now(result_.keys, rows_);
+  }
 
-ContactResult open_gap(ContactResult result, Index i) {
-  std::ostringstream reason;
-  reason << name(result.keys[static_cast<std::size_t>(i)]) << ": the force "
-         << result.multipliers[i] << " acts across a gap of " << result.gaps[i]
-         << " beyond the separation after " << result.iterations << " iterations";
-  return given_up(std::move(result), ContactStatus::open_gap, reason.str());
-}
+  // The rows as they are now, and later in the loop those that were violated before.
+  Cuts next_cuts() {
+    Cuts cuts = linearised(rows_, result_.velocity, step_.dt);
+    Cuts now = violated(rows_, cuts, step_.tolerance);
+    if (result_.iterations > options_.cuts_after) cuts.insert(violated_.begin(), violated_.end());
+    now.merge(violated_);
+    violated_ = std::move(now);
+    return cuts;
+  }
 
-ContactResult not_converged(ContactResult result, const ContactRows& rows) {
-  Index worst = 0;
-  std::ostringstream reason;
-  rows.gap.minCoeff(&worst);
-  reason << name(rows.keys[static_cast<std::size_t>(worst)]) << ": the gap is " << rows.gap[worst]
-         << " beyond the separation after " << result.iterations << " iterations";
-  return given_up(std::move(result), ContactStatus::not_converged, reason.str());
-}
+  // Moves to the solution of the linear problem; false where there is none to be had.
+  bool apply(const LinearProblem& problem) {
+    const VectorXd guess = matched(result_, problem.keys);
+    result_.keys = problem.keys;
+    result_.force_gradient = problem.force_gradient;
+    result_.response = problem.matrix.diagonal();
+    result_.multipliers = VectorXd::Zero(result_.response.size());
+    result_.gaps = gaps_now(problem.keys, rows_);
+    result_.columns += static_cast<int>(problem.keys.size());
+    for (Index i = 0; i < result_.response.size(); ++i) {
+      if (!(result_.response[i] > 0.0)) return give_up_on_response(i);
+    }
+    const LcpResult solution = solve(problem, guess);
+    if (solution.status != LcpStatus::solved) return give_up_on_linear_problem(solution);
+    result_.multipliers = solution.z;
+    result_.force = problem.force_gradient.transpose() * solution.z;
+    move_to(step_.free_velocity + problem.velocities * solution.z);
+    result_.power = result_.force.dot(result_.velocity);
+    return true;
+  }
+
+  LcpResult solve(const LinearProblem& problem, const VectorXd& guess) {
+    const VectorXd free_opening = step_.dt * (problem.gradient * step_.free_velocity);
+    const LcpOptions options{.guess = guess};
+    LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
+    LcpResult solution = options_.solver(lcp, options);
+    //! [clip]
+    if (solution.status == LcpStatus::ray) {
+      ++result_.rays;
+      lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
+      solution = options_.solver(lcp, options);
+    }
+    //! [clip]
+    return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
+  }
+
+  // Resolved, or given up because of a force across an open gap.
+  bool settled() {
+    const Index widest = widest_with_force();
+    const double open = widest < 0 ? 0.0 : result_.gaps[widest];
+    result_.kkt_residual = std::max(result_.violations.back(), open);
+    if (result_.violations.back() > step_.tolerance) return false;
+    if (open <= options_.open_gap * step_.separation) {
+      result_.status = ContactStatus::resolved;
+      return true;
+    }
+    const int last = std::min(options_.open_gap_after, options_.max_iterations);
+    return result_.iterations >= last && give_up_on_open_gap(widest);
+  }
+
+  // Of the gaps across which a force acts, the widest; none: -1.
+  Index widest_with_force() const {
+    Index widest = -1;
+    for (Index i = 0; i < result_.gaps.size(); ++i) {
+      if (result_.response[i] * result_.multipliers[i] <= step_.tolerance) continue;
+      if (widest < 0 || result_.gaps[i] > result_.gaps[widest]) widest = i;
+    }
+    return widest;
+  }
+
+  bool give_up_on_response(Index i) {
+    std::ostringstream reason;
+    reason << name(result_.keys[static_cast<std::size_t>(i)])
+           << ": a unit force opens its own gap by " << result_.response[i]
+           << ", which must be positive: the quadrature does not resolve the gap, or nothing there "
+              "can move";
+    result_.status = ContactStatus::response_not_seen;
+    result_.reason = reason.str();
+    return false;
+  }
+
+  bool give_up_on_linear_problem(const LcpResult& solution) {
+    std::ostringstream reason;
+    reason << "the linear problem of iteration " << result_.iterations << " with "
+           << result_.keys.size() << " rows was not solved: its residual is " << solution.residual;
+    result_.status = ContactStatus::no_linear_solution;
+    result_.reason = reason.str();
+    return false;
+  }
+
+  bool give_up_on_open_gap(Index i) {
+    std::ostringstream reason;
+    reason << name(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
+           << result_.multipliers[i] << " acts across a gap of " << result_.gaps[i]
+           << " beyond the separation after " << result_.iterations << " iterations";
+    result_.status = ContactStatus::open_gap;
+    result_.reason = reason.str();
+    return true;
+  }
+
+  void give_up_on_violation() {
+    Index worst = 0;
+    const double gap = rows_.gap.minCoeff(&worst);
+    std::ostringstream reason;
+    reason << name(rows_.keys[static_cast<std::size_t>(worst)])
+           << ": the separation is violated by " << -gap << " after " << result_.iterations
+           << " iterations";
+    result_.status = ContactStatus::not_converged;
+    result_.reason = reason.str();
+  }
+
+  const ContactStep& step_;
+  const ContactLoopOptions& options_;
+  ContactResult result_;
+  ContactRows rows_;  // at the velocity of the result
+  Cuts violated_;     // in earlier iterations
+};
 
 }  // namespace
 
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options) {
   require_valid(step);
-  ContactResult result;
-  result.velocity = step.free_velocity;
-  result.force = VectorXd::Zero(step.free_velocity.size());
-  ContactRows rows = rows_at(step, result.velocity);
-  result.violations.push_back(violation(rows));
-  result.kkt_residual = result.violations.back();
-  if (result.violations.back() <= step.tolerance) {
-    result.status = ContactStatus::resolved;
-    return result;
-  }
-  Cuts earlier;
-  while (result.iterations < options.max_iterations) {
-    ++result.iterations;
-    Cuts cuts = linearised(rows, result.velocity, step.dt);
-    Cuts now = violated(rows, cuts, step.tolerance);
-    if (result.iterations > options.cuts_after) cuts.insert(earlier.begin(), earlier.end());
-    now.merge(earlier);
-    earlier = std::move(now);
-
-    const LinearProblem problem = linear_problem(cuts, step);
-    result.columns += static_cast<int>(problem.keys.size());
-    const VectorXd guess = matched(result, problem.keys);
-    result.keys = problem.keys;
-    result.force_gradient = problem.force_gradient;
-    result.response = problem.matrix.diagonal();
-    for (Index i = 0; i < result.response.size(); ++i) {
-      if (!(result.response[i] > 0.0)) return response_not_seen(result, i);
-    }
-
-    const auto [solution, rays] = solve(problem, step, options.solver, guess);
-    result.rays += rays;
-    if (solution.status != LcpStatus::solved) return no_linear_solution(result, solution);
-    result.multipliers = solution.z;
-    result.force = problem.force_gradient.transpose() * solution.z;
-    result.velocity = step.free_velocity + problem.velocities * solution.z;
-    result.power = result.force.dot(result.velocity);
-
-    rows = rows_at(step, result.velocity);
-    result.gaps = gaps_now(result.keys, rows);
-    result.violations.push_back(violation(rows));
-    const Index widest = widest_with_force(result, step.tolerance);
-    const double open = widest < 0 ? 0.0 : result.gaps[widest];
-    result.kkt_residual = std::max(result.violations.back(), open);
-    const bool violates = result.violations.back() > step.tolerance;
-    const bool pushes = open > options.open_gap * step.separation;
-    if (!violates && !pushes) {
-      result.status = ContactStatus::resolved;
-      return result;
-    }
-    if (!violates && (result.iterations >= options.open_gap_after ||
-                      result.iterations == options.max_iterations)) {
-      return open_gap(result, widest);
-    }
-  }
-  return not_converged(result, rows);
+  return ContactLoop(step, options).run();
 }
 
 }  // namespace stokesbook

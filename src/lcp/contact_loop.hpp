@@ -25,8 +25,8 @@ struct ContactKey {
 /// Derivatives of gaps with respect to velocities, a row for each gap.
 using GapGradient = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Gaps g at the end of a step with the velocity U, as far as they matter: all that are violated, and
-/// those that are small.
+/// Gaps g at the end of a step with the velocity U, as far as they matter: all that are violated,
+/// and those that are small; none between bodies of which neither can move.
 struct ContactRows {
   Eigen::VectorXd gap;   ///< g(U), m lengths; less than 0 violates the separation
   GapGradient gradient;  ///< J, m x n, with \f$ dg = \Delta t\, J\, dU \f$
@@ -42,8 +42,8 @@ struct ContactStep {
   double separation = 0.0;        ///< least distance between bodies, from which gaps count
   double tolerance = 0.0;         ///< of gaps, a length > 0
   std::function<ContactRows(const Eigen::VectorXd&)> rows;  ///< U -> rows
-  /// Forces, n x m, -> the velocities that they add, B times them. B must be the same in all calls of
-  /// a step, and symmetric; where discretisation leaves it not quite so, (B + B^T)/2.
+  /// Forces, n x m, -> the velocities that they add, B times them. B must be the same in all calls
+  /// of a step, and symmetric; where discretisation leaves it not quite so, (B + B^T)/2.
   std::function<Eigen::MatrixXd(const Eigen::SparseMatrix<double>&)> respond;
 };
 
@@ -69,8 +69,8 @@ enum class ContactStatus {
 struct ContactResult {
   ContactStatus status = ContactStatus::not_converged;  ///< how the loop ended
   std::string reason{};           ///< unless resolved: why it gave up, with the contact and numbers
-  Eigen::VectorXd velocity;       ///< U, n velocities; to be used only where resolved
-  Eigen::VectorXd multipliers{};  ///< lambda >= 0 of the rows, forces
+  Eigen::VectorXd velocity;       ///< U, n velocities; where not resolved, of the last iterate
+  Eigen::VectorXd multipliers{};  ///< lambda >= 0 of the rows, forces; 0 where they were not found
   std::vector<ContactKey> keys{};  ///< of the rows
   GapGradient force_gradient{};    ///< J_f of the rows
   Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
@@ -88,18 +88,18 @@ struct ContactResult {
 /// Finds the velocity U with
 /// \f$ U = U^* + B J_f^T \lambda, \quad 0 \le g(U) \perp \lambda \ge 0 \f$.
 ///
-/// At each iterate U_k the gaps are replaced by \f$ g_k + \Delta t\, J (U - U_k) \f$, which leaves the
-/// linear problem \f$ 0 \le b + N \lambda \perp \lambda \ge 0 \f$ with
+/// At each iterate U_k the gaps are replaced by \f$ g_k + \Delta t\, J (U - U_k) \f$, which leaves
+/// the linear problem \f$ 0 \le b + N \lambda \perp \lambda \ge 0 \f$ with
 /// \f$ N = \Delta t\, J B J_f^T,\ b = c + \Delta t\, J U^*,\ c = g_k - \Delta t\, J U_k \f$. Its
-/// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes where it
-/// is no longer needed.
+/// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes
+/// where it is no longer needed.
 ///
-/// c is the gap that the linearisation gives U = 0. Where c >= 0, as it is for a gap along a straight
-/// path, U = 0 violates nothing, so that with J_f = J there is a solution,
+/// c is the gap that the linearisation gives U = 0. Where c >= 0, as it is for a gap along a
+/// straight path, U = 0 violates nothing, so that with J_f = J there is a solution,
 /// \f$ |U|_{B^{-1}} \le |U^*|_{B^{-1}} \f$, and the power of contact is
-/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$. Where the linear problem ends in a ray, max(c, 0) takes the
-/// place of c. Gaps themselves are never clipped: the result is accepted only when all of rows(U) are
-/// at least -tolerance.
+/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$. Where the linear problem ends in a ray, max(c, 0)
+/// takes the place of c. Gaps themselves are never clipped: the result is accepted only when all of
+/// rows(U) are at least -tolerance.
 ///
 /// After some iterations, rows that were violated earlier and whose points are no longer among
 /// rows(U_k) come back with their last linearisation. Without them, points that take turns at being

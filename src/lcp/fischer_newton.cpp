@@ -48,9 +48,10 @@ LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options) {
   const auto& [matrix, offset] = scaled.problem;
   VectorXd z = scaled_guess(scaled.units, options.guess);
   VectorXd w = offset + matrix * z;
+  const int most = options.max_iterations.value_or(default_steps);
   int steps = 0;
-  while (natural_residual(z, w) > options.tolerance &&
-         steps < options.max_iterations.value_or(default_steps)) {
+  LcpResult result = judge(scaled, z, options.tolerance);
+  while (result.status != LcpStatus::solved && steps < most) {
     const VectorXd phi = fischer(z, w);
     const double merit = 0.5 * phi.squaredNorm();
     MatrixXd slope = jacobian(matrix, z, w);
@@ -72,8 +73,8 @@ LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options) {
     z = next_z;
     w = next_w;
     ++steps;
+    result = judge(scaled, z, options.tolerance);
   }
-  LcpResult result = judge(scaled, z, options.tolerance);
   result.iterations = steps;
   return result;
 }

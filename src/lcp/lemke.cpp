@@ -172,8 +172,8 @@ Index worst_index(const std::vector<Index>& active, const VectorXd& z, const Vec
   return numbers.minCoeff(&worst) < -rounding ? worst : -1;
 }
 
-// The solution that pivoting found, without its rounding. Where M_AA is badly conditioned, indices with
-// z = w = 0 may have been taken for the wrong side: they change it, the worst one first.
+// The solution that pivoting found, without its rounding. Where M_AA is badly conditioned, indices
+// with z = w = 0 may have been taken for the wrong side: they change it, the worst one first.
 LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
   LcpResult best = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
   std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());

@@ -51,9 +51,10 @@ LcpResult minimum_map_newton(const LcpProblem& problem, const LcpOptions& option
   const auto& [matrix, offset] = scaled.problem;
   VectorXd z = scaled_guess(scaled.units, options.guess);
   VectorXd w = offset + matrix * z;
+  const int most = options.max_iterations.value_or(default_steps);
   int steps = 0;
-  while (natural_residual(z, w) > options.tolerance &&
-         steps < options.max_iterations.value_or(default_steps)) {
+  LcpResult result = judge(scaled, z, options.tolerance);
+  while (result.status != LcpStatus::solved && steps < most) {
     const VectorXd step = newton_step(scaled.problem, z, w);
     if (!step.allFinite()) break;
     const double now = merit(z, w);
@@ -68,8 +69,8 @@ LcpResult minimum_map_newton(const LcpProblem& problem, const LcpOptions& option
     z = next_z;
     w = next_w;
     ++steps;
+    result = judge(scaled, z, options.tolerance);
   }
-  LcpResult result = judge(scaled, z, options.tolerance);
   result.iterations = steps;
   return result;
 }

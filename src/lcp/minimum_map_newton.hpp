@@ -10,8 +10,9 @@ namespace stokesbook {
 /// Solves by Newton's method for \f$ h_i = \min(z_i, w_i) = 0 \f$.
 ///
 /// With A the set where \f$ w_i < z_i \f$, a step makes \f$ w_A \f$ and all other z vanish:
-/// one solve with \f$ M_{AA} \f$, to which \f$ 10^{-12} \f$ of its diagonal is added where it is singular.
-/// Steps are halved until \f$ |h|^2/2 \f$ falls by \f$ 10^{-4} \f$ of what Newton's slope promises.
+/// one solve with \f$ M_{AA} \f$, to which \f$ 10^{-12} \f$ of its diagonal is added where it is
+/// singular. Steps are halved until \f$ |h|^2/2 \f$ falls by \f$ 10^{-4} \f$ of what Newton's slope
+/// promises.
 /// @param  problem  with m rows
 /// @param  options  without a limit, 100 steps are allowed
 /// @return          solved or stalled; iterations are steps

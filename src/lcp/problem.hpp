@@ -24,7 +24,7 @@ struct LcpProblem {
 enum class LcpStatus {
   solved,  ///< the residual meets the tolerance
   ray,     ///< Lemke's path left to infinity: no solution where M is positive semidefinite
-  stalled  ///< the iterations that are allowed, or a search that no longer descends, left a residual
+  stalled  ///< a residual was left when iterations ran out, or a search no longer descended
 };
 
 /// When to stop, and where to begin.
@@ -51,8 +51,8 @@ using LcpSolver = std::function<LcpResult(const LcpProblem&, const LcpOptions&)>
 /// Measures by how much z misses a solution:
 /// \f$ \max_i |\min(z_i / s_i,\ s_i w_i)| / \max_i |s_i q_i| \f$ with \f$ s_i = M_{ii}^{-1/2} \f$.
 ///
-/// z and w have different units; with these s both are square roots of a work. Neither units of single
-/// rows, \f$ M \to D M D,\ q \to D q \f$, nor a factor of M or q change the residual. Where
+/// z and w have different units; with these s both are square roots of a work. Neither units of
+/// single rows, \f$ M \to D M D,\ q \to D q \f$, nor a factor of M or q change the residual. Where
 /// \f$ M_{ii} \le 0 \f$, the largest entry of M stands for it.
 /// @param  problem  with m rows
 /// @param  z        m numbers

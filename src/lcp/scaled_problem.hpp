@@ -14,8 +14,8 @@ struct LcpUnits {
 };
 
 /// A problem without units, on which all solvers work, so that their tolerances and counts do not
-/// depend on units: \f$ M'_{ij} = s_i M_{ij} s_j \f$ with ones on the diagonal where it was positive,
-/// and \f$ q'_i = s_i q_i / a \f$, at most 1.
+/// depend on units: \f$ M'_{ij} = s_i M_{ij} s_j \f$ with ones on the diagonal where it was
+/// positive, and \f$ q'_i = s_i q_i / a \f$, at most 1.
 struct ScaledLcp {
   LcpProblem problem;  ///< without units
   LcpUnits units;      ///< that it had

@@ -9,6 +9,13 @@ namespace stokesbook::test {
 
 namespace {
 
+// One number each for every row.
+bool agrees(const ContactResult& result) {
+  const auto m = static_cast<Index>(result.keys.size());
+  return result.multipliers.size() == m && result.gaps.size() == m && result.response.size() == m &&
+         result.force_gradient.rows() == m;
+}
+
 bool says(const ContactResult& result, const std::string& words) {
   return result.reason.find(words) != std::string::npos;
 }
@@ -28,6 +35,7 @@ ContactStep misled(double factor) {
 BOOST_AUTO_TEST_CASE(points_that_take_turns_without_earlier_rows) {
   const ContactResult result = resolve_contact(rod(vector2(-1.0, 0.3)), {.cuts_after = 100});
   BOOST_TEST((result.status == ContactStatus::not_converged));
+  BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 8);
   BOOST_TEST(says(result, "after 8 iterations"));
   BOOST_TEST(says(result, "contact 0, point"));
@@ -38,6 +46,7 @@ BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
   // Half the gradient: every iteration overshoots by as much as was missed.
   const ContactResult result = resolve_contact(misled(0.5), {.cuts_after = 100});
   BOOST_TEST((result.status == ContactStatus::open_gap));
+  BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 7);
   BOOST_TEST(says(result, "contact 3, point 4"));
   BOOST_TEST(says(result, "acts across a gap of 1 "));
@@ -53,6 +62,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {
   };
   const ContactResult result = resolve_contact(step);
   BOOST_TEST((result.status == ContactStatus::open_gap));
+  BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 6);
   BOOST_TEST(std::isinf(result.gaps.maxCoeff()));
 }
@@ -60,6 +70,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {
 BOOST_AUTO_TEST_CASE(a_slow_gradient_does_not_converge) {
   const ContactResult result = resolve_contact(misled(20.0));
   BOOST_TEST((result.status == ContactStatus::not_converged));
+  BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 8);
   for (std::size_t k = 1; k < result.violations.size(); ++k) {
     BOOST_TEST(std::abs(result.violations[k] / result.violations[k - 1] - 0.95) < 1e-6);
@@ -74,6 +85,7 @@ BOOST_AUTO_TEST_CASE(a_response_that_the_quadrature_does_not_see) {
     };
     const ContactResult result = resolve_contact(step);
     BOOST_TEST((result.status == ContactStatus::response_not_seen));
+    BOOST_TEST(agrees(result));
     BOOST_TEST(result.iterations == 1);
     BOOST_TEST(says(result, "contact 3, point 4"));
     BOOST_TEST(says(result, "quadrature"));
@@ -89,6 +101,7 @@ BOOST_AUTO_TEST_CASE(forces_that_cannot_open_their_gaps_together) {
       });
   const ContactResult result = resolve_contact(step);
   BOOST_TEST((result.status == ContactStatus::no_linear_solution));
+  BOOST_TEST(agrees(result));
   BOOST_TEST(result.rays == 1);
   BOOST_TEST(says(result, "iteration 1 with 2 rows"));
 }

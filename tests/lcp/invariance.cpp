@@ -1,4 +1,5 @@
-// Units, row by row or of all, and the order of the rows change no verdict, no count and no residual.
+// Units, row by row or of all, and the order of the rows change no verdict, no count and no
+// residual.
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/solvers.hpp"

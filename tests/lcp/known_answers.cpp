@@ -138,8 +138,9 @@ BOOST_AUTO_TEST_CASE(too_few_pivots_are_reported) {
   BOOST_TEST(result.residual > 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(exchanges_of_one_index_or_all_cycle_but_no_solver_does) {
-  // Murty's example: z = 1/3; plain steps of Newton's method for min(z, w) return to their beginning.
+BOOST_AUTO_TEST_CASE(a_problem_on_which_exchanges_of_single_indices_cycle) {
+  // Murty's: z = 1/3. Sets of contacts may go {1}, {1, 2}, {2}, {2, 3}, {3}, {3, 1}, {1} when one
+  // index at a time changes its side.
   MatrixXd matrix(3, 3);
   matrix << 1.0, 2.0, 0.0, 0.0, 1.0, 2.0, 2.0, 0.0, 1.0;
   const LcpProblem problem{matrix, -VectorXd::Ones(3)};

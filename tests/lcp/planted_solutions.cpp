@@ -1,5 +1,5 @@
-// Random problems with planted solutions, 30 % of their pairs degenerate: definite, singular, nearly
-// repeating, as ill conditioned as Hilbert's matrix, in mixed units, not symmetric.
+// Random problems with planted solutions, 30 % of their pairs degenerate: definite, singular,
+// nearly repeating, as ill conditioned as Hilbert's matrix, in mixed units, not symmetric.
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/scaled_problem.hpp"
@@ -110,7 +110,8 @@ BOOST_AUTO_TEST_CASE(fischer_newton_solves_nearly_all) {
       BOOST_TEST(result.residual < 1e-6, lcp.name << ", seed " << seed);
     }
   }
-  BOOST_TEST(unsolved <= static_cast<int>(seeds * 9 / 20));
+  // Of 900: those that are as ill conditioned as Hilbert's, or repeat themselves and are singular.
+  BOOST_TEST(unsolved <= 4);
   BOOST_TEST(most <= 100);
 }
 

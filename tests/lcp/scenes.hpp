@@ -82,8 +82,8 @@ inline ContactStep rod(const VectorXd& free_velocity) {
   });
 }
 
-/// Disks of radius 1/2 in the plane at `centres` (x_0, y_0, x_1, ...): rows are pairs that end nearer
-/// than half a radius.
+/// Disks of radius 1/2 in the plane at `centres` (x_0, y_0, x_1, ...): rows are pairs that end
+/// nearer than half a radius.
 inline ContactStep disks(const VectorXd& centres, const VectorXd& free_velocity, double dt,
                          const MatrixXd& mobility) {
   return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {
