@@ -1,0 +1,74 @@
+#include "lcp/barzilai_borwein.hpp"
+
+#include <stdexcept>
+
+#include "lcp/scaled_problem.hpp"
+
+namespace stokesbook {
+
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int default_products = 2000;
+constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
+
+// Where z = 0 a gradient w > 0 leads nowhere.
+VectorXd projected_gradient(const VectorXd& z, const VectorXd& w) {
+  return (z.array() > 0.0).select(w, w.cwiseMin(0.0));
+}
+
+// The two lengths in turn; where M is zero along s, the one before.
+double step_length(const VectorXd& s, const VectorXd& y, int turn, double before) {
+  const double curvature = s.dot(y);
+  if (!(curvature > 0.0)) return before;
+  return turn % 2 == 0 ? s.squaredNorm() / curvature : curvature / y.squaredNorm();
+}
+
+}  // namespace
+
+LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOptions& options) {
+  const auto m = problem.offset.size();
+  if (problem.diagonal.size() != 0 && problem.diagonal.size() != m) {
+    throw std::invalid_argument("the diagonal and the offset differ in length");
+  }
+  const VectorXd diagonal = problem.diagonal.size() == 0 ? VectorXd::Ones(m) : problem.diagonal;
+  const LcpUnits units =
+      lcp_units(diagonal, m > 0 ? diagonal.cwiseAbs().maxCoeff() : 0.0, problem.offset);
+  const auto gradient = [&](const VectorXd& z) {
+    const VectorXd product = problem.apply(units.size * units.scale.cwiseProduct(z));
+    const VectorXd w = (product + problem.offset).cwiseProduct(units.scale) / units.size;
+    if (!w.allFinite()) throw std::domain_error("a complementarity problem is not finite");
+    return w;
+  };
+
+  VectorXd z = scaled_guess(units, options.guess);
+  VectorXd w = gradient(z);
+  int products = 1;
+  double residual = natural_residual(z, w);
+  LcpResult best = judge(units, z, w, options.tolerance);
+  double length = 1.0 / projected_gradient(z, w).lpNorm<Eigen::Infinity>();
+  while (residual > options.tolerance && residual < divergence &&
+         products < options.max_iterations.value_or(default_products)) {
+    const VectorXd next_z = (z - length * w).cwiseMax(0.0);
+    const VectorXd next_w = gradient(next_z);
+    ++products;
+    length = step_length(next_z - z, next_w - w, products, length);
+    z = next_z;
+    w = next_w;
+    residual = natural_residual(z, w);
+    if (residual < best.residual) best = judge(units, z, w, options.tolerance);
+  }
+  best.iterations = products;
+  return best;
+}
+
+LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options) {
+  const ScaledLcp scaled = scale_problem(problem);  // checks it
+  return matrix_free_barzilai_borwein(
+      LcpOperator{[&](const VectorXd& z) -> VectorXd { return problem.matrix * z; }, problem.offset,
+                  problem.matrix.diagonal()},
+      options);
+}
+
+}  // namespace stokesbook

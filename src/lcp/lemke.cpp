@@ -1,0 +1,242 @@
+#include "lcp/lemke.hpp"
+
+#include <numeric>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "lcp/scaled_problem.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int pivots_between_refreshments = 50;
+constexpr int side_changes = 40;
+constexpr double rounding = 1e-15;        // beside offsets of size one
+constexpr double smallest_pivot = 1e-11;  // relative to the largest entry of its column
+constexpr double tie = 1e-13;             // relative to the largest entry of what is compared
+
+// Variables are numbered w_0 .. w_{m-1}, z_0 .. z_{m-1}, t.
+class Tableau {
+ public:
+  explicit Tableau(const LcpProblem& problem)
+      : problem_{problem},
+        m_{problem.offset.size()},
+        basic_(static_cast<std::size_t>(m_)),
+        nonbasic_(static_cast<std::size_t>(m_ + 1)) {
+    std::iota(basic_.begin(), basic_.end(), Index{0});
+    std::iota(nonbasic_.begin(), nonbasic_.end(), m_);
+    refresh();
+  }
+
+  Index artificial() const { return 2 * m_; }
+  Index complement(Index variable) const { return variable < m_ ? variable + m_ : variable - m_; }
+  Index basic(Index row) const { return basic_[static_cast<std::size_t>(row)]; }
+  const VectorXd& values() const { return values_; }
+
+  Index column_of(Index variable) const {
+    return std::find(nonbasic_.begin(), nonbasic_.end(), variable) - nonbasic_.begin();
+  }
+  // How fast the basic variables fall while a nonbasic one grows.
+  VectorXd fall(Index variable) const { return rows_.col(column_of(variable)); }
+
+  // Of the rows, that whose (value, row of the inverse basis) is lexicographically least when
+  // divided by `divisor`; the artificial variable's where its value ties.
+  Index least(std::vector<Index> rows, const VectorXd& divisor) const {
+    keep_least(rows, divisor, values_);
+    for (const Index row : rows) {
+      if (basic(row) == artificial()) return row;
+    }
+    for (Index j = 0; j < m_ && rows.size() > 1; ++j) keep_least(rows, divisor, inverse_column(j));
+    return rows.front();
+  }
+
+  // Exchanges the basic variable of the row with the nonbasic one.
+  void pivot(Index row, Index column) {
+    const double by = rows_(row, column);
+    const VectorXd fall = rows_.col(column);
+    rows_.row(row) /= by;
+    values_[row] /= by;
+    rows_(row, column) = 1.0 / by;
+    for (Index i = 0; i < m_; ++i) {
+      if (i == row) continue;
+      rows_(i, column) = 0.0;
+      if (fall[i] == 0.0) continue;
+      rows_.row(i) -= fall[i] * rows_.row(row);
+      values_[i] -= fall[i] * values_[row];
+    }
+    std::swap(basic_[static_cast<std::size_t>(row)], nonbasic_[static_cast<std::size_t>(column)]);
+    ++age_;
+  }
+
+  int age() const { return age_; }
+
+  // Computes the tableau from the matrix, without the rounding of the pivots before.
+  void refresh() {
+    MatrixXd basis(m_, m_), others(m_, m_ + 1);
+    for (Index i = 0; i < m_; ++i) basis.col(i) = column(basic(i));
+    for (Index j = 0; j <= m_; ++j) others.col(j) = column(nonbasic_[static_cast<std::size_t>(j)]);
+    const Eigen::PartialPivLU<MatrixXd> lu(basis);
+    rows_ = lu.solve(others);
+    values_ = lu.solve(problem_.offset);
+    age_ = 0;
+  }
+
+ private:
+  // Column of w - M z - e t = q.
+  VectorXd column(Index variable) const {
+    if (variable < m_) return VectorXd::Unit(m_, variable);
+    if (variable < 2 * m_) return -problem_.matrix.col(variable - m_);
+    return VectorXd::Constant(m_, -1.0);
+  }
+
+  VectorXd inverse_column(Index j) const {
+    const auto row = std::find(basic_.begin(), basic_.end(), j);
+    if (row == basic_.end()) return rows_.col(column_of(j));
+    return VectorXd::Unit(m_, row - basic_.begin());
+  }
+
+  static void keep_least(std::vector<Index>& rows, const VectorXd& divisor, const VectorXd& v) {
+    double least = std::numeric_limits<double>::infinity(), size = 0.0;
+    for (const Index row : rows) {
+      least = std::min(least, v[row] / divisor[row]);
+      size = std::max(size, std::abs(v[row]));
+    }
+    std::erase_if(rows, [&](Index row) { return v[row] - least * divisor[row] > tie * size; });
+  }
+
+  const LcpProblem& problem_;
+  Index m_;
+  std::vector<Index> basic_, nonbasic_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;
+  VectorXd values_;
+  int age_ = 0;
+};
+
+std::vector<Index> all_rows(Index m) {
+  std::vector<Index> rows(static_cast<std::size_t>(m));
+  std::iota(rows.begin(), rows.end(), Index{0});
+  return rows;
+}
+
+// Rows whose basic variables fall, by more than rounding.
+std::vector<Index> falling_rows(const VectorXd& fall) {
+  const double least = smallest_pivot * fall.cwiseAbs().maxCoeff();
+  std::vector<Index> rows;
+  for (Index i = 0; i < fall.size(); ++i) {
+    if (fall[i] > least) rows.push_back(i);
+  }
+  return rows;
+}
+
+// The z among the basic variables, given a number for each row.
+VectorXd basic_z(const Tableau& tableau, const VectorXd& numbers) {
+  const Index m = numbers.size();
+  VectorXd z = VectorXd::Zero(m);
+  for (Index i = 0; i < m; ++i) {
+    const Index variable = tableau.basic(i);
+    if (variable >= m && variable != tableau.artificial()) z[variable - m] = numbers[i];
+  }
+  return z;
+}
+
+std::vector<Index> active_set(const Tableau& tableau, Index m) {
+  std::vector<Index> active;
+  for (Index i = 0; i < m; ++i) {
+    if (tableau.basic(i) >= m) active.push_back(tableau.basic(i) - m);
+  }
+  return active;
+}
+
+// Solves M_AA z_A = -q_A, once more for what rounding left.
+VectorXd solve_active(const LcpProblem& problem, const std::vector<Index>& active) {
+  const Eigen::PartialPivLU<MatrixXd> lu(problem.matrix(active, active));
+  VectorXd z = VectorXd::Zero(problem.offset.size());
+  for (int pass = 0; pass < 2; ++pass) {
+    const VectorXd left = problem.offset + problem.matrix * z;
+    z(active) -= lu.solve(left(active));
+  }
+  return z;
+}
+
+// Of the z of the active set and the w of the others, the most negative; -1 where none is.
+Index worst_index(const std::vector<Index>& active, const VectorXd& z, const VectorXd& w) {
+  VectorXd numbers = w;
+  numbers(active) = z(active);
+  Index worst = -1;
+  return numbers.minCoeff(&worst) < -rounding ? worst : -1;
+}
+
+// The solution that pivoting found, without its rounding. Where M_AA is badly conditioned, indices
+// with z = w = 0 may have been taken for the wrong side: they change it, the worst one first.
+LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
+  LcpResult best = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
+  std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());
+  for (int change = 0; change < side_changes && !active.empty(); ++change) {
+    const VectorXd z = solve_active(scaled.problem, active);
+    const LcpResult result = judge(scaled, z, tolerance);
+    if (result.residual < best.residual) best = result;
+    const Index worst = worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
+    if (worst < 0) break;
+    if (std::erase(active, worst) == 0) active.push_back(worst);
+  }
+  return best;
+}
+
+// Pivots until the artificial variable leaves the basis, or a ray is met.
+LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
+  const Index m = scaled.problem.offset.size();
+  const int most = options.max_iterations.value_or(50000 + 20 * static_cast<int>(m));
+  //! [pivots]
+  Tableau tableau(scaled.problem);
+  Index entering = tableau.artificial();
+  Index row = tableau.least(all_rows(m), VectorXd::Ones(m));
+  LcpResult result;
+  for (int pivots = 1; pivots <= most; ++pivots) {
+    const Index leaving = tableau.basic(row);
+    tableau.pivot(row, tableau.column_of(entering));
+    if (leaving == tableau.artificial()) {
+      result = polished(scaled, tableau, options.tolerance);
+      result.iterations = pivots;
+      return result;
+    }
+    entering = tableau.complement(leaving);
+    //! [pivots]
+    if (tableau.age() >= pivots_between_refreshments) tableau.refresh();
+    if (falling_rows(tableau.fall(entering)).empty()) tableau.refresh();
+    const VectorXd fall = tableau.fall(entering);
+    const std::vector<Index> rows = falling_rows(fall);
+    if (rows.empty()) {
+      result = judge(scaled, basic_z(tableau, tableau.values()), options.tolerance);
+      result.iterations = pivots;
+      result.status = LcpStatus::ray;
+      result.ray = basic_z(tableau, -fall).cwiseMax(0.0);
+      if (entering >= m) result.ray[entering - m] = 1.0;
+      result.ray = result.ray.cwiseProduct(scaled.units.scale);
+      return result;
+    }
+    row = tableau.least(rows, fall);
+  }
+  result = judge(scaled, basic_z(tableau, tableau.values()), options.tolerance);
+  result.iterations = most;
+  result.status = LcpStatus::stalled;
+  return result;
+}
+
+}  // namespace
+
+LcpResult lemke(const LcpProblem& problem, const LcpOptions& options) {
+  const ScaledLcp scaled = scale_problem(problem);
+  const Index m = scaled.problem.offset.size();
+  if (m == 0 || scaled.problem.offset.minCoeff() >= 0.0) {
+    return judge(scaled, VectorXd::Zero(m), options.tolerance);
+  }
+  return follow_path(scaled, options);
+}
+
+}  // namespace stokesbook

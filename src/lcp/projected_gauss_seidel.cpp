@@ -1,0 +1,54 @@
+#include "lcp/projected_gauss_seidel.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "lcp/scaled_problem.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int default_sweeps = 1000;
+constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
+
+void require_positive_diagonal(const LcpProblem& problem) {
+  for (Index i = 0; i < problem.offset.size(); ++i) {
+    if (problem.matrix(i, i) > 0.0) continue;
+    std::ostringstream message;
+    message << "projected Gauss-Seidel divides by the diagonal, whose entry " << i << " is "
+            << problem.matrix(i, i);
+    throw std::invalid_argument(message.str());
+  }
+}
+
+}  // namespace
+
+LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& options) {
+  const ScaledLcp scaled = scale_problem(problem);
+  require_positive_diagonal(problem);
+  const auto& [matrix, offset] = scaled.problem;
+  // Rows are read: a transpose by columns keeps them together.
+  const Eigen::MatrixXd transposed = matrix.transpose();
+  VectorXd z = scaled_guess(scaled.units, options.guess);
+  int sweeps = 0;
+  double residual = natural_residual(z, offset + matrix * z);
+  while (residual > options.tolerance && residual < divergence &&
+         sweeps < options.max_iterations.value_or(default_sweeps)) {
+    for (Index i = 0; i < z.size(); ++i) {
+      const double w = offset[i] + transposed.col(i).dot(z);
+      z[i] = std::max(0.0, z[i] - w);  // M_ii = 1
+    }
+    residual = natural_residual(z, offset + matrix * z);
+    ++sweeps;
+  }
+  LcpResult result = judge(scaled, z, options.tolerance);
+  result.iterations = sweeps;
+  return result;
+}
+
+}  // namespace stokesbook

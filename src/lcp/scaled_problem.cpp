@@ -1,0 +1,90 @@
+#include "lcp/scaled_problem.hpp"
+
+#include <stdexcept>
+#include <string>
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+// What counts as zero beside offsets of size one, where rounding has touched z and w.
+constexpr double zero = 1e-9;
+
+void require_valid(const LcpProblem& problem) {
+  const Index m = problem.offset.size();
+  if (problem.matrix.rows() != m || problem.matrix.cols() != m) {
+    throw std::invalid_argument("a complementarity problem with an offset of " + std::to_string(m) +
+                                " numbers has a matrix of " +
+                                std::to_string(problem.matrix.rows()) + " x " +
+                                std::to_string(problem.matrix.cols()));
+  }
+  if (!problem.matrix.allFinite() || !problem.offset.allFinite()) {
+    throw std::domain_error("a complementarity problem has numbers that are not finite");
+  }
+}
+
+}  // namespace
+
+LcpUnits lcp_units(const VectorXd& diagonal, double largest, const VectorXd& offset) {
+  LcpUnits units;
+  units.scale = diagonal.unaryExpr([&](double entry) {
+    const double used = entry > 0.0 ? entry : largest;
+    return used > 0.0 ? 1.0 / std::sqrt(used) : 1.0;
+  });
+  if (offset.size() > 0) {
+    const double size = units.scale.cwiseProduct(offset).cwiseAbs().maxCoeff();
+    if (size > 0.0) units.size = size;
+  }
+  return units;
+}
+
+ScaledLcp scale_problem(const LcpProblem& problem) {
+  require_valid(problem);
+  const auto& [matrix, offset] = problem;
+  const double largest = matrix.size() > 0 ? matrix.cwiseAbs().maxCoeff() : 0.0;
+  ScaledLcp scaled{{}, lcp_units(matrix.diagonal(), largest, offset)};
+  const auto& scale = scaled.units.scale;
+  scaled.problem.matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
+  scaled.problem.offset = scale.cwiseProduct(offset) / scaled.units.size;
+  return scaled;
+}
+
+VectorXd scaled_guess(const LcpUnits& units, const VectorXd& guess) {
+  const Index m = units.scale.size();
+  if (guess.size() == 0) return VectorXd::Zero(m);
+  if (guess.size() != m) {
+    throw std::invalid_argument("a guess of " + std::to_string(guess.size()) + " numbers for " +
+                                std::to_string(m));
+  }
+  return guess.cwiseQuotient(units.size * units.scale).cwiseMax(0.0);
+}
+
+double natural_residual(const VectorXd& z, const VectorXd& w) {
+  return z.size() == 0 ? 0.0 : z.cwiseMin(w).cwiseAbs().maxCoeff();
+}
+
+LcpResult judge(const LcpUnits& units, const VectorXd& z, const VectorXd& w, double tolerance) {
+  LcpResult result;
+  result.z = units.size * units.scale.cwiseProduct(z);
+  result.residual = natural_residual(z, w);
+  result.status = result.residual <= tolerance ? LcpStatus::solved : LcpStatus::stalled;
+  result.degenerate = static_cast<int>((z.array().max(w.array().abs()) <= zero).count());
+  return result;
+}
+
+LcpResult judge(const ScaledLcp& scaled, const VectorXd& z, double tolerance) {
+  const VectorXd positive = z.cwiseMax(0.0);
+  return judge(scaled.units, positive, scaled.problem.offset + scaled.problem.matrix * positive,
+               tolerance);
+}
+
+double lcp_residual(const LcpProblem& problem, const VectorXd& z) {
+  const ScaledLcp scaled = scale_problem(problem);
+  const VectorXd unitless = z.cwiseQuotient(scaled.units.size * scaled.units.scale);
+  return natural_residual(unitless, scaled.problem.offset + scaled.problem.matrix * unitless);
+}
+
+}  // namespace stokesbook

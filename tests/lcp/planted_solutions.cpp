@@ -1,0 +1,128 @@
+// Random problems with planted solutions, 30 % of their pairs degenerate: definite, singular,
+// nearly repeating, as ill conditioned as Hilbert's matrix, in mixed units, not symmetric.
+#include <boost/test/unit_test.hpp>
+
+#include "lcp/scaled_problem.hpp"
+#include "lcp/solvers.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+constexpr unsigned seeds = 100;
+
+Index size_of(unsigned seed) {
+  return 4 + static_cast<Index>(seed * 7919u % 57u);
+}
+
+// Every kind of matrix that contact meets, or worse.
+std::vector<PlantedLcp> problems_of(unsigned seed) {
+  const Index m = size_of(seed);
+  const MatrixXd definite = definite_matrix(m, seed), rank = semidefinite_matrix(m, m / 4, seed);
+  const MatrixXd twist = normal_matrix(m, m, seed + 1000);
+  const MatrixXd rows = normal_matrix(m, m / 3 + 1, seed),
+                 moved = rows + 1e-3 * normal_matrix(m, m / 3 + 1, seed + 1000);
+  std::vector<PlantedLcp> problems{
+      planted("definite", definite, seed, true),
+      planted("rank m / 4", rank, seed, false),
+      planted("Hilbert", hilbert_matrix(2 + seed % 30), seed, false),
+      planted("near duplicates", near_duplicates(definite), seed, false),
+      planted("near duplicates of rank m / 2", near_duplicates(rank), seed, false),
+      planted("positive, not symmetric", 0.1 * definite + 0.3 * (twist - twist.transpose()), seed,
+              true),
+      planted("J B J_f, nearly symmetric", rows * moved.transpose(), seed, false)};
+  problems.push_back(in_other_units(problems[0], random_scale(m, seed)));
+  problems.push_back(in_other_units(problems[1], random_scale(m, seed)));
+  return problems;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(lemke_solves_all_of_them_to_rounding) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    for (const PlantedLcp& lcp : problems_of(seed)) {
+      const LcpResult result = lemke(lcp.problem);
+      BOOST_TEST_CONTEXT(lcp.name << ", seed " << seed << ", m = " << lcp.z.size()) {
+        BOOST_TEST(solved(result));
+        BOOST_TEST(result.residual < 1e-12);
+        BOOST_TEST(result.iterations <= 10 + 4 * lcp.z.size());
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_called_solved_is) {
+  int all = 0;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    for (const PlantedLcp& lcp : problems_of(seed)) {
+      for (const auto& [name, solve] : solvers()) {
+        const LcpResult result = solve(lcp.problem, {});
+        BOOST_TEST_CONTEXT(name << ": " << lcp.name << ", seed " << seed) {
+          BOOST_TEST(result.z.minCoeff() >= 0.0);
+          BOOST_TEST((result.status == LcpStatus::ray) == (result.ray.size() > 0));
+          // Computed twice, with the rounding of two orders of summation.
+          const LcpUnits units = scale_problem(lcp.problem).units;
+          const double size = largest(result.z.cwiseQuotient(units.size * units.scale));
+          BOOST_TEST(std::abs(lcp_residual(lcp.problem, result.z) - result.residual) <=
+                     1e-13 * (1.0 + size));
+          BOOST_TEST(solved(result) == (result.residual <= 1e-10));
+        }
+        all += solved(result);
+      }
+    }
+  }
+  BOOST_TEST(all > 2000);
+}
+
+BOOST_AUTO_TEST_CASE(unique_solutions_are_found) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const auto m = size_of(seed);
+    const PlantedLcp lcp = planted("definite", definite_matrix(m, seed), seed, true);
+    for (const auto& [name, solve] : solvers()) {
+      const LcpResult result = solve(lcp.problem, {});
+      BOOST_TEST_CONTEXT(name << ", seed " << seed) {
+        BOOST_TEST(solved(result));
+        // The condition number is below 50.
+        BOOST_TEST(largest(result.z - lcp.z) < 1e-7);
+      }
+    }
+    BOOST_TEST(largest(lemke(lcp.problem).z - lcp.z) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_z_is_not_unique_w_is) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const Index m = size_of(seed);
+    const PlantedLcp lcp = planted("rank", semidefinite_matrix(m, m / 4, seed), seed, false);
+    BOOST_TEST(largest(lcp.problem.matrix * (lemke(lcp.problem).z - lcp.z)) < 1e-12);
+    const LcpResult newton = fischer_newton(lcp.problem);
+    if (solved(newton)) BOOST_TEST(largest(lcp.problem.matrix * (newton.z - lcp.z)) < 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fischer_newton_solves_nearly_all) {
+  int unsolved = 0, most = 0;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    for (const PlantedLcp& lcp : problems_of(seed)) {
+      const LcpResult result = fischer_newton(lcp.problem);
+      if (!solved(result)) ++unsolved;
+      if (solved(result)) most = std::max(most, result.iterations);
+      BOOST_TEST(result.residual < 1e-6, lcp.name << ", seed " << seed);
+    }
+  }
+  // Of 900: those that are as ill conditioned as Hilbert's, or repeat themselves and are singular.
+  BOOST_TEST(unsolved <= 4);
+  BOOST_TEST(most <= 100);
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_pairs_are_counted) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const PlantedLcp lcp = planted("definite", definite_matrix(size_of(seed), seed), seed, true);
+    const VectorXd w = lcp.problem.offset + lcp.problem.matrix * lcp.z;
+    int planted_pairs = 0;
+    for (Index i = 0; i < w.size(); ++i) planted_pairs += lcp.z[i] == 0.0 && std::abs(w[i]) < 1e-9;
+    BOOST_TEST(lemke(lcp.problem).degenerate == planted_pairs);
+  }
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <utility>
+
+#include "lcp/contact_loop.hpp"
+#include "lcp/solvers.hpp"
+
+namespace stokesbook::test {
+
+/// Builds rows one by one.
+class RowBuilder {
+ public:
+  explicit RowBuilder(Index unknowns) : unknowns_{unknowns} {}
+
+  void add(ContactKey key, double gap, const VectorXd& gradient) {
+    keys_.push_back(key);
+    gaps_.push_back(gap);
+    gradients_.push_back(gradient);
+  }
+
+  ContactRows rows() const {
+    const auto m = static_cast<Index>(keys_.size());
+    MatrixXd gradient(m, unknowns_);
+    for (Index i = 0; i < m; ++i) gradient.row(i) = gradients_[static_cast<std::size_t>(i)];
+    return {VectorXd::Map(gaps_.data(), m), gradient.sparseView(), {}, keys_};
+  }
+
+ private:
+  Index unknowns_;
+  std::vector<ContactKey> keys_;
+  std::vector<double> gaps_;
+  std::vector<VectorXd> gradients_;
+};
+
+/// A step with mobility B and separation 0.01, whose tolerance is a thousandth of it.
+inline ContactStep step_of(const VectorXd& free_velocity, double dt, const MatrixXd& mobility,
+                           std::function<ContactRows(const VectorXd&)> rows) {
+  ContactStep step{free_velocity, dt, 0.01, 1e-5, std::move(rows), {}};
+  step.respond = [mobility](const Eigen::SparseMatrix<double>& forces) -> MatrixXd {
+    return mobility * forces;
+  };
+  return step;
+}
+
+/// A point at `start` that must end at least 1 away from the origin; B = 1.
+inline ContactStep point_and_disk(const VectorXd& start, const VectorXd& free_velocity, double dt) {
+  return step_of(free_velocity, dt, MatrixXd::Identity(2, 2), [=](const VectorXd& velocity) {
+    const VectorXd end = start + dt * velocity;
+    RowBuilder builder(2);
+    builder.add({1, 1}, end.norm() - 1.0, end.normalized());
+    return builder.rows();
+  });
+}
+
+/// Points in a row at 0, 1, 2, ..., a separation of 0.9 between neighbours; all pairs are rows, far
+/// more than there are unknowns.
+inline ContactStep row_of_points(const VectorXd& free_velocity, double dt,
+                                 const MatrixXd& mobility) {
+  return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {
+    const Index n = velocity.size();
+    RowBuilder builder(n);
+    for (Index i = 0; i < n; ++i) {
+      for (Index j = i + 1; j < n; ++j) {
+        const double gap = 0.1 * static_cast<double>(j - i) + dt * (velocity[j] - velocity[i]);
+        builder.add({i * n + j, 0}, gap, VectorXd::Unit(n, j) - VectorXd::Unit(n, i));
+      }
+    }
+    return builder.rows();
+  });
+}
+
+/// A rod above a floor, unknowns its velocity upwards and its rotation; of its two ends at height 0
+/// only the deeper one is a row.
+inline ContactStep rod(const VectorXd& free_velocity) {
+  return step_of(free_velocity, 1.0, MatrixXd::Identity(2, 2), [](const VectorXd& velocity) {
+    const VectorXd left = vector2(1.0, -1.0), right = vector2(1.0, 1.0);
+    const bool is_left = left.dot(velocity) < right.dot(velocity);
+    const VectorXd& deeper = is_left ? left : right;
+    RowBuilder builder(2);
+    builder.add({0, is_left ? 0 : 1}, deeper.dot(velocity), deeper);
+    return builder.rows();
+  });
+}
+
+/// Disks of radius 1/2 in the plane at `centres` (x_0, y_0, x_1, ...): rows are pairs that end
+/// nearer than half a radius.
+inline ContactStep disks(const VectorXd& centres, const VectorXd& free_velocity, double dt,
+                         const MatrixXd& mobility) {
+  return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {
+    const VectorXd end = centres + dt * velocity;
+    const Index n = end.size();
+    RowBuilder builder(n);
+    for (Index i = 0; i < n; i += 2) {
+      for (Index j = i + 2; j < n; j += 2) {
+        const VectorXd apart = end.segment(j, 2) - end.segment(i, 2);
+        if (apart.norm() > 1.25) continue;
+        VectorXd gradient = VectorXd::Zero(n);
+        gradient.segment(j, 2) = apart.normalized();
+        gradient.segment(i, 2) = -apart.normalized();
+        builder.add({i * n + j, 0}, apart.norm() - 1.0, gradient);
+      }
+    }
+    return builder.rows();
+  });
+}
+
+inline bool resolved(const ContactResult& result) {
+  return result.status == ContactStatus::resolved;
+}
+
+}  // namespace stokesbook::test
