@@ -30,17 +30,35 @@ Index resolving_nodes(const Shape& shape) {
   return std::max<Index>(256, nodal ? 2 * nodal->points.size() : 0);
 }
 
+// The largest part of x'' across the curve: sags are this times the square of the step over 8.
+double bend(const Curve& curve) {
+  const auto across = (curve.dx.conjugate().array() * curve.ddx.array()).imag().abs();
+  return (across / curve.dx.array().abs()).maxCoeff();
+}
+
+double sag(double bend, Index n) {
+  const double step = 2.0 * std::numbers::pi / static_cast<double>(n);
+  return bend * step * step / 8.0;
+}
+
+// The least even number of nodes that keeps to a sag.
+Index nodes_for(double bend, double sag_limit) {
+  const double half = std::ceil(std::numbers::pi * std::sqrt(bend / (8.0 * sag_limit)));
+  return std::max<Index>(16, 2 * static_cast<Index>(half));
+}
+
+ContactShape with_sag(const Curve& curve, double sag) {
+  return {Polygon(curve.x, curve.side), half_edges(curve.x), sag, bounding_radius(curve, 0.0)};
+}
+
 }  // namespace
 
 double sag(const Curve& curve) {
-  const double step = 2.0 * std::numbers::pi / static_cast<double>(curve.size());
-  const auto bend = (curve.dx.conjugate().array() * curve.ddx.array()).imag().abs();
-  return (bend / curve.dx.array().abs()).maxCoeff() * step * step / 8.0;
+  return sag(bend(curve), curve.size());
 }
 
 ContactShape contact_shape(const Curve& curve) {
-  return {Polygon(curve.x, curve.side), half_edges(curve.x), sag(curve),
-          bounding_radius(curve, 0.0)};
+  return with_sag(curve, sag(curve));
 }
 
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit) {
@@ -48,17 +66,9 @@ ContactShape contact_shape(const Shape& shape, Side side, double sag_limit) {
     throw std::invalid_argument("a contact shape's sag must be positive, got " +
                                 std::to_string(sag_limit));
   }
-  const auto nodes_for = [&](const Curve& curve) {
-    const double ratio = std::sqrt(sag(curve) / sag_limit);
-    const double half = std::ceil(0.5 * ratio * static_cast<double>(curve.size()));
-    return std::max<Index>(16, 2 * static_cast<Index>(half));
-  };
-  const Curve fine = sample(shape, resolving_nodes(shape), side);
-  Curve curve = sample(shape, nodes_for(fine), side);
-  while (sag(curve) > sag_limit) {
-    curve = sample(shape, std::max(nodes_for(curve), curve.size() + 2), side);
-  }
-  return contact_shape(curve);
+  const double fine_bend = bend(sample(shape, resolving_nodes(shape), side));
+  const Index n = nodes_for(fine_bend, sag_limit);
+  return with_sag(sample(shape, n, side), sag(fine_bend, n));
 }
 
 }  // namespace stokesbook

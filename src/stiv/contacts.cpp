@@ -92,11 +92,36 @@ class RunOfVertex {
   std::vector<Entry> entries_;
 };
 
-using Positions = std::vector<std::size_t>;  // of events in a run
+using Group = std::vector<Run>;  // of connected runs
 
-// Where the gap has local minima, between which it rises and falls by more than a threshold.
-Positions minima(const std::vector<VertexEvent>& run, double threshold) {
-  Positions found;
+// The groups of those events of a pair that a condition selects.
+template <class Condition>
+std::vector<Group> connected_groups(const PairEvents& pair, const Condition& selects) {
+  const auto runs_with = [&](std::vector<VertexEvent> events, Index m, bool of_a) {
+    std::erase_if(events, [&](const VertexEvent& event) { return !selects(event); });
+    return runs_of(events, m, of_a);
+  };
+  const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
+  std::vector<Run> runs = runs_with(pair.events_a, m_a, true);
+  std::ranges::move(runs_with(pair.events_b, m_b, false), std::back_inserter(runs));
+  const RunOfVertex in_a(runs, true, m_a), in_b(runs, false, m_b);
+  Links links(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    for (const VertexEvent& event : runs[k].events) {
+      (runs[k].of_a ? in_b : in_a).join_about(event.edge, k, links);
+    }
+  }
+  std::vector<Group> groups(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    groups[links.root(k)].push_back(std::move(runs[k]));
+  }
+  std::erase_if(groups, &Group::empty);
+  return groups;
+}
+
+// Where in a run the gap has local minima, between which it rises and falls by more than a threshold.
+std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double threshold) {
+  std::vector<std::size_t> found;
   std::size_t turning = 0;  // lowest or highest place since the last turn
   bool descends = true;
   for (std::size_t i = 0; i < run.size(); ++i) {
@@ -113,10 +138,12 @@ Positions minima(const std::vector<VertexEvent>& run, double threshold) {
   return found;
 }
 
-// The minima, and the ends of those that are flat.
-Positions supports(const std::vector<VertexEvent>& run, double threshold) {
+// What holds up one local minimum of the gap: the deepest vertex, then the ends of a flat contact.
+using Support = std::vector<VertexEvent>;
+
+std::vector<Support> supports(const std::vector<VertexEvent>& run, double threshold) {
   constexpr std::size_t vertices_of_a_curved_contact = 4;
-  Positions found;
+  std::vector<Support> found;
   for (std::size_t lowest : minima(run, threshold)) {
     const auto is_as_deep = [&](std::size_t i) {
       return run[i].gap <= run[lowest].gap + threshold;
@@ -125,9 +152,9 @@ Positions supports(const std::vector<VertexEvent>& run, double threshold) {
     while (first > 0 && is_as_deep(first - 1)) --first;
     while (last + 1 < run.size() && is_as_deep(last + 1)) ++last;
     const bool is_flat = last - first + 1 > vertices_of_a_curved_contact;
-    found.push_back(lowest);
-    if (is_flat && first < lowest) found.push_back(first);
-    if (is_flat && last > lowest) found.push_back(last);
+    found.push_back({run[lowest]});
+    if (is_flat && first < lowest) found.back().push_back(run[first]);
+    if (is_flat && last > lowest) found.back().push_back(run[last]);
   }
   return found;
 }
@@ -137,20 +164,19 @@ ContactRow row_of(const PairEvents& pair, const VertexEvent& event, bool of_a) {
   return contact_row(event, shape.polygon.vertex(event.vertex), of_a, pair.paths);
 }
 
-// Either polygon sees the whole contact: rows of the one whose vertices go deepest suffice.
-std::vector<ContactRow> deepest_rows(const PairEvents& pair, const std::vector<const Run*>& runs) {
-  const auto least_gap = [](const Run* run) {
-    return std::ranges::min_element(run->events, {}, &VertexEvent::gap)->gap;
-  };
-  const bool of_a = (*std::ranges::min_element(runs, {}, least_gap))->of_a;
-  std::vector<ContactRow> rows;
-  for (const Run* run : runs) {
-    if (run->of_a != of_a) continue;
-    for (std::size_t i : supports(run->events, pair.shape_a.sag + pair.shape_b.sag)) {
-      rows.push_back(row_of(pair, run->events[i], of_a));
-    }
-  }
-  return rows;
+const VertexEvent& deepest(const Run& run) {
+  return *std::ranges::min_element(run.events, {}, &VertexEvent::gap);
+}
+
+const Run& deepest(const Group& group) {
+  return *std::ranges::min_element(group, {}, [](const Run& run) { return deepest(run).gap; });
+}
+
+bool holds(const Group& group, bool of_a, Index vertex) {
+  return std::ranges::any_of(group, [&](const Run& run) {
+    const auto is_it = [&](const VertexEvent& event) { return event.vertex == vertex; };
+    return run.of_a == of_a && std::ranges::any_of(run.events, is_it);
+  });
 }
 
 struct WeightedRow {
@@ -158,17 +184,14 @@ struct WeightedRow {
   ContactRow row;
 };
 
-std::vector<WeightedRow> violations(const PairEvents& pair, const std::vector<const Run*>& runs,
-                                    double tolerance) {
-  std::vector<WeightedRow> found;
-  for (const Run* run : runs) {
-    for (const VertexEvent& event : run->events) {
-      if (event.gap < -tolerance) {
-        found.push_back({event.weight, row_of(pair, event, run->of_a)});
-      }
+std::vector<WeightedRow> weighted_rows(const PairEvents& pair, const Group& group) {
+  std::vector<WeightedRow> rows;
+  for (const Run& run : group) {
+    for (const VertexEvent& event : run.events) {
+      rows.push_back({event.weight, row_of(pair, event, run.of_a)});
     }
   }
-  return found;
+  return rows;
 }
 
 void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
@@ -196,20 +219,40 @@ ContactRow mean_row(const std::vector<WeightedRow>& violations) {
   return mean;
 }
 
-Contact contact_of(const PairEvents& pair, const std::vector<const Run*>& runs, double tolerance,
-                   RowChoice choice) {
-  Contact contact{pair.paths.a, pair.paths.b, 0.0, {}};
-  const std::vector<WeightedRow> violated = violations(pair, runs, tolerance);
-  for (const auto& [weight, row] : violated) contact.volume += weight * row.gap;
-  if (violated.empty() || choice == RowChoice::deepest) {
-    contact.rows = deepest_rows(pair, runs);
-  } else if (choice == RowChoice::aggregate) {
-    contact.rows = {mean_row(violated)};
-  } else {
-    for (const WeightedRow& violation : violated) contact.rows.push_back(violation.row);
+double volume(const Group& violations) {
+  double sum = 0.0;
+  for (const Run& run : violations) {
+    for (const VertexEvent& event : run.events) sum += event.weight * event.gap;
   }
-  std::ranges::sort(contact.rows, {}, &ContactRow::key);
-  return contact;
+  return sum;
+}
+
+// Rows at the local minima of all events: for the violations that they are part of, and for what is
+// near without any. Either polygon sees the whole contact: the one whose vertices go deepest
+// suffices.
+std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Group>& violations,
+                                      std::vector<Contact> contacts) {
+  const double sags = pair.shape_a.sag + pair.shape_b.sag;
+  for (const Group& group : connected_groups(pair, [](const VertexEvent&) { return true; })) {
+    Contact near{pair.paths.a, pair.paths.b, 0.0, {}};
+    const bool of_a = deepest(group).of_a;
+    for (const Run& run : group) {
+      if (run.of_a != of_a) continue;
+      for (const Support& support : supports(run.events, sags)) {
+        const auto violated = std::ranges::find_if(violations, [&](const Group& violation) {
+          return holds(violation, of_a, support.front().vertex);
+        });
+        Contact& contact = violated == violations.end()
+                               ? near
+                               : contacts[static_cast<std::size_t>(violated - violations.begin())];
+        for (const VertexEvent& event : support) {
+          contact.rows.push_back(row_of(pair, event, of_a));
+        }
+      }
+    }
+    if (!near.rows.empty()) contacts.push_back(std::move(near));
+  }
+  return contacts;
 }
 
 }  // namespace
@@ -224,24 +267,28 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 }
 
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows) {
-  const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
-  std::vector<Run> runs = runs_of(pair.events_a, m_a, true);
-  std::ranges::move(runs_of(pair.events_b, m_b, false), std::back_inserter(runs));
-  const RunOfVertex in_a(runs, true, m_a), in_b(runs, false, m_b);
-  Links links(runs.size());
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    for (const VertexEvent& event : runs[k].events) {
-      (runs[k].of_a ? in_b : in_a).join_about(event.edge, k, links);
-    }
-  }
+  const std::vector<Group> violations =
+      connected_groups(pair, [&](const VertexEvent& event) { return event.gap < -tolerance; });
   std::vector<Contact> contacts;
-  for (std::size_t root = 0; root < runs.size(); ++root) {
-    std::vector<const Run*> members;
-    for (std::size_t k = root; k < runs.size(); ++k) {
-      if (links.root(k) == root) members.push_back(&runs[k]);
-    }
-    if (!members.empty()) contacts.push_back(contact_of(pair, members, tolerance, rows));
+  for (const Group& group : violations) {
+    contacts.push_back({pair.paths.a, pair.paths.b, volume(group), {}});
   }
+  contacts = add_deepest_rows(pair, violations, std::move(contacts));
+  for (std::size_t k = 0; k < violations.size(); ++k) {
+    std::vector<ContactRow>& own = contacts[k].rows;
+    const std::vector<WeightedRow> all = weighted_rows(pair, violations[k]);
+    if (rows == RowChoice::aggregate) {
+      own = {mean_row(all)};
+    } else if (rows == RowChoice::every) {
+      own.clear();
+      for (const WeightedRow& violation : all) own.push_back(violation.row);
+    } else if (own.empty()) {
+      // Less than a sag from a deeper one.
+      const Run& run = deepest(violations[k]);
+      own = {row_of(pair, deepest(run), run.of_a)};
+    }
+  }
+  for (Contact& contact : contacts) std::ranges::sort(contact.rows, {}, &ContactRow::key);
   return contacts;
 }
 

@@ -51,17 +51,17 @@ struct PairEvents {
 PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
                        const Clearance& clearance);
 
-/// Groups the events of a pair into connected contacts.
+/// Groups the events of a pair into connected contacts: violations, and what ends near without any.
 ///
 /// Runs of consecutive vertices belong together, and so do runs of either polygon where an edge
-/// that one comes near to is within two vertices of the other. Local minima of the gap count when
-/// the gap rises by more than the two sags between them: less is the polygons', not the curves'.
-/// A minimum along which more than four vertices are that near is a flat contact, and has rows at
-/// both ends too.
+/// that one comes near to is within two vertices of the other. Rows are at local minima of the gap,
+/// between which it rises by more than the two sags: less is the polygons', not the curves'. A
+/// minimum along which more than four vertices are that near is a flat contact, and has rows at both
+/// ends too.
 /// @param  pair       its events
 /// @param  tolerance  of gaps: events below its negative are violations, length
 /// @param  rows       which rows to return
-/// @return            contacts, violated or merely near, in an order that only the events decide
+/// @return            violations, then near contacts, in an order that only the events decide
 /// @par Cost          O(e log e) for e events
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows);
 
