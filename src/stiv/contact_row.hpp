@@ -43,7 +43,7 @@ struct RowKey {
 struct ContactRow {
   RowKey key;             ///< of the deepest vertex where the row stands for several
   double gap;             ///< g at the end of the step, length
-  double time;            ///< tau_I; 1 where there was no contact in the step
+  double time;            ///< tau_I, of first contact; 1 where there was none
   Complex point;          ///< where the contact force acts, in the plane, length
   Complex normal;         ///< of the force on a, in the plane, unit
   PairWrench force;       ///< for forces: balanced about the centres at the start of the step
@@ -62,7 +62,7 @@ struct PathPair {
 ///
 /// With the world normal n = R(theta_B) n_I, the derivative has the arms of the vertex at the end,
 /// \f$ (n, a_A\times n) \f$ for the vertex's component and \f$ (-n, -a_B\times n) \f$ for the
-/// polygon's. The force has the orientations at tau_I, the centres at the start, where the Stokes
+/// polygon's. The force has the orientations when the event was measured, the centres at the start, where the Stokes
 /// equations are solved, and arms to the mean of the vertex and the point it touches.
 /// @param  event      of a vertex
 /// @param  vertex     of its component's polygon, in its own frame, length

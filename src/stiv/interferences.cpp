@@ -30,13 +30,17 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
                               std::to_string(pair.second));
   }
   require_positive(rules.tolerance, "tolerance");
+  if (!(rules.dip >= 0.0 && rules.dip <= 1.0)) {
+    throw std::invalid_argument("contact needs a dip from 0 to 1, got " +
+                                std::to_string(rules.dip));
+  }
 }
 
 Interferences in_pair(const ContactShapes& shapes, const PathPair& paths,
                       const ContactRules& rules) {
   const double separation = rules.separation.between(paths.a, paths.b);
-  const PairEvents events =
-      pair_events(shapes, paths, {separation, rules.tolerance, watched_separations * separation});
+  const PairEvents events = pair_events(
+      shapes, paths, {separation, rules.tolerance, watched_separations * separation, rules.dip});
   SearchCost cost = events.cost;
   cost.pairs = 1;
   return {connected_contacts(events, rules.tolerance, rules.rows), cost};

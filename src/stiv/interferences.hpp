@@ -16,6 +16,7 @@ struct ContactRules {
   Separation separation;                ///< of the polygons
   double tolerance;                     ///< of gaps, length, > 0; such as 1e-3 of the separation
   RowChoice rows = RowChoice::deepest;  ///< which rows stand for a violated contact
+  double dip = 0.5;  ///< part of the separation that may be lost within a step, see vertex_events()
 };
 
 /// The contacts of a step.

@@ -31,32 +31,51 @@ class Search {
 
   std::optional<VertexEvent> event(Index vertex) {
     const Complex x = a_.polygon.vertex(vertex), end = path_.end()(x);
-    if (const auto contact = violation(x, end)) return complete(*contact, vertex);
+    const Passage passage = follow(x, end);
+    if (passage.is_too_deep) {
+      const Touch& touch = *passage.touch;
+      return complete(vertex, touch.time, touch.time, gap(touch, end), touch.at);
+    }
     const ClosestPoint at = closest(end, clearance_.watch);
     if (at.edge < 0) return {};
-    return complete({1.0, at.distance - clearance_.separation, at}, vertex);
+    return complete(vertex, passage.touch ? passage.touch->time : 1.0, 1.0,
+                    at.distance - clearance_.separation, at);
   }
 
   std::size_t queries() const { return queries_; }
 
  private:
-  struct Contact {
-    double time, gap;
+  // A place of the path at the separation.
+  struct Touch {
+    double time;
+    Complex z;
     ClosestPoint at;
   };
 
-  // The first contact of a point X of A that leaves too small a gap.
-  std::optional<Contact> violation(Complex x, Complex end) {
-    const double radius = std::abs(x), speed = path_.speed_bound(radius);
+  struct Passage {
+    bool is_too_deep;            // and ends beyond the line that it touched
+    std::optional<Touch> touch;  // that, or else the one that still lasts at the end
+  };
+
+  // The gap to the touched line at the end.
+  double gap(const Touch& touch, Complex end) const {
+    return touch.at.distance - clearance_.separation + dot(touch.at.normal, end - touch.z);
+  }
+
+  // The path of a point X of A.
+  Passage follow(Complex x, Complex end) {
+    const double radius = std::abs(x), speed = path_.speed_bound(radius),
+                 separation = clearance_.separation, tolerance = clearance_.tolerance;
+    std::optional<Touch> touch;
     double tau = 0.0, previous = infinity, stretch = 1.0;
     while (tau < 1.0) {
       const Complex z = path_.at(tau)(x);
-      const ClosestPoint at =
-          closest(z, clearance_.separation + clearance_.tolerance + speed * (1.0 - tau));
-      if (at.edge < 0) return {};
-      const double excess = at.distance - clearance_.separation;
+      const ClosestPoint at = closest(z, separation + tolerance + speed * (1.0 - tau));
+      if (at.edge < 0) return {false, {}};
+      const double excess = at.distance - separation;
       double step = excess / speed;  // no contact before that
-      if (excess > clearance_.tolerance) {
+      if (excess > tolerance) {
+        touch.reset();
         stretch = step > 0.5 * previous ? 2.0 * stretch : 1.0;
         previous = step;
         const double longer = std::min(stretch * step, 1.0 - tau);
@@ -66,13 +85,17 @@ class Search {
           stretch = 1.0;
         }
       } else {
-        const double gap = excess + dot(at.normal, end - z);
-        if (gap < -clearance_.tolerance) return Contact{tau, gap, at};
-        step = 0.5 * std::max(at.distance, clearance_.separation) / speed;
+        if (!touch) touch = Touch{tau, z, at};
+        if (excess <= tolerance - clearance_.dip * separation) {
+          for (const Touch& line : {*touch, Touch{tau, z, at}}) {
+            if (gap(line, end) < -tolerance) return {true, line};
+          }
+        }
+        step = 0.5 * std::max(at.distance, separation) / speed;
       }
       tau += std::max(step, std::numeric_limits<double>::epsilon());
     }
-    return {};
+    return {false, touch};
   }
 
   // Whether the path from z at tau keeps the separation for a while.
@@ -87,9 +110,9 @@ class Search {
     return polygon_.closest(z, at_most);
   }
 
-  VertexEvent complete(const Contact& contact, Index vertex) const {
-    return {vertex,      contact.at.edge,  a_.weights[vertex], contact.time,
-            contact.gap, contact.at.point, contact.at.normal};
+  VertexEvent complete(Index vertex, double time, double measured, double gap,
+                       const ClosestPoint& at) const {
+    return {vertex, at.edge, a_.weights[vertex], time, measured, gap, at.point, at.normal};
   }
 
   const ContactShape& a_;
