@@ -13,10 +13,10 @@ using namespace stokesbook::test;
 
 namespace {
 
-// Solves 0 <= b + N z, z >= 0, complementary, by projected Gauss-Seidel.
+// Solves 0 <= b + N z, z >= 0, one of them 0, by projected Gauss-Seidel.
 Eigen::VectorXd solve(const Eigen::MatrixXd& n, const Eigen::VectorXd& b) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());
-  for (int sweep = 0; sweep < 20000; ++sweep) {
+  for (int sweep = 0; sweep < 3000; ++sweep) {
     double change = 0.0;
     for (Eigen::Index i = 0; i < b.size(); ++i) {
       const double next = std::max(0.0, z[i] - (b[i] + n.row(i).dot(z)) / n(i, i));
@@ -58,55 +58,71 @@ Step with_motion(Step step, const Eigen::VectorXd& u) {
   return step;
 }
 
+void put(Eigen::RowVectorXd& row, std::size_t component, const Wrench& wrench) {
+  row.segment<3>(3 * static_cast<Eigen::Index>(component)) << wrench.force.real(),
+      wrench.force.imag(), wrench.torque;
+}
+
+// A row as a constraint on the motion: 0 <= bound + derivative u.
+struct Constraint {
+  Eigen::RowVectorXd derivative, force;
+  double gap, bound;
+  int iteration;
+};
+
+Constraint constraint(const Contact& contact, const ContactRow& row, const Eigen::VectorXd& u,
+                      int iteration) {
+  const Eigen::RowVectorXd zero = Eigen::RowVectorXd::Zero(u.size());
+  Constraint result{zero, zero, row.gap, 0.0, iteration};
+  put(result.derivative, contact.a, row.derivative.on_a);
+  put(result.derivative, contact.b, row.derivative.on_b);
+  put(result.force, contact.a, row.force.on_a);
+  put(result.force, contact.b, row.force.on_b);
+  result.bound = row.gap - result.derivative.dot(u);
+  return result;
+}
+
 struct Resolved {
   int iterations = 0;
   bool is_admitted = false;
-  double widest_loaded_gap = 0.0;
-  Step step;
 };
 
+// Violated rows stay for two more iterations: the deepest vertex of a flat contact wanders.
 Resolved resolve(const Step& start, const ContactRules& rules) {
   const Eigen::VectorXd free = motion(start), b_diagonal = mobility(start);
   Eigen::VectorXd u = free;
-  Resolved result;
+  std::map<RowKey, Constraint> constraints;
   std::map<RowKey, double> loads;
+  Resolved result;
   for (;; ++result.iterations) {
-    const Step step = with_motion(start, u);
-    const Interferences found = interferences(step, rules);
-    result.is_admitted = found.admits_step();
-    result.step = step;
-    std::vector<ContactRow> rows;
-    std::vector<ComponentPair> pairs;
+    const Interferences found = interferences(with_motion(start, u), rules);
+    double widest_loaded = 0.0;
+    std::erase_if(constraints, [&](const auto& entry) {
+      return entry.second.gap >= 0.0 || entry.second.iteration + 2 < result.iterations;
+    });
     for (const Contact& contact : found.contacts) {
       for (const ContactRow& row : contact.rows) {
-        rows.push_back(row);
-        pairs.emplace_back(contact.a, contact.b);
-        if (loads.contains(row.key)) {
-          result.widest_loaded_gap = std::max(result.widest_loaded_gap, row.gap);
-        }
+        if (loads[row.key] > 1e-9) widest_loaded = std::max(widest_loaded, row.gap);
+        constraints[row.key] = constraint(contact, row, u, result.iterations);
       }
     }
+    result.is_admitted = found.admits_step() && widest_loaded < 0.1 * rules.separation.everywhere;
     if (result.is_admitted || result.iterations == 12) return result;
-    result.widest_loaded_gap = 0.0;
-    loads.clear();
-    const auto m = static_cast<Eigen::Index>(rows.size());
-    Eigen::MatrixXd j = Eigen::MatrixXd::Zero(m, u.size());
-    Eigen::VectorXd g(m);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const ContactRow& row = rows[static_cast<std::size_t>(i)];
-      const auto [a, b] = pairs[static_cast<std::size_t>(i)];
-      g[i] = row.gap;
-      for (const auto& [k, wrench] : {std::pair{a, row.force.on_a}, {b, row.force.on_b}}) {
-        j.row(i).segment<3>(3 * static_cast<Eigen::Index>(k)) << wrench.force.real(),
-            wrench.force.imag(), wrench.torque;
-      }
+    const auto m = static_cast<Eigen::Index>(constraints.size());
+    Eigen::MatrixXd derivative(m, u.size()), force(m, u.size());
+    Eigen::VectorXd bound(m);
+    Eigen::Index i = 0;
+    for (const auto& [key, row] : constraints) {
+      derivative.row(i) = row.derivative;
+      force.row(i) = row.force;
+      bound[i++] = row.bound;
     }
     const Eigen::VectorXd load =
-        solve(j * b_diagonal.asDiagonal() * j.transpose(), g + j * (free - u));
-    for (Eigen::Index i = 0; i < m; ++i) {
-      if (load[i] > 1e-9) loads[rows[static_cast<std::size_t>(i)].key] = load[i];
-    }
-    u = free + b_diagonal.asDiagonal() * (j.transpose() * load);
+        solve(derivative * b_diagonal.asDiagonal() * force.transpose(), bound + derivative * free);
+    loads.clear();
+    i = 0;
+    for (const auto& [key, row] : constraints) loads[key] = load[i++];
+    u = free + b_diagonal.asDiagonal() * (force.transpose() * load);
   }
 }
 
@@ -114,26 +130,25 @@ constexpr double separation = 0.05, tolerance = 1e-3 * separation;
 
 }  // namespace
 
+// Steps of up to ten separations, and half a radian.
 BOOST_AUTO_TEST_CASE(crowds_come_apart) {
   int steps = 0, iterations = 0, most = 0, failed = 0;
-  double widest = 0.0;
-  for (double travel : {0.05, 0.1, 0.2}) {
-    for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (double travel : {0.1, 0.2, 0.5}) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
       for (bool enclosed : {false, true}) {
         const Resolved resolved =
             resolve(random_step(12, seed, travel, enclosed), {{separation}, tolerance});
         ++steps;
         iterations += resolved.iterations;
         most = std::max(most, resolved.iterations);
-        widest = std::max(widest, resolved.widest_loaded_gap);
         if (!resolved.is_admitted) ++failed;
       }
     }
   }
   BOOST_TEST_MESSAGE("steps " << steps << ", iterations " << iterations << ", most " << most
-                              << ", failed " << failed << ", widest loaded gap " << widest);
+                              << ", failed " << failed);
   BOOST_TEST(failed == 0);
-  BOOST_TEST(most <= 9);
-  BOOST_TEST(iterations < 3 * steps);
-  BOOST_TEST(widest < 0.1 * separation);
+  BOOST_TEST(most <= 6);
+  BOOST_TEST(iterations < 2 * steps);
+  BOOST_TEST(iterations > steps / 2);
 }
