@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "near_singular/near_test.hpp"
-#include "near_singular/rectangle_index.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 

@@ -7,8 +7,8 @@
 #include "double_layer/double_layer.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/near_test.hpp"
-#include "near_singular/rectangle_index.hpp"
 #include "suspension/gaps.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 

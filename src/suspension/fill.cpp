@@ -7,10 +7,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "near_singular/rectangle_index.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/node_choice.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 

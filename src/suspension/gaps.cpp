@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "near_singular/near_test.hpp"
-#include "near_singular/rectangle_index.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 

@@ -1,5 +1,5 @@
 // The index finds the rectangles that a test of all of them finds, however they came in.
-#include "near_singular/rectangle_index.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 #include <limits>
 #include <random>

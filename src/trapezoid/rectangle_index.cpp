@@ -1,4 +1,4 @@
-#include "near_singular/rectangle_index.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
+/// @addtogroup trapezoid
 /// @{
 
 /// A rectangle with sides along the axes.

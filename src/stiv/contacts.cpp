@@ -1,0 +1,295 @@
+#include "stiv/contacts.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// Consecutive vertices of one polygon that have events.
+struct Run {
+  bool of_a;
+  std::vector<VertexEvent> events;  // in the order of the curve
+};
+
+// The events of one polygon with m vertices.
+std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a) {
+  std::vector<Run> runs;
+  for (const VertexEvent& event : events) {
+    const bool continues = !runs.empty() && runs.back().events.back().vertex + 1 == event.vertex;
+    if (!continues) runs.push_back({of_a, {}});
+    runs.back().events.push_back(event);
+  }
+  // The last vertex is followed by the first.
+  if (runs.size() > 1 && events.front().vertex == 0 && events.back().vertex == m - 1) {
+    std::vector<VertexEvent>& last = runs.back().events;
+    last.insert(last.end(), runs.front().events.begin(), runs.front().events.end());
+    runs.front() = std::move(runs.back());
+    runs.pop_back();
+  }
+  // A run of all vertices starts where it is least deep.
+  if (runs.size() == 1 && static_cast<Index>(events.size()) == m) {
+    std::vector<VertexEvent>& all = runs.front().events;
+    std::rotate(all.begin(), std::ranges::max_element(all, {}, &VertexEvent::gap), all.end());
+  }
+  return runs;
+}
+
+// Sets of runs that are connected.
+class Links {
+ public:
+  explicit Links(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  std::size_t root(std::size_t k) const {
+    while (parent_[k] != k) k = parent_[k];
+    return k;
+  }
+
+  // The least member is the root.
+  void join(std::size_t k, std::size_t l) {
+    const auto [first, second] = std::minmax({root(k), root(l)});
+    parent_[second] = first;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// Which run a vertex of a polygon belongs to.
+class RunOfVertex {
+ public:
+  RunOfVertex(const std::vector<Run>& runs, bool of_a, Index m) : m_(m) {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      if (runs[k].of_a != of_a) continue;
+      for (const VertexEvent& event : runs[k].events) entries_.push_back({event.vertex, k});
+    }
+    std::ranges::sort(entries_, {}, &Entry::vertex);
+  }
+
+  // Joins a run with all those that have a vertex at an edge, or up to two farther.
+  void join_about(Index edge, std::size_t run, Links& links) const {
+    for (Index step = -2; step <= 3; ++step) {
+      const Index vertex = (edge + step + m_) % m_;
+      const auto found = std::ranges::lower_bound(entries_, vertex, {}, &Entry::vertex);
+      if (found != entries_.end() && found->vertex == vertex) links.join(run, found->run);
+    }
+  }
+
+ private:
+  struct Entry {
+    Index vertex;
+    std::size_t run;
+  };
+
+  Index m_;
+  std::vector<Entry> entries_;
+};
+
+using Group = std::vector<Run>;  // of connected runs
+
+// The groups of those events of a pair that a condition selects.
+template <class Condition>
+std::vector<Group> connected_groups(const PairEvents& pair, const Condition& selects) {
+  const auto runs_with = [&](std::vector<VertexEvent> events, Index m, bool of_a) {
+    std::erase_if(events, [&](const VertexEvent& event) { return !selects(event); });
+    return runs_of(events, m, of_a);
+  };
+  const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
+  std::vector<Run> runs = runs_with(pair.events_a, m_a, true);
+  std::ranges::move(runs_with(pair.events_b, m_b, false), std::back_inserter(runs));
+  const RunOfVertex in_a(runs, true, m_a), in_b(runs, false, m_b);
+  Links links(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    for (const VertexEvent& event : runs[k].events) {
+      (runs[k].of_a ? in_b : in_a).join_about(event.edge, k, links);
+    }
+  }
+  std::vector<Group> groups(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    groups[links.root(k)].push_back(std::move(runs[k]));
+  }
+  std::erase_if(groups, &Group::empty);
+  return groups;
+}
+
+// Where in a run the gap has local minima, between which it rises and falls by more than a threshold.
+std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double threshold) {
+  std::vector<std::size_t> found;
+  std::size_t turning = 0;  // lowest or highest place since the last turn
+  bool descends = true;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const double beyond = run[i].gap - run[turning].gap;
+    if (descends ? beyond < 0.0 : beyond > 0.0) {
+      turning = i;
+    } else if (descends ? beyond > threshold : beyond < -threshold) {
+      if (descends) found.push_back(turning);
+      descends = !descends;
+      turning = i;
+    }
+  }
+  if (descends) found.push_back(turning);
+  return found;
+}
+
+// What holds up one local minimum of the gap: the deepest vertex, then the ends of a flat contact.
+using Support = std::vector<VertexEvent>;
+
+std::vector<Support> supports(const std::vector<VertexEvent>& run, double threshold) {
+  constexpr std::size_t vertices_of_a_curved_contact = 4;
+  std::vector<Support> found;
+  for (std::size_t lowest : minima(run, threshold)) {
+    const auto is_as_deep = [&](std::size_t i) {
+      return run[i].gap <= run[lowest].gap + threshold;
+    };
+    std::size_t first = lowest, last = lowest;
+    while (first > 0 && is_as_deep(first - 1)) --first;
+    while (last + 1 < run.size() && is_as_deep(last + 1)) ++last;
+    const bool is_flat = last - first + 1 > vertices_of_a_curved_contact;
+    found.push_back({run[lowest]});
+    if (is_flat && first < lowest) found.back().push_back(run[first]);
+    if (is_flat && last > lowest) found.back().push_back(run[last]);
+  }
+  return found;
+}
+
+ContactRow row_of(const PairEvents& pair, const VertexEvent& event, bool of_a) {
+  const ContactShape& shape = of_a ? pair.shape_a : pair.shape_b;
+  return contact_row(event, shape.polygon.vertex(event.vertex), of_a, pair.paths);
+}
+
+const VertexEvent& deepest(const Run& run) {
+  return *std::ranges::min_element(run.events, {}, &VertexEvent::gap);
+}
+
+const Run& deepest(const Group& group) {
+  return *std::ranges::min_element(group, {}, [](const Run& run) { return deepest(run).gap; });
+}
+
+bool holds(const Group& group, bool of_a, Index vertex) {
+  return std::ranges::any_of(group, [&](const Run& run) {
+    const auto is_it = [&](const VertexEvent& event) { return event.vertex == vertex; };
+    return run.of_a == of_a && std::ranges::any_of(run.events, is_it);
+  });
+}
+
+struct WeightedRow {
+  double weight;
+  ContactRow row;
+};
+
+std::vector<WeightedRow> weighted_rows(const PairEvents& pair, const Group& group) {
+  std::vector<WeightedRow> rows;
+  for (const Run& run : group) {
+    for (const VertexEvent& event : run.events) {
+      rows.push_back({event.weight, row_of(pair, event, run.of_a)});
+    }
+  }
+  return rows;
+}
+
+void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
+  const auto add_to = [weight](Wrench& wrench, const Wrench& other) {
+    wrench.force += weight * other.force;
+    wrench.torque += weight * other.torque;
+  };
+  add_to(sum.on_a, wrenches.on_a);
+  add_to(sum.on_b, wrenches.on_b);
+}
+
+// The mean over all vertices that end too deep; place and name are those of the deepest.
+ContactRow mean_row(const std::vector<WeightedRow>& violations) {
+  const auto gap = [](const WeightedRow& violation) { return violation.row.gap; };
+  ContactRow mean = std::ranges::min_element(violations, {}, gap)->row;
+  mean.gap = 0.0;
+  mean.force = mean.derivative = {};
+  double length = 0.0;
+  for (const WeightedRow& violation : violations) length += violation.weight;
+  for (const auto& [weight, row] : violations) {
+    mean.gap += weight / length * row.gap;
+    add(mean.force, weight / length, row.force);
+    add(mean.derivative, weight / length, row.derivative);
+  }
+  return mean;
+}
+
+double volume(const Group& violations) {
+  double sum = 0.0;
+  for (const Run& run : violations) {
+    for (const VertexEvent& event : run.events) sum += event.weight * event.gap;
+  }
+  return sum;
+}
+
+// Rows at the local minima of all events: for the violations that they are part of, and for what is
+// near without any. Either polygon sees the whole contact: the one whose vertices go deepest
+// suffices.
+std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Group>& violations,
+                                      std::vector<Contact> contacts) {
+  const double sags = pair.shape_a.sag + pair.shape_b.sag;
+  for (const Group& group : connected_groups(pair, [](const VertexEvent&) { return true; })) {
+    Contact near{pair.paths.a, pair.paths.b, 0.0, {}};
+    const bool of_a = deepest(group).of_a;
+    for (const Run& run : group) {
+      if (run.of_a != of_a) continue;
+      for (const Support& support : supports(run.events, sags)) {
+        const auto violated = std::ranges::find_if(violations, [&](const Group& violation) {
+          return holds(violation, of_a, support.front().vertex);
+        });
+        Contact& contact = violated == violations.end()
+                               ? near
+                               : contacts[static_cast<std::size_t>(violated - violations.begin())];
+        for (const VertexEvent& event : support) {
+          contact.rows.push_back(row_of(pair, event, of_a));
+        }
+      }
+    }
+    if (!near.rows.empty()) contacts.push_back(std::move(near));
+  }
+  return contacts;
+}
+
+}  // namespace
+
+PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
+                       const Clearance& clearance) {
+  const ContactShape &a = *shapes[paths.a], &b = *shapes[paths.b];
+  VertexEvents of_a = vertex_events(a, b, RelativePath(paths.path_a, paths.path_b), clearance),
+               of_b = vertex_events(b, a, RelativePath(paths.path_b, paths.path_a), clearance);
+  of_a.cost += of_b.cost;
+  return {paths, a, b, std::move(of_a.events), std::move(of_b.events), of_a.cost};
+}
+
+std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows) {
+  const std::vector<Group> violations =
+      connected_groups(pair, [&](const VertexEvent& event) { return event.gap < -tolerance; });
+  std::vector<Contact> contacts;
+  for (const Group& group : violations) {
+    contacts.push_back({pair.paths.a, pair.paths.b, volume(group), {}});
+  }
+  contacts = add_deepest_rows(pair, violations, std::move(contacts));
+  for (std::size_t k = 0; k < violations.size(); ++k) {
+    std::vector<ContactRow>& own = contacts[k].rows;
+    const std::vector<WeightedRow> all = weighted_rows(pair, violations[k]);
+    if (rows == RowChoice::aggregate) {
+      own = {mean_row(all)};
+    } else if (rows == RowChoice::every) {
+      own.clear();
+      for (const WeightedRow& violation : all) own.push_back(violation.row);
+    } else if (own.empty()) {
+      // Less than a sag from a deeper one.
+      const Run& run = deepest(violations[k]);
+      own = {row_of(pair, deepest(run), run.of_a)};
+    }
+  }
+  for (Contact& contact : contacts) std::ranges::sort(contact.rows, {}, &ContactRow::key);
+  return contacts;
+}
+
+}  // namespace stokesbook

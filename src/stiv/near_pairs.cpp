@@ -1,0 +1,63 @@
+#include "stiv/near_pairs.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace stokesbook {
+
+Rectangle bounding_rectangle(const ContactShape& shape, const Pose& pose) {
+  const ComplexVector turned = std::polar(1.0, pose.orientation) * shape.polygon.vertices();
+  const auto [lower, upper] = bounding_rectangle(turned);
+  return {pose.centre + lower, pose.centre + upper};
+}
+
+Rectangle swept_rectangle(const ContactShape& shape, const RigidPath& path) {
+  const Rectangle start = bounding_rectangle(shape, path.at(0.0)),
+                  end = bounding_rectangle(shape, path.at(1.0));
+  const ComplexVector corners = ComplexVector{{start.lower, start.upper, end.lower, end.upper}};
+  // No arc is farther from its chord than its circle is wide.
+  const double arc = std::min(path.rotation * path.rotation / 8.0, 2.0) * shape.radius;
+  return widened(bounding_rectangle(corners), arc);
+}
+
+std::vector<ComponentPair> near_pairs(const ContactShapes& shapes,
+                                      const std::vector<Rectangle>& rectangles, double reach) {
+  const RectangleIndex index(rectangles);
+  const auto encloses = [&](std::size_t k) {
+    return shapes[k]->polygon.side() == Side::fluid_inside;
+  };
+  std::vector<ComponentPair> pairs;
+  std::vector<std::size_t> enclosing;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    if (encloses(k)) {
+      enclosing.push_back(k);
+      continue;
+    }
+    for (std::size_t other : index.meeting(widened(rectangles[k], reach))) {
+      if (other > k && !encloses(other)) pairs.emplace_back(k, other);
+    }
+  }
+  for (std::size_t wall : enclosing) {
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (!encloses(k)) pairs.push_back(std::minmax(k, wall));
+    }
+  }
+  std::ranges::sort(pairs);
+  return pairs;
+}
+
+std::vector<Eigen::Index> near_vertices(const Polygon& of, const Polygon& about,
+                                        const RelativeFrame& frame, double reach) {
+  if (about.side() == Side::fluid_inside) {
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(of.size()));
+    std::iota(all.begin(), all.end(), Eigen::Index{0});
+    return all;
+  }
+  const auto [lower, upper] = about.bounds();
+  const ComplexVector corners =
+      ComplexVector{{frame.inverse(lower), frame.inverse({upper.real(), lower.imag()}),
+                     frame.inverse(upper), frame.inverse({lower.real(), upper.imag()})}};
+  return of.vertices_in(widened(bounding_rectangle(corners), reach));
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,90 @@
+#include "stiv/polygon_gaps.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+RelativeFrame frame_in(const Pose& pose, const Pose& observer) {
+  return RelativePath({pose, {}, 0.0}, {observer, {}, 0.0}).start();
+}
+
+struct Placed {
+  const ContactShape& shape;
+  const Pose& pose;
+};
+
+// The deepest or nearest vertex of one polygon about the other.
+struct NearestVertex {
+  double distance;
+  Complex place;  // in the plane
+};
+
+NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const RelativeFrame frame = frame_in(of.pose, about.pose);
+  NearestVertex nearest{infinity, {}};
+  for (Index i : near_vertices(of.shape.polygon, about.shape.polygon, frame, reach)) {
+    const Complex x = of.shape.polygon.vertex(i);
+    const double distance = about.shape.polygon.closest(frame(x), infinity).distance;
+    if (distance < nearest.distance) {
+      nearest = {distance, of.pose.centre + std::polar(1.0, of.pose.orientation) * x};
+    }
+  }
+  return nearest;
+}
+
+bool edges_cross(const Placed& p, const Placed& q) {
+  const bool p_is_simpler = p.shape.polygon.size() < q.shape.polygon.size();
+  const Placed &of = p_is_simpler ? p : q, &about = p_is_simpler ? q : p;
+  const RelativeFrame frame = frame_in(of.pose, about.pose);
+  const Index m = of.shape.polygon.size();
+  for (Index i = 0; i < m; ++i) {
+    const Chord edge{frame(of.shape.polygon.vertex(i)),
+                     frame(of.shape.polygon.vertex((i + 1) % m))};
+    if (!about.shape.polygon.is_clear_of(edge, 0.0)) return true;
+  }
+  return false;
+}
+
+// Of a and b, at least reach where they are not nearer.
+PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, double reach) {
+  const NearestVertex of_a = nearest_vertex(a, b, reach), of_b = nearest_vertex(b, a, reach);
+  const NearestVertex nearest = of_a.distance <= of_b.distance ? of_a : of_b;
+  const bool hidden_overlap = nearest.distance > 0.0 && edges_cross(a, b);
+  return {pair.first, pair.second, hidden_overlap ? 0.0 : nearest.distance, nearest.place};
+}
+
+}  // namespace
+
+std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vector<Pose>& poses,
+                                     double reach) {
+  if (shapes.size() != poses.size()) {
+    throw std::invalid_argument("contact needs a pose for each shape, got " +
+                                std::to_string(shapes.size()) + " shapes and " +
+                                std::to_string(poses.size()) + " poses");
+  }
+  std::vector<Rectangle> rectangles;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    rectangles.push_back(bounding_rectangle(*shapes[k], poses[k]));
+  }
+  const std::vector<ComponentPair> pairs = near_pairs(shapes, rectangles, reach);
+  std::vector<PolygonGap> gaps(pairs.size());
+  const auto pair_count = static_cast<std::ptrdiff_t>(pairs.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::ptrdiff_t i = 0; i < pair_count; ++i) {
+    const auto [a, b] = pairs[static_cast<std::size_t>(i)];
+    gaps[static_cast<std::size_t>(i)] =
+        gap_of({a, b}, {*shapes[a], poses[a]}, {*shapes[b], poses[b]}, reach);
+  }
+  std::erase_if(gaps, [&](const PolygonGap& gap) { return gap.gap >= reach; });
+  return gaps;
+}
+
+}  // namespace stokesbook

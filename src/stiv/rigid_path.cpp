@@ -1,0 +1,31 @@
+#include "stiv/rigid_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stokesbook {
+
+RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
+    : offset_(of.start.centre - from.start.centre),
+      drift_(of.displacement - from.displacement),
+      orientation_(of.start.orientation - from.start.orientation),
+      spin_(of.rotation - from.rotation),
+      observer_(from.start.orientation),
+      observer_spin_(from.rotation) {
+  const auto centre_speed = [&](Complex offset) {
+    return std::abs(drift_ - observer_spin_ * perp(offset));
+  };
+  const Complex last = offset_ + drift_;
+  speed_ = std::max(centre_speed(offset_), centre_speed(last));
+  bend_ = 2.0 * std::abs(observer_spin_) * std::abs(drift_) +
+          observer_spin_ * observer_spin_ * std::max(std::abs(offset_), std::abs(last));
+  start_ = at(0.0);
+  end_ = at(1.0);
+}
+
+RelativeFrame RelativePath::at(double tau) const {
+  return {std::polar(1.0, -observer_ - tau * observer_spin_) * (offset_ + tau * drift_),
+          std::polar(1.0, orientation_ + tau * spin_)};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,156 @@
+// Crowds on random paths against brute force, which follows all pairs of vertices and edges through
+// many instants of the step: nothing is missed, nothing is made up, first contacts are the first.
+#include <cmath>
+
+#include <boost/test/unit_test.hpp>
+
+#include "random_steps.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+constexpr double separation = 0.05, tolerance = 1e-4 * separation;
+
+// Least distance of the vertices of one polygon from all edges of the other one, unsigned.
+double least_distance(const Step& step, std::size_t a, std::size_t b, double tau) {
+  const RelativeFrame frame = RelativePath(step.paths[a], step.paths[b]).at(tau);
+  const Polygon &of = step.shapes[a]->polygon, &about = step.shapes[b]->polygon;
+  const ComplexVector& corners = about.vertices();
+  const Eigen::Index m = corners.size();
+  ComplexVector edges(m);
+  edges << corners.tail(m - 1) - corners.head(m - 1), corners[0] - corners[m - 1];
+  double least = INFINITY;
+  for (Complex x : of.vertices()) {
+    const auto away = frame(x) - corners.array();
+    const Eigen::ArrayXd fraction =
+        ((edges.conjugate().array() * away).real() / edges.array().abs2())
+            .cwiseMax(0.0)
+            .cwiseMin(1.0);
+    least = std::min(least, (away - fraction * edges.array()).abs2().minCoeff());
+  }
+  return std::sqrt(least);
+}
+
+double distance(const Step& step, const ComponentPair& pair, double tau) {
+  return std::min(least_distance(step, pair.first, pair.second, tau),
+                  least_distance(step, pair.second, pair.first, tau));
+}
+
+double speed_bound(const Step& step, const ComponentPair& pair) {
+  const auto [a, b] = pair;
+  return std::max(RelativePath(step.paths[a], step.paths[b]).speed_bound(step.shapes[a]->radius),
+                  RelativePath(step.paths[b], step.paths[a]).speed_bound(step.shapes[b]->radius));
+}
+
+// The first instant of a fine grid at which a pair is nearer than the separation; 2 if there is
+// none. Instants at which it cannot be are passed.
+double first_instant(const Step& step, const ComponentPair& pair, double grid) {
+  const double speed = speed_bound(step, pair);
+  for (double tau = 0.0; tau <= 1.0;) {
+    const double d = distance(step, pair, tau);
+    if (d < separation) return tau;
+    tau += grid * std::max(1.0, std::floor((d - separation) / (speed * grid)));
+  }
+  return 2.0;
+}
+
+struct Tally {
+  std::size_t near = 0, violated = 0, passed = 0, later = 0, contact_free = 0;
+};
+
+void compare(const Step& step, Tally& tally) {
+  const Interferences found = interferences(step, {{separation}, tolerance, RowChoice::every});
+  constexpr double grid = 1e-3;
+  for (std::size_t b = 0; b < step.shapes.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      const ComponentPair pair{a, b};
+      const double speed = speed_bound(step, pair);
+      const double instant = first_instant(step, pair, grid);
+      const double end = distance(step, pair, 1.0);
+      std::vector<Contact> contacts;
+      for (const Contact& contact : violated(found)) {
+        if (contact.a == a && contact.b == b) contacts.push_back(contact);
+      }
+      if (instant > 1.0) {
+        // Never near at any instant: no contact, up to what lies between instants.
+        ++tally.contact_free;
+        if (!contacts.empty()) {
+          const double least = distance(step, pair, first_time(contacts));
+          BOOST_TEST(least < separation + 1.01 * tolerance);
+          BOOST_TEST(least > separation - speed * grid);
+        }
+        continue;
+      }
+      ++tally.near;
+      if (contacts.empty()) {
+        // It has come near and left: allowed where it ends apart.
+        BOOST_TEST(end > separation - 1.01 * tolerance);
+        ++tally.passed;
+        continue;
+      }
+      ++tally.violated;
+      // The first contact is the first, up to vertices that come near and leave by themselves.
+      const double time = first_time(contacts);
+      if (time > instant) {
+        ++tally.later;
+        continue;
+      }
+      if (time == 0.0) continue;
+      const double at_contact = distance(step, pair, time);
+      BOOST_TEST(at_contact < separation + 1.01 * tolerance);
+      BOOST_TEST(at_contact > separation - speed * grid);
+    }
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_missed_in_crowds) {
+  Tally tally;
+  for (double travel : {0.1, 0.5, 3.0}) {
+    for (unsigned seed = 1; seed <= 8; ++seed) compare(random_step(8, seed, travel), tally);
+  }
+  BOOST_TEST_MESSAGE("near " << tally.near << ", violated " << tally.violated << ", passed "
+                             << tally.passed << ", later " << tally.later << ", contact-free "
+                             << tally.contact_free);
+  BOOST_TEST(tally.violated > 50u);
+  BOOST_TEST(tally.contact_free > 100u);
+  BOOST_TEST(tally.passed < tally.violated / 4);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_missed_in_containers) {
+  Tally tally;
+  for (double travel : {0.3, 3.0}) {
+    for (unsigned seed = 1; seed <= 6; ++seed) compare(random_step(6, seed, travel, true), tally);
+  }
+  BOOST_TEST_MESSAGE("near " << tally.near << ", violated " << tally.violated << ", passed "
+                             << tally.passed << ", later " << tally.later << ", contact-free "
+                             << tally.contact_free);
+  BOOST_TEST(tally.violated > 10u);
+  BOOST_TEST(tally.contact_free > 50u);
+}
+
+// What a step may do, its end does not regret: the independent test of the end agrees.
+BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
+  std::size_t admitted = 0, refused = 0;
+  for (double travel : {0.02, 0.1, 0.5, 2.0}) {
+    for (unsigned seed = 20; seed < 60; ++seed) {
+      const Step step = random_step(5, seed, travel, seed % 2 == 0);
+      const Interferences found = interferences(step, {{separation}, tolerance});
+      std::vector<Pose> ends;
+      for (const RigidPath& path : step.paths) ends.push_back(path.at(1.0));
+      const bool is_apart = polygon_gaps(step.shapes, ends, separation - 1.001 * tolerance).empty();
+      if (found.admits_step()) {
+        BOOST_TEST(is_apart);
+        ++admitted;
+      } else {
+        ++refused;
+      }
+      if (!is_apart) BOOST_TEST(!found.admits_step());
+    }
+  }
+  BOOST_TEST(admitted > 20u);
+  BOOST_TEST(refused > 20u);
+}
