@@ -6,6 +6,7 @@
 #include "record/checkpoint.hpp"
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
+#include "suspension/contact.hpp"
 #include "suspension/density_history.hpp"
 #include "suspension/rheology.hpp"
 #include "suspension/stepping.hpp"
@@ -89,16 +90,27 @@ class Simulation {
     SolveMemory before;
     double seconds = 0.0;
   };
+  // The beginning of a step with contact: its end, and what holds where it begins.
+  struct Begun {
+    double t_end;
+    ContactOutcome outcome;
+    Solution solution;
+  };
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
   Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
   Solved advance(const Solved& first);
+  Begun begin_in_contact(const Solved& first, double t_end);
+  Solved advance_in_contact(const Solved& first, Begun begun);
+  ContactOutcome corrector(const Begun& begun, StepInfo& info);
+  void note(const ContactOutcome& outcome, const LoadResponse& response, StepInfo& info);
   Advance take_step(const Rates& rates) const;
   Solved reverse();
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);
-  void write(double t, const Eigen::VectorXd& state, const Solution& solution);
+  void write(double t, const Eigen::VectorXd& state, const Solution& solution,
+             const std::vector<ContactForce>& contacts = {});
   Checkpoint checkpoint() const;
   bool is_reversal(double t) const;
   bool is_written_time(double t) const;
@@ -115,6 +127,8 @@ class Simulation {
   SolveMemory latest_;                  // after all solves but those for frames within steps
   SolveMemory begun_;                   // before the solve at now_
   double written_ = -1.0;               // the last time on record
+  std::optional<SuspensionContact> contact_;  // of scenes with [contact]
+  CloserPairs closer_;                        // pairs that began closer than allowed
   std::optional<Rheometer> rheometer_;  // made for the first frame
   RunTotals totals_;
   RunResolution resolution_;

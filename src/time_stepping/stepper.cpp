@@ -30,12 +30,6 @@ const Tableau& tableau_of(Method method) {
   }
 }
 
-// The first of equal steps to a time, none longer than a given one.
-double evened_end(double t, double stop, double longest) {
-  const double steps = std::ceil((stop - t) / longest - 1e-9);
-  return steps > 1.0 ? t + (stop - t) / steps : stop;
-}
-
 StepRefused too_short(double dt, double error) {
   std::ostringstream message;
   message << "the estimated error of a step of " << dt << " is " << error
@@ -44,6 +38,11 @@ StepRefused too_short(double dt, double error) {
 }
 
 }  // namespace
+
+double evened_end(double t, double event, double longest) {
+  const double steps = std::ceil((event - t) / longest - 1e-9);
+  return steps > 1.0 ? t + (event - t) / steps : event;
+}
 
 bool is_embedded(Method method) {
   return method >= Method::bogacki_shampine32;

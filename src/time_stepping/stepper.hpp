@@ -78,6 +78,14 @@ struct Advance {
   int rejected = 0;   ///< tries before that were longer
 };
 
+/// Returns the end of the first of equal steps to an event, none longer than a given one.
+///
+/// @param  t        start
+/// @param  event    > t, time
+/// @param  longest  step, > 0
+/// @return          the event itself where one step is enough
+double evened_end(double t, double event, double longest);
+
 /// Advances \f$ \dot q = f(t, q) \f$ from moment to moment; it keeps nothing between steps.
 ///
 /// Steps are evened out to hit events exactly. Embedded methods choose them by step_factor(), so

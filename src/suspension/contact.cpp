@@ -1,0 +1,290 @@
+#include "suspension/contact.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <cmath>
+#include <tuple>
+
+#include "double_layer/double_layer.hpp"
+#include "record/number_text.hpp"
+#include "suspension/stepping.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+// Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
+constexpr double relative_sag = 1e-3, relative_tolerance = 1e-3;
+
+double mean_spacing(const Scene& scene, const References& references) {
+  double length = 0.0, nodes = 0.0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    length += weights(references[k]->curve).sum();
+    nodes += static_cast<double>(references[k]->curve.size());
+  }
+  return length / nodes;
+}
+
+double separation_of(const SuspensionSolver& solver) {
+  const ContactSettings& contact = *solver.scene().contact;
+  const double unit = contact.in_spacings ? mean_spacing(solver.scene(), solver.references()) : 1.0;
+  return unit * contact.minimum_separation;
+}
+
+// Components of one shape and side share their polygon.
+ContactShapes shapes_of(const References& references, double sag_limit) {
+  ContactShapes shapes;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const Reference& own = *references[k];
+    const auto same = std::find_if(
+        references.begin(), references.begin() + static_cast<Index>(k), [&](const auto& other) {
+          return other->shape == own.shape && other->curve.side == own.curve.side;
+        });
+    const auto place = static_cast<std::size_t>(same - references.begin());
+    shapes.push_back(place < k ? shapes[place]
+                               : std::make_shared<const ContactShape>(
+                                     contact_shape(own.shape, own.curve.side, sag_limit)));
+  }
+  return shapes;
+}
+
+std::vector<Pose> poses_of(const Configuration& configuration) {
+  std::vector<Pose> poses;
+  for (const auto& [position, orientation] : configuration) {
+    poses.push_back({position, orientation});
+  }
+  return poses;
+}
+
+// Straight paths at a velocity that is packed as a rate.
+std::vector<RigidPath> paths(const Configuration& start, const VectorXd& velocity, double dt) {
+  std::vector<RigidPath> paths;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex displacement = dt * Complex(velocity[first], velocity[first + 1]);
+    paths.push_back(
+        {{start[k].position, start[k].orientation}, displacement, dt * velocity[first + 2]});
+  }
+  return paths;
+}
+
+// A row as the loop of the nonlinear problem names and weighs it.
+struct LoopRow {
+  std::size_t a, b;
+  ContactRow row;
+};
+
+ContactKey key_of(const LoopRow& row, std::size_t components) {
+  constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32;
+  const bool of_b = row.row.key.vertex_of == row.b;
+  return {static_cast<std::int64_t>(row.a * components + row.b),
+          (of_b ? more_than_vertices : 0) + row.row.key.vertex};
+}
+
+// Geometry of a stage as the loop asks for it; remembers all rows that it has returned.
+class StageRows {
+ public:
+  using Concerns = std::function<bool(std::size_t a, std::size_t b)>;
+
+  // What does not concern contact is left out.
+  StageRows(const ContactStage& stage, const ContactShapes& shapes, const ContactRules& rules,
+            Concerns concerns)
+      : stage_(stage), shapes_(shapes), rules_(rules), concerns_(std::move(concerns)) {}
+
+  ContactRows operator()(const VectorXd& velocity) {
+    const Interferences found =
+        interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
+    std::vector<LoopRow> rows;
+    for (const Contact& contact : found.contacts) {
+      if (!concerns_(contact.a, contact.b)) continue;
+      for (const ContactRow& row : contact.rows) rows.push_back({contact.a, contact.b, row});
+    }
+    const auto m = static_cast<Index>(rows.size());
+    ContactRows result{VectorXd(m), GapGradient(m, velocity.size()), {}, {}};
+    for (Index i = 0; i < m; ++i) {
+      const LoopRow& row = rows[static_cast<std::size_t>(i)];
+      result.gap[i] = row.row.gap;
+      add_gradient(result.gradient, i, row);
+      result.keys.push_back(key_of(row, shapes_.size()));
+      seen_.insert_or_assign(result.keys.back(), row);
+    }
+    return result;
+  }
+
+  const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
+
+ private:
+  // Force n on a and -n on b at one point, with torques about the centres where forces act: the
+  // point goes along with both.
+  void add_gradient(GapGradient& gradient, Index i, const LoopRow& row) const {
+    const auto moved = [&](std::size_t k) {
+      return stage_.acting[k].position - stage_.start[k].position;
+    };
+    const Complex point = row.row.point + 0.5 * (moved(row.a) + moved(row.b));
+    const auto add = [&](std::size_t k, Complex force) {
+      const auto first = static_cast<Index>(3 * k);
+      gradient.insert(i, first) = force.real();
+      gradient.insert(i, first + 1) = force.imag();
+      gradient.insert(i, first + 2) = cross(point - stage_.acting[k].position, force);
+    };
+    add(row.a, row.row.normal);
+    add(row.b, -row.row.normal);
+  }
+
+  const ContactStage& stage_;
+  const ContactShapes& shapes_;
+  const ContactRules& rules_;
+  Concerns concerns_;
+  std::map<ContactKey, LoopRow> seen_;
+};
+
+// Net force and torque of forces on all components, over the largest force and its distance.
+std::pair<double, double> imbalance(const VectorXd& force, const Configuration& acting) {
+  Complex net{};
+  double torque = 0.0, largest = 0.0, farthest = 0.0;
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex own(force[first], force[first + 1]);
+    net += own;
+    torque += force[first + 2] + cross(acting[k].position, own);
+    largest = std::max(largest, std::abs(own));
+    farthest = std::max(farthest, std::abs(acting[k].position));
+  }
+  if (largest == 0.0) return {0.0, 0.0};
+  return {std::abs(net) / largest, std::abs(torque) / (largest * std::max(farthest, 1e-300))};
+}
+
+}  // namespace
+
+SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
+    : solver_(solver),
+      separation_(separation_of(solver)),
+      shapes_(shapes_of(solver.references(), relative_sag * separation_)) {
+  double sag = 0.0;
+  for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
+  polygon_separation_ = separation_ + 2.0 * sag;
+}
+
+bool SuspensionContact::is_free(std::size_t component) const {
+  return solver_.references()[component]->kind == ComponentKind::free_body;
+}
+
+// Of pairs that can be moved apart, and of overlaps.
+std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
+  std::vector<PolygonGap> gaps =
+      polygon_gaps(shapes_, poses_of(configuration), polygon_separation_);
+  std::erase_if(gaps, [this](const PolygonGap& found) {
+    return found.gap > 0.0 && !is_free(found.a) && !is_free(found.b);
+  });
+  return gaps;
+}
+
+ContactParty SuspensionContact::party(std::size_t component) const {
+  const std::size_t bodies = solver_.scene().bodies.size();
+  return component < bodies ? ContactParty{false, component}
+                            : ContactParty{true, component - bodies};
+}
+
+ContactRules SuspensionContact::rules(const CloserPairs& closer) const {
+  return {{polygon_separation_, closer}, relative_tolerance * separation_};
+}
+
+CloserPairs SuspensionContact::admit_start(const Configuration& configuration) const {
+  const Scene& scene = solver_.scene();
+  std::string overlaps, narrow;
+  CloserPairs closer;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const std::string pair =
+        component_name(scene, found.a) + " and " + component_name(scene, found.b);
+    const auto add = [&](std::string& list, const std::string& text) {
+      list += (list.empty() ? "" : ", ") + pair + text;
+    };
+    if (found.gap <= 0.0) {
+      add(overlaps, " by " + short_number(-found.gap));
+    } else if (found.gap < polygon_separation_ - relative_tolerance * separation_) {
+      add(narrow, " are " + short_number(found.gap) + " apart");
+      closer[{found.a, found.b}] = found.gap;
+    }
+  }
+  if (!overlaps.empty()) throw ConfigurationRefused("bodies overlap at the start: " + overlaps);
+  if (!narrow.empty() && !scene.contact->allow_close) {
+    throw ConfigurationRefused("pairs are closer at the start than contact.minimum_separation = " +
+                               short_number(separation_) + ": " + narrow +
+                               "; set contact.allow_close = true, or move them");
+  }
+  return closer;
+}
+
+CloserPairs SuspensionContact::widened(const CloserPairs& closer,
+                                       const Configuration& configuration) const {
+  if (closer.empty()) return {};
+  CloserPairs result;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const auto earlier = closer.find({found.a, found.b});
+    if (earlier == closer.end()) continue;
+    result[earlier->first] = std::max(earlier->second, found.gap);
+  }
+  return result;
+}
+
+bool SuspensionContact::admits(const Configuration& configuration,
+                               const CloserPairs& closer) const {
+  const Separation separation{polygon_separation_, closer};
+  return std::ranges::all_of(gaps(configuration), [&](const PolygonGap& found) {
+    return found.gap >=
+           separation.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
+  });
+}
+
+ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadResponse& response,
+                                          const CloserPairs& closer) const {
+  const auto begun = std::chrono::steady_clock::now();
+  const ContactRules rules = this->rules(closer);
+  StageRows rows(stage, shapes_, rules,
+                 [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); });
+  const ContactStep step{
+      .free_velocity = stage.free_velocity,
+      .dt = stage.dt,
+      .separation = separation_,
+      .tolerance = rules.tolerance,
+      .rows = [&](const VectorXd& velocity) { return rows(velocity); },
+      .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
+        return stage.share * response(forces);
+      }};
+  ContactOutcome outcome{resolve_contact(step), {}, 0.0, 0.0, 0.0};
+  const ContactResult& result = outcome.result;
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    const double force = result.multipliers[static_cast<Index>(i)];
+    if (force <= 0.0) continue;
+    const LoopRow& row = rows.seen(result.keys[i]);
+    const double kept = rules.separation.between(row.a, row.b);
+    outcome.forces.push_back({party(row.a), party(row.b), row.row.point, row.row.normal, force,
+                              kept + result.gaps[static_cast<Index>(i)]});
+  }
+  std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
+      imbalance(result.force, stage.acting);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
+  outcome.seconds = passed.count();
+  return outcome;
+}
+
+Solution SuspensionContact::with_forces(Solution free, const ContactOutcome& outcome,
+                                        const LoadResponse& response) const {
+  if (outcome.forces.empty()) return free;
+  const LoadSolution added = response.combined(outcome.result.multipliers);
+  free.density += added.density;
+  free.uniform_velocity += added.completion.uniform_velocity;
+  for (std::size_t k = 0; k < free.motions.size(); ++k) {
+    free.loads[k].force += added.completion.loads[k].force;
+    free.loads[k].torque += added.completion.loads[k].torque;
+    free.motions[k].velocity += added.completion.motions[k].velocity;
+    free.motions[k].omega += added.completion.motions[k].omega;
+  }
+  return free;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "lcp/contact_loop.hpp"
+#include "record/run_data.hpp"
+#include "stiv/interferences.hpp"
+#include "stiv/polygon_gaps.hpp"
+#include "suspension/load_response.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Pairs that began closer than the separation, and how close they may come.
+using CloserPairs = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+/// A step, or a stage of one, for which contact is to be resolved.
+struct ContactStage {
+  const Configuration& start;  ///< where the step begins
+  Eigen::VectorXd
+      free_velocity;  ///< mean velocity of the step without contact, as to_rate() packs it
+  double dt;          ///< length of the step
+  const Configuration& acting;  ///< where forces act, and the response is taken
+  double share;                 ///< of the step for which they act, 1 or 1/2
+};
+
+/// What contact made of a step.
+struct ContactOutcome {
+  ContactResult result;              ///< mean velocity, multipliers, and how the loop ended
+  std::vector<ContactForce> forces;  ///< of all rows that carry one
+  double force_imbalance = 0.0;      ///< net force of all pairs over the largest force
+  double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
+  double seconds = 0.0;              ///< wall time, those of the responses included
+};
+
+/// Keeps the components of a scene at their minimum separation.
+///
+/// Contact is seen ahead by interferences() of the polygons of all components, and resolved by
+/// resolve_contact() with the mobility of the whole suspension. Polygons lie within a thousandth of
+/// the separation of their curves, and gaps are kept to another thousandth.
+/// @par Accuracy  gaps of the curves from 0.999 to 1.003 separations where a force acts
+class SuspensionContact {
+ public:
+  /// Prepares the polygons of a scene.
+  ///
+  /// @param  solver  of a scene with [contact], which must outlive this
+  explicit SuspensionContact(const SuspensionSolver& solver);
+
+  /// Returns the least distance that curves keep.
+  /// @return delta, length
+  double separation() const { return separation_; }
+
+  /// Finds pairs that are closer than the separation.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                their gaps, length
+  /// @throws ConfigurationRefused on overlap, naming all pairs and depths; and on narrower gaps unless
+  ///                contact.allow_close
+  CloserPairs admit_start(const Configuration& configuration) const;
+
+  /// Tells how much pairs that began closer may close now: gaps that have opened stay open.
+  ///
+  /// @param  closer         of the start, or of the step before
+  /// @param  configuration  where the components are now
+  /// @return                pairs that are closer still
+  CloserPairs widened(const CloserPairs& closer, const Configuration& configuration) const;
+
+  /// Resolves contact in a stage.
+  ///
+  /// @param  stage     to resolve
+  /// @param  response  mobility where forces act
+  /// @param  closer    pairs that may come closer
+  /// @return           outcome; its velocity is to be used only where its status is resolved
+  /// @throws NumericsRefused as LoadResponse does
+  ContactOutcome resolve(const ContactStage& stage, LoadResponse& response,
+                         const CloserPairs& closer) const;
+
+  /// Adds the forces of contact to a solution.
+  ///
+  /// @param  free      solution without them, where they act
+  /// @param  outcome   resolved
+  /// @param  response  that resolve() was given
+  /// @return           motions, loads, density with them
+  Solution with_forces(Solution free, const ContactOutcome& outcome,
+                       const LoadResponse& response) const;
+
+  /// Tells whether a configuration keeps all separations, by the polygons at rest.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  closer         pairs that may come closer
+  /// @return                true when no gap is narrower by more than twice the tolerance of gaps
+  bool admits(const Configuration& configuration, const CloserPairs& closer) const;
+
+ private:
+  bool is_free(std::size_t component) const;
+  std::vector<PolygonGap> gaps(const Configuration& configuration) const;
+  ContactRules rules(const CloserPairs& closer) const;
+  ContactParty party(std::size_t component) const;
+
+  const SuspensionSolver& solver_;
+  double separation_;
+  double polygon_separation_;  // with the sags of both
+  ContactShapes shapes_;
+};
+
+/// @}
+
+}  // namespace stokesbook
