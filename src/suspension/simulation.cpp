@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "record/number_text.hpp"
 #include "suspension/fields.hpp"
@@ -37,6 +39,18 @@ Frame make_frame(double t, std::size_t bodies, const Configuration& configuratio
   return frame;
 }
 
+std::string contact_reason(const ContactOutcome& outcome) {
+  return "contact is not resolved: " + outcome.result.reason;
+}
+
+int pairs_in_contact(const ContactOutcome& outcome) {
+  std::set<std::tuple<bool, std::size_t, bool, std::size_t>> pairs;
+  for (const ContactForce& force : outcome.forces) {
+    pairs.emplace(force.a.is_wall, force.a.number, force.b.is_wall, force.b.number);
+  }
+  return static_cast<int>(pairs.size());
+}
+
 // Lets a stepper know where a shorter step may do.
 Rate shorter_where_refused(const Rate& rate) {
   return [=](double t, const VectorXd& state) {
@@ -54,6 +68,26 @@ constexpr std::size_t densities_kept = 4;
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
 
+VectorXd to_numbers(const CloserPairs& pairs) {
+  VectorXd numbers(static_cast<Eigen::Index>(3 * pairs.size()));
+  Eigen::Index i = 0;
+  for (const auto& [pair, gap] : pairs) {
+    numbers[i++] = static_cast<double>(pair.first);
+    numbers[i++] = static_cast<double>(pair.second);
+    numbers[i++] = gap;
+  }
+  return numbers;
+}
+
+CloserPairs to_pairs(const VectorXd& numbers) {
+  CloserPairs pairs;
+  for (Eigen::Index i = 0; i < numbers.size(); i += 3) {
+    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
+        numbers[i + 2];
+  }
+  return pairs;
+}
+
 std::string density_name(std::size_t k) {
   return "density_" + std::to_string(k);
 }
@@ -69,6 +103,13 @@ void add(StepInfo& step, const Solution& solution, double seconds) {
   step.seconds += seconds;
 }
 
+void add(StepInfo& step, const ContactOutcome& outcome, const SolveCost& cost) {
+  step.gmres_iterations += cost.gmres_iterations;
+  step.matvecs += cost.matvecs;
+  step.ncp_iterations += outcome.result.iterations;
+  step.seconds += outcome.seconds;
+}
+
 }  // namespace
 
 Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
@@ -79,7 +120,9 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       now_{0.0, to_state(solver.initial_configuration()), {}},
       latest_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
-      begun_(latest_) {}
+      begun_(latest_) {
+  if (solver.scene().contact) contact_.emplace(solver);
+}
 
 void Simulation::resume(const Checkpoint& checkpoint) {
   now_ = {checkpoint.t, checkpoint.state, {}};
@@ -93,6 +136,7 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   latest_.densities.unpack(packed, to_configuration(now_.state).size());
   latest_.error_estimate = checkpoint.history.at("estimate")[0];
   latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
+  if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
 }
 
 // The step under way is taken again after a resume: what it computes is the same to the last bit.
@@ -103,22 +147,34 @@ Checkpoint Simulation::checkpoint() const {
       VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};
   const std::vector<VectorXd> packed = begun_.densities.packed();
   for (std::size_t k = 0; k < packed.size(); ++k) checkpoint.history[density_name(k)] = packed[k];
+  if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
   return checkpoint;
 }
 
 void Simulation::run() {
   drive_ = drive_at(solver_.scene().reverse_at, now_.t);
+  if (contact_ && totals_.steps == 0) closer_ = contact_->admit_start(to_configuration(now_.state));
   Solved now = solve(now_.t, now_.state, Role::step);
   while (true) {
     begun_ = now.before;
-    if (is_written_time(now_.t)) write(now_.t, now_.state, now.solution);
-    if (now_.t >= time_.t_final) return;
-    now = advance(now);
+    const bool ends = now_.t >= time_.t_final;
+    std::optional<Begun> begun;
+    if (contact_) begun = begin_in_contact(now, planned_end());
+    if (is_written_time(now_.t)) {
+      begun ? write(now_.t, now_.state, begun->solution, begun->outcome.forces)
+            : write(now_.t, now_.state, now.solution);
+    }
+    if (ends) return;
+    now = begun ? advance_in_contact(now, std::move(*begun)) : advance(now);
   }
 }
 
 void Simulation::solve_once() {
-  write(now_.t, now_.state, solve(now_.t, now_.state, Role::step).solution);
+  const Solved now = solve(now_.t, now_.state, Role::step);
+  if (!contact_) return write(now_.t, now_.state, now.solution);
+  closer_ = contact_->admit_start(to_configuration(now_.state));
+  const Begun begun = begin_in_contact(now, planned_end());
+  write(now_.t, now_.state, begun.solution, begun.outcome.forces);
 }
 
 Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role) {
@@ -172,11 +228,13 @@ void Simulation::note_resolution(const Solution& solution) {
   resolution_.error_estimate = std::max(resolution_.error_estimate, solution.error_estimate);
 }
 
-void Simulation::write(double t, const VectorXd& state, const Solution& solution) {
+void Simulation::write(double t, const VectorXd& state, const Solution& solution,
+                       const std::vector<ContactForce>& contacts) {
   if (t <= written_) return;  // on record before a resume
   if (observer_.frame) {
     const Configuration configuration = to_configuration(state);
     Frame frame = make_frame(t, solver_.scene().bodies.size(), configuration, solution);
+    frame.contacts = contacts;
     if (!rheometer_) rheometer_.emplace(solver_);
     frame.rheology = (*rheometer_)(configuration, solution, drive_);
     if (solver_.scene().output.fields) {
@@ -230,6 +288,88 @@ Advance Simulation::take_step(const Rates& rates) const {
   } catch (const StepRefused& refusal) {
     throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + refusal.what() +
                           ", and steps are not to be shorter than " + dt_min);
+  }
+}
+
+double Simulation::planned_end() const {
+  if (now_.t >= time_.t_final)
+    return now_.t + *time_.dt;  // what holds at the end, holds thereafter
+  return evened_end(now_.t, next_event(), *time_.dt);
+}
+
+// Contact depends on the step that is to be taken: one that cannot be resolved is halved.
+Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end) {
+  const Configuration configuration = to_configuration(now_.state);
+  LoadResponse response(solver_, configuration, first.solution.references);
+  while (true) {
+    const double dt = t_end - now_.t;
+    ContactOutcome outcome = contact_->resolve(
+        {configuration, to_rate(first.solution), dt, configuration, 1.0}, response, closer_);
+    if (outcome.result.status == ContactStatus::resolved) {
+      Solution solution = contact_->with_forces(first.solution, outcome, response);
+      return {t_end, std::move(outcome), std::move(solution), response.cost()};
+    }
+    t_end = halved(t_end, contact_reason(outcome));
+  }
+}
+
+double Simulation::halved(double t_end, const std::string& reason) {
+  const double dt = t_end - now_.t;
+  if (dt <= stepping_.dt_min) {
+    throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + reason +
+                          "; steps down to time.dt_min = " + short_number(stepping_.dt_min) +
+                          " do not help");
+  }
+  ++totals_.rejected_steps;
+  return now_.t + std::max(0.5 * dt, stepping_.dt_min);
+}
+
+// The mean velocity of a step by Heun's method, where the forces of its second half act at the
+// state that its first half leads to.
+ContactOutcome Simulation::corrected(const Begun& begun, StepInfo& info) {
+  const double dt = begun.t_end - now_.t;
+  const VectorXd& first = begun.outcome.result.velocity;
+  const VectorXd predicted = now_.state + dt * first;
+  const Solved stage = solve(begun.t_end, predicted, Role::stage);
+  add(info, stage.solution, stage.seconds);
+  const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
+  LoadResponse response(solver_, acting, stage.solution.references);
+  ContactOutcome outcome = contact_->resolve(
+      {start, 0.5 * (first + to_rate(stage.solution)), dt, acting, 0.5}, response, closer_);
+  add(info, outcome, response.cost());
+  if (outcome.result.status != ContactStatus::resolved) {
+    throw ConfigurationRefused(contact_reason(outcome));
+  }
+  return outcome;
+}
+
+Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun begun) {
+  StepInfo info{.min_gap = std::numeric_limits<double>::infinity(),
+                .error_estimate = first.solution.error_estimate};
+  add(info, first.solution, first.seconds);
+  while (true) {
+    add(info, begun.outcome, begun.cost);
+    try {
+      const VectorXd velocity = stepping_.method == Method::heun
+                                    ? corrected(begun, info).result.velocity
+                                    : begun.outcome.result.velocity;
+      const VectorXd state = now_.state + (begun.t_end - now_.t) * velocity;
+      const Configuration configuration = to_configuration(state);
+      if (!contact_->admits(configuration, closer_)) {
+        throw ConfigurationRefused("a step leads to gaps below contact.minimum_separation");
+      }
+      Solved last = solve(begun.t_end, state, Role::step);
+      info.t = begun.t_end;
+      info.dt = begun.t_end - now_.t;
+      info.contacts = pairs_in_contact(begun.outcome);
+      now_ = {begun.t_end, state, {}};
+      closer_ = contact_->widened(closer_, configuration);
+      ++totals_.steps;
+      if (observer_.step) observer_.step(info);
+      return is_reversal(now_.t) ? reverse() : std::move(last);
+    } catch (const ConfigurationRefused& refusal) {
+      begun = begin_in_contact(first, halved(begun.t_end, refusal.what()));
+    }
   }
 }
 

@@ -94,7 +94,8 @@ class Simulation {
   struct Begun {
     double t_end;
     ContactOutcome outcome;
-    Solution solution;
+    Solution solution;  // with the forces of contact
+    SolveCost cost;     // of these
   };
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
@@ -102,8 +103,9 @@ class Simulation {
   Solved advance(const Solved& first);
   Begun begin_in_contact(const Solved& first, double t_end);
   Solved advance_in_contact(const Solved& first, Begun begun);
-  ContactOutcome corrector(const Begun& begun, StepInfo& info);
-  void note(const ContactOutcome& outcome, const LoadResponse& response, StepInfo& info);
+  ContactOutcome corrected(const Begun& begun, StepInfo& info);
+  double planned_end() const;
+  double halved(double t_end, const std::string& reason);
   Advance take_step(const Rates& rates) const;
   Solved reverse();
   void note_resolution(const Solution& solution);
@@ -124,12 +126,12 @@ class Simulation {
   double drive_ = 1.0;
   Moment now_;  // the rate is set before a step
   StepMemory memory_;
-  SolveMemory latest_;                  // after all solves but those for frames within steps
-  SolveMemory begun_;                   // before the solve at now_
-  double written_ = -1.0;               // the last time on record
+  SolveMemory latest_;                        // after all solves but those for frames within steps
+  SolveMemory begun_;                         // before the solve at now_
+  double written_ = -1.0;                     // the last time on record
   std::optional<SuspensionContact> contact_;  // of scenes with [contact]
   CloserPairs closer_;                        // pairs that began closer than allowed
-  std::optional<Rheometer> rheometer_;  // made for the first frame
+  std::optional<Rheometer> rheometer_;        // made for the first frame
   RunTotals totals_;
   RunResolution resolution_;
 };
