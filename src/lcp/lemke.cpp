@@ -1,5 +1,7 @@
 #include "lcp/lemke.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -15,23 +17,24 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int pivots_between_refreshments = 50;
 constexpr int side_changes = 40;
 constexpr double rounding = 1e-15;        // beside offsets of size one
 constexpr double smallest_pivot = 1e-11;  // relative to the largest entry of its column
 constexpr double tie = 1e-13;             // relative to the largest entry of what is compared
 
-// Variables are numbered w_0 .. w_{m-1}, z_0 .. z_{m-1}, t.
+// w - M z - e t = q, solved for the basic variables: basic + rows nonbasic = values. Variables are
+// numbered w_0 .. w_{m-1}, z_0 .. z_{m-1}, t.
 class Tableau {
  public:
   explicit Tableau(const LcpProblem& problem)
-      : problem_{problem},
-        m_{problem.offset.size()},
+      : m_{problem.offset.size()},
         basic_(static_cast<std::size_t>(m_)),
-        nonbasic_(static_cast<std::size_t>(m_ + 1)) {
+        nonbasic_(static_cast<std::size_t>(m_ + 1)),
+        rows_(m_, m_ + 1),
+        values_{problem.offset} {
     std::iota(basic_.begin(), basic_.end(), Index{0});
     std::iota(nonbasic_.begin(), nonbasic_.end(), m_);
-    refresh();
+    rows_ << -problem.matrix, VectorXd::Constant(m_, -1.0);
   }
 
   Index artificial() const { return 2 * m_; }
@@ -71,30 +74,9 @@ class Tableau {
       values_[i] -= fall[i] * values_[row];
     }
     std::swap(basic_[static_cast<std::size_t>(row)], nonbasic_[static_cast<std::size_t>(column)]);
-    ++age_;
-  }
-
-  int age() const { return age_; }
-
-  // Computes the tableau from the matrix, without the rounding of the pivots before.
-  void refresh() {
-    MatrixXd basis(m_, m_), others(m_, m_ + 1);
-    for (Index i = 0; i < m_; ++i) basis.col(i) = column(basic(i));
-    for (Index j = 0; j <= m_; ++j) others.col(j) = column(nonbasic_[static_cast<std::size_t>(j)]);
-    const Eigen::PartialPivLU<MatrixXd> lu(basis);
-    rows_ = lu.solve(others);
-    values_ = lu.solve(problem_.offset);
-    age_ = 0;
   }
 
  private:
-  // Column of w - M z - e t = q.
-  VectorXd column(Index variable) const {
-    if (variable < m_) return VectorXd::Unit(m_, variable);
-    if (variable < 2 * m_) return -problem_.matrix.col(variable - m_);
-    return VectorXd::Constant(m_, -1.0);
-  }
-
   VectorXd inverse_column(Index j) const {
     const auto row = std::find(basic_.begin(), basic_.end(), j);
     if (row == basic_.end()) return rows_.col(column_of(j));
@@ -110,12 +92,10 @@ class Tableau {
     std::erase_if(rows, [&](Index row) { return v[row] - least * divisor[row] > tie * size; });
   }
 
-  const LcpProblem& problem_;
   Index m_;
   std::vector<Index> basic_, nonbasic_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;
   VectorXd values_;
-  int age_ = 0;
 };
 
 std::vector<Index> all_rows(Index m) {
@@ -207,8 +187,6 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     }
     entering = tableau.complement(leaving);
     //! [pivots]
-    if (tableau.age() >= pivots_between_refreshments) tableau.refresh();
-    if (falling_rows(tableau.fall(entering)).empty()) tableau.refresh();
     const VectorXd fall = tableau.fall(entering);
     const std::vector<Index> rows = falling_rows(fall);
     if (rows.empty()) {

@@ -12,9 +12,9 @@ namespace stokesbook {
 ///
 /// The problem is scaled to \f$ M_{ii} = 1 \f$. Along the path one of z_i and w_i is zero for every
 /// i, for one i both; the complement of the variable that left the basis enters it. Ties of the
-/// ratio test are broken lexicographically, so that degenerate problems do not cycle. The tableau
-/// is computed anew from M after every 50 pivots, and before a ray is believed; at the end
-/// \f$ M_{AA} z_A = -q_A \f$ is solved for the set A that pivoting found.
+/// ratio test are broken lexicographically, so that degenerate problems do not cycle. At the end
+/// \f$ M_{AA} z_A = -q_A \f$ is solved for the set A that pivoting found. Where rounding has put
+/// indices with z = w = 0 on the wrong side, they change it.
 ///
 /// Where the path ends in a ray, its direction v >= 0 is returned. For M positive semidefinite,
 /// symmetric or not, it proves that there is no solution: \f$ M^T v \le 0 \f$, but

@@ -210,6 +210,15 @@ BOOST_AUTO_TEST_CASE(points_that_take_turns_need_earlier_rows) {
   BOOST_TEST(largest(soon.velocity) < 1e-12);
 }
 
+BOOST_AUTO_TEST_CASE(all_earlier_rows_come_back_not_only_the_last) {
+  const ContactResult result = resolve_contact(table(vector3(-1.0, 0.1, 0.05)));
+  BOOST_TEST(resolved(result));
+  BOOST_TEST(largest(result.velocity) < 1e-12);
+  BOOST_TEST(result.keys.size() == 3u);
+  BOOST_TEST(result.multipliers.minCoeff() > 0.1);
+  BOOST_TEST(result.iterations <= 6);
+}
+
 BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
   int iterations = 0, steps = 0, halvings = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {

@@ -51,6 +51,18 @@ BOOST_AUTO_TEST_CASE(lemke_solves_all_of_them_to_rounding) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rays_of_large_problems_prove_that_there_is_no_solution) {
+  // Two contacts that repeat each other to 1e-6 want to open differently.
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const Index m = 20 + size_of(seed);
+    const MatrixXd matrix = near_duplicates(semidefinite_matrix(m, m / 4, seed));
+    const LcpProblem problem{matrix, normal_matrix(2 * m, 1, seed)};
+    const LcpResult result = lemke(problem);
+    BOOST_TEST((result.status == LcpStatus::ray), "seed " << seed);
+    BOOST_TEST(proves_no_solution(result.ray, problem), "seed " << seed);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_called_solved_is) {
   int all = 0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {

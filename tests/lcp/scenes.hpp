@@ -82,6 +82,20 @@ inline ContactStep rod(const VectorXd& free_velocity) {
   });
 }
 
+/// A table above a floor, unknowns its velocity upwards and its rotations; of its three feet only
+/// the deepest one is a row.
+inline ContactStep table(const VectorXd& free_velocity) {
+  return step_of(free_velocity, 1.0, MatrixXd::Identity(3, 3), [](const VectorXd& velocity) {
+    MatrixXd feet(3, 3);
+    feet << 1.0, 1.0, 0.0, 1.0, -0.5, 0.75, 1.0, -0.5, -0.75;
+    Index deepest = 0;
+    const double gap = (feet * velocity).minCoeff(&deepest);
+    RowBuilder builder(3);
+    builder.add({0, deepest}, gap, feet.row(deepest));
+    return builder.rows();
+  });
+}
+
 /// Disks of radius 1/2 in the plane at `centres` (x_0, y_0, x_1, ...): rows are pairs that end
 /// nearer than half a radius.
 inline ContactStep disks(const VectorXd& centres, const VectorXd& free_velocity, double dt,

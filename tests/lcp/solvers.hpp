@@ -36,6 +36,10 @@ inline VectorXd vector2(double a, double b) {
   return (VectorXd(2) << a, b).finished();
 }
 
+inline VectorXd vector3(double a, double b, double c) {
+  return (VectorXd(3) << a, b, c).finished();
+}
+
 inline double largest(const VectorXd& v) {
   return v.cwiseAbs().maxCoeff();
 }
@@ -43,9 +47,9 @@ inline double largest(const VectorXd& v) {
 /// Tells whether v proves that a positive semidefinite problem has no solution:
 /// v >= 0, M^T v <= 0 and q . v < 0.
 inline bool proves_no_solution(const VectorXd& v, const LcpProblem& problem) {
+  if (v.size() != problem.offset.size()) return false;
   const double size = largest(v) * problem.matrix.cwiseAbs().maxCoeff();
-  return v.size() == problem.offset.size() && v.minCoeff() >= 0.0 &&
-         (problem.matrix.transpose() * v).maxCoeff() <= 1e-10 * size &&
+  return v.minCoeff() >= 0.0 && (problem.matrix.transpose() * v).maxCoeff() <= 1e-10 * size &&
          problem.offset.dot(v) < -1e-10 * largest(v) * largest(problem.offset);
 }
 
