@@ -255,6 +255,31 @@ BOOST_AUTO_TEST_CASE(a_disk_in_a_valley_has_two_contacts) {
   }
 }
 
+// A disk grazes one lobe and runs into the other: the contact is where it stays in contact.
+BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
+  const double radius = 0.3;
+  const auto lobes = body(Star{1.0, 0.45, 2}, 512), disk = body(Circle{radius}, 256);
+  Eigen::Index top = 0;
+  lobes->polygon.vertices().imag().maxCoeff(&top);
+  const Complex summit = lobes->polygon.vertex(top);
+  const double half = std::abs(summit.real()), height = summit.imag() + radius;
+  BOOST_REQUIRE(half > 0.5);
+  // Over one summit at .7 of the separation, at the other one well inside.
+  const double slope = -(0.7 * delta + 2.0 * delta) / (2.0 * half), run_up = 1.5;
+  const double way = 2.0 * half + run_up;
+  Step step;
+  step.add(lobes, {});
+  step.add(
+      disk,
+      {{{-half - run_up, height + 0.7 * delta - slope * run_up}, 0.0}, {way, slope * way}, 0.0});
+  Step grazing = step;
+  grazing.paths[1].displacement *= (half + run_up) / way;
+  BOOST_TEST(!interferences(grazing, rules()).contacts.empty());
+  const std::vector<Contact> contacts = violated(interferences(step, rules()));
+  BOOST_TEST(!contacts.empty());
+  BOOST_TEST(first_time(contacts) > (half + run_up) / way);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   Step step = approach(0.0, 3.0, 32);
   BOOST_CHECK_THROW(interferences(step, {{0.0}, tolerance}), std::invalid_argument);
