@@ -104,11 +104,13 @@ class StageRows {
       for (const ContactRow& row : contact.rows) rows.push_back({contact.a, contact.b, row});
     }
     const auto m = static_cast<Index>(rows.size());
-    ContactRows result{VectorXd(m), GapGradient(m, velocity.size()), {}, {}};
+    const GapGradient none(m, velocity.size());
+    ContactRows result{VectorXd(m), none, none, {}};
     for (Index i = 0; i < m; ++i) {
       const LoopRow& row = rows[static_cast<std::size_t>(i)];
       result.gap[i] = row.row.gap;
       add_gradient(result.gradient, i, row);
+      add_force(result.force_gradient, i, row);
       result.keys.push_back(key_of(row, shapes_.size()));
       seen_.insert_or_assign(result.keys.back(), row);
     }
@@ -118,21 +120,30 @@ class StageRows {
   const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
 
  private:
+  static void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
+    const auto first = static_cast<Index>(3 * component);
+    gradient.insert(i, first) = wrench.force.real();
+    gradient.insert(i, first + 1) = wrench.force.imag();
+    gradient.insert(i, first + 2) = wrench.torque;
+  }
+
+  static void add_gradient(GapGradient& gradient, Index i, const LoopRow& row) {
+    add(gradient, i, row.a, row.row.derivative.on_a);
+    add(gradient, i, row.b, row.row.derivative.on_b);
+  }
+
   // Force n on a and -n on b at one point, with torques about the centres where forces act: the
   // point goes along with both.
-  void add_gradient(GapGradient& gradient, Index i, const LoopRow& row) const {
+  void add_force(GapGradient& gradient, Index i, const LoopRow& row) const {
     const auto moved = [&](std::size_t k) {
       return stage_.acting[k].position - stage_.start[k].position;
     };
     const Complex point = row.row.point + 0.5 * (moved(row.a) + moved(row.b));
-    const auto add = [&](std::size_t k, Complex force) {
-      const auto first = static_cast<Index>(3 * k);
-      gradient.insert(i, first) = force.real();
-      gradient.insert(i, first + 1) = force.imag();
-      gradient.insert(i, first + 2) = cross(point - stage_.acting[k].position, force);
+    const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
+      return {force, cross(point - stage_.acting[k].position, force)};
     };
-    add(row.a, row.row.normal);
-    add(row.b, -row.row.normal);
+    add(gradient, i, row.a, wrench(row.a, row.row.normal));
+    add(gradient, i, row.b, wrench(row.b, -row.row.normal));
   }
 
   const ContactStage& stage_;

@@ -255,6 +255,56 @@ BOOST_AUTO_TEST_CASE(a_disk_in_a_valley_has_two_contacts) {
   }
 }
 
+// A disk grazes one lobe and runs into the other: the first contact is that with the other.
+BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
+  const double radius = 0.3;
+  const auto lobes = body(Star{1.0, 0.45, 2}, 512), disk = body(Circle{radius}, 256);
+  Eigen::Index top = 0;
+  lobes->polygon.vertices().imag().maxCoeff(&top);
+  const Complex summit = lobes->polygon.vertex(top);
+  const double half = std::abs(summit.real()), height = summit.imag() + radius;
+  BOOST_REQUIRE(half > 0.5);
+  // Over one summit at .9 of the separation, at the other one half of it inside.
+  const double slope = -(0.9 * delta + 0.5 * delta) / (2.0 * half), run_up = 1.5;
+  const double way = 2.0 * half + run_up;
+  Step step;
+  step.add(lobes, {});
+  step.add(
+      disk,
+      {{{-half - run_up, height + 0.9 * delta - slope * run_up}, 0.0}, {way, slope * way}, 0.0});
+  Step grazing = step;
+  grazing.paths[1].displacement *= (half + run_up) / way;
+  BOOST_TEST(!interferences(grazing, rules()).contacts.empty());
+  const std::vector<Contact> contacts = violated(interferences(step, rules()));
+  BOOST_TEST(!contacts.empty());
+  BOOST_TEST(first_time(contacts) > (half + run_up) / way);
+}
+
+// What slides along a floor is in contact all the time; the thin wall that it then meets, and would
+// have passed at the end, is seen all the same.
+BOOST_AUTO_TEST_CASE(a_second_contact_within_the_first) {
+  const ComplexVector corners = ComplexVector{{Complex{-3.0, -1.0},
+                                               {3.0, -1.0},
+                                               {3.0, 0.0},
+                                               {1.1, 0.0},
+                                               {1.1, 1.0},
+                                               {1.0, 1.0},
+                                               {1.0, 0.0},
+                                               {-3.0, 0.0}}};
+  const auto floor = std::make_shared<ContactShape>(ContactShape{
+      Polygon(corners, Side::fluid_outside), Eigen::VectorXd::Ones(corners.size()), 0.0, 3.2});
+  const double radius = 1e-6;
+  Step step;
+  step.add(floor, {});
+  step.add(body(Circle{radius}, 16), {{{-1.0, delta + radius}, 0.0}, {1.8, 0.0}, 0.0});
+  BOOST_TEST(interferences(step, rules()).admits_step());
+  step.paths[1].displacement = 3.0;
+  const std::vector<Contact> contacts = violated(interferences(step, rules()));
+  BOOST_REQUIRE(contacts.size() == 1u);
+  for (const ContactRow& row : contacts[0].rows) BOOST_TEST(row.normal.real() > 0.99);
+  BOOST_TEST(least_gap(contacts) < -1.0);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   Step step = approach(0.0, 3.0, 32);
   BOOST_CHECK_THROW(interferences(step, {{0.0}, tolerance}), std::invalid_argument);

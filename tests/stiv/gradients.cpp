@@ -51,7 +51,7 @@ double predicted(const ContactRow& row, const Motion& motion) {
 
 std::vector<Motion> motions() {
   std::vector<Motion> all;
-  for (std::size_t k : {0, 1}) {
+  for (std::size_t k = 0; k < 2; ++k) {
     all.push_back({k, {1.0, 0.0}, 0.0});
     all.push_back({k, {0.0, 1.0}, 0.0});
     all.push_back({k, {0.0, 0.0}, 1.0});

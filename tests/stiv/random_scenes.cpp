@@ -142,6 +142,7 @@ BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
       std::vector<Pose> ends;
       for (const RigidPath& path : step.paths) ends.push_back(path.at(1.0));
       const bool is_apart = polygon_gaps(step.shapes, ends, separation - 1.001 * tolerance).empty();
+      for (const Contact& contact : found.contacts) BOOST_TEST(!contact.rows.empty());
       if (found.admits_step()) {
         BOOST_TEST(is_apart);
         ++admitted;

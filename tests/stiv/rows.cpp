@@ -187,3 +187,22 @@ BOOST_AUTO_TEST_CASE(a_separation_of_one_pair) {
   // A pair's own separation cannot widen it.
   BOOST_TEST((violated_pairs({0.01, {{{1, 2}, 0.02}}}).empty()));
 }
+
+// Two violations with less than a sag between their depths: one minimum, but a row for each.
+BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
+  const auto coarse = body(Circle{1.0}, 32);
+  BOOST_TEST(coarse->sag > 4.0 * tolerance);
+  std::vector<VertexEvent> events;
+  for (const auto& [vertex, gap] :
+       {std::pair{4, -3.0 * tolerance}, {5, 0.0}, {6, -2.0 * tolerance}}) {
+    events.push_back({vertex, 20, 0.1, 0.5, 1.0, gap, {-1.0, 0.0}, {-1.0, 0.0}});
+  }
+  const PathPair paths{0, 1, {{{0.0, 0.0}, 0.0}, {}, 0.0}, {{{2.0, 0.0}, 0.0}, {}, 0.0}};
+  const std::vector<Contact> contacts =
+      connected_contacts({paths, *coarse, *coarse, events, {}, {}}, tolerance, RowChoice::deepest);
+  BOOST_REQUIRE(contacts.size() == 2u);
+  for (const Contact& contact : contacts) {
+    BOOST_TEST(contact.is_violated());
+    BOOST_TEST(contact.rows.size() == 1u);
+  }
+}
