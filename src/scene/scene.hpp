@@ -271,6 +271,16 @@ struct TimeSettings {
   bool operator==(const TimeSettings&) const = default;
 };
 
+/// How components are kept apart.
+struct ContactSettings {
+  double minimum_separation = 0.0;  ///< of all pairs, > 0: a length, or node spacings
+  bool in_spacings = false;  ///< minimum_separation is in units of the bodies' mean node spacing
+  bool allow_close = false;  ///< starts with narrower gaps are taken, these kept from narrowing
+
+  /// @return true when all members are equal
+  bool operator==(const ContactSettings&) const = default;
+};
+
 /// Which fields are written, and where; field_grid() says which points these are.
 struct FieldSettings {
   std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, length
@@ -304,8 +314,9 @@ struct Scene {
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
   std::vector<Fill> fills{};   ///< in file order, see with_fills_placed()
   SolverSettings solver{};     ///< how one instant is solved
-  std::optional<TimeSettings> time{};  ///< none: one solve at t = 0
-  OutputSettings output{};             ///< what is written
+  std::optional<TimeSettings> time{};        ///< none: one solve at t = 0
+  std::optional<ContactSettings> contact{};  ///< none: an overlap stops the run
+  OutputSettings output{};                   ///< what is written
 
   /// @return true when all members are equal
   bool operator==(const Scene&) const = default;
