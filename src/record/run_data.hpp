@@ -40,13 +40,30 @@ struct Rheology {
   Complex stresslet{undefined, undefined};  ///< S_11 + i S_12 of all that is in the fluid, force
 };
 
+/// One of two components that are in contact.
+struct ContactParty {
+  bool is_wall = false;    ///< a wall, not a body
+  std::size_t number = 0;  ///< in the scene's list of bodies or walls
+};
+
+/// A force between two components that are kept apart.
+struct ContactForce {
+  ContactParty a;      ///< one of them
+  ContactParty b;      ///< the other
+  Complex point;       ///< where it acts, length
+  Complex normal;      ///< of the force on a, unit
+  double force = 0.0;  ///< >= 0, force / length
+  double gap = 0.0;    ///< of the curves at the end of the step that the force is for, length
+};
+
 /// The configuration at a written time, and what the flow does there.
 struct Frame {
-  double t = 0.0;                 ///< time
-  std::vector<BodyState> bodies;  ///< in the scene's order
-  std::vector<WallLoad> walls;    ///< in the scene's order
-  Rheology rheology{};            ///< of the whole
-  std::optional<Field> field{};   ///< where it was asked for
+  double t = 0.0;                        ///< time
+  std::vector<BodyState> bodies;         ///< in the scene's order
+  std::vector<WallLoad> walls;           ///< in the scene's order
+  Rheology rheology{};                   ///< of the whole
+  std::vector<ContactForce> contacts{};  ///< that keep components apart
+  std::optional<Field> field{};          ///< where it was asked for
 };
 
 /// What one time step did.

@@ -274,8 +274,9 @@ struct TimeSettings {
 /// How components are kept apart.
 struct ContactSettings {
   double minimum_separation = 0.0;  ///< of all pairs, > 0: a length, or node spacings
-  bool in_spacings = false;  ///< minimum_separation is in units of the bodies' mean node spacing
-  bool allow_close = false;  ///< starts with narrower gaps are taken, these kept from narrowing
+  bool in_spacings =
+      false;  ///< minimum_separation is in units of the bodies' mean node spacing, "0.05h"
+  bool allow_close = false;  ///< starts with narrower gaps are taken, and these kept from narrowing
 
   /// @return true when all members are equal
   bool operator==(const ContactSettings&) const = default;
