@@ -50,7 +50,8 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        asks_for(OutputFormat::csv),
                        asks_for(OutputFormat::vtk),
                        asks_for(OutputFormat::svg),
-                       scene.output.fields.has_value()};
+                       scene.output.fields.has_value(),
+                       scene.contact.has_value()};
   for (std::size_t k = 0; k < solver.references().size(); ++k) {
     const Curve& curve = solver.references()[k]->curve;
     auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
@@ -104,6 +105,25 @@ long long peak_memory() {
   return 1024LL * usage.ru_maxrss;
 }
 
+void print_report(const RunInfo& info, const std::filesystem::path& out) {
+  const RunTotals& totals = info.totals;
+  std::printf(
+      "%lld steps, %lld more rejected, %lld solves, %lld GMRES iterations, error estimate %s, "
+      "%.1f s, %lld MB; "
+      "results in %s\n",
+      totals.steps, totals.rejected_steps, totals.solves, totals.gmres_iterations,
+      short_number(info.resolution.error_estimate).c_str(), info.wall_seconds,
+      info.peak_memory / 1'000'000, out.c_str());
+  if (!info.has_contact) return;
+  std::printf(
+      "contact: %lld solves of %lld iterations in %.1f s, %lld steps halved; imbalance of forces "
+      "at most %s, of torques %s; energy injected %s\n",
+      totals.contact_solves, totals.ncp_iterations, totals.contact_seconds,
+      totals.halved_by_contact, short_number(totals.largest_force_imbalance).c_str(),
+      short_number(totals.largest_torque_imbalance).c_str(),
+      short_number(totals.energy_injected).c_str());
+}
+
 void print_motions(const Frame& frame) {
   std::printf("%6s %24s %24s %24s\n", "body", "ux", "uy", "omega");
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
@@ -154,6 +174,7 @@ int run_scene(const RunOptions& options) {
   if (checkpoint) simulation.resume(*checkpoint);
 
   RunInfo info = run_info(plan);
+  info.has_contact = scene.contact.has_value();
   const auto finish = [&](int status, const std::string& message) {
     progress.finish();
     info.totals = simulation.totals();
@@ -172,15 +193,7 @@ int run_scene(const RunOptions& options) {
     throw;
   }
   finish(exit_done, "done");
-  if (!options.quiet) {
-    std::printf(
-        "%lld steps, %lld more rejected, %lld solves, %lld GMRES iterations, error estimate %s, "
-        "%.1f s, %lld MB; "
-        "results in %s\n",
-        info.totals.steps, info.totals.rejected_steps, info.totals.solves,
-        info.totals.gmres_iterations, short_number(info.resolution.error_estimate).c_str(),
-        info.wall_seconds, info.peak_memory / 1'000'000, out.c_str());
-  }
+  if (!options.quiet) print_report(info, out);
   return exit_done;
 }
 

@@ -6,9 +6,18 @@ namespace stokesbook {
 
 namespace {
 
-/// Appends numbers with commas between them and ends the line.
-void append_row(std::string& text, auto... numbers) {
-  ((append_number(text, numbers), text += ','), ...);
+void append_entry(std::string& text, auto number) {
+  append_number(text, number);
+}
+
+void append_entry(std::string& text, ContactParty party) {
+  text += party.is_wall ? "wall:" : "body:";
+  append_number(text, party.number);
+}
+
+/// Appends entries with commas between them and ends the line.
+void append_row(std::string& text, auto... entries) {
+  ((append_entry(text, entries), text += ','), ...);
   text.back() = '\n';
 }
 
@@ -40,6 +49,15 @@ std::string rheology_row(const Frame& frame) {
   append_row(row, frame.t, dissipation, torque_ratio, order_parameter, stresslet.real(),
              stresslet.imag());
   return row;
+}
+
+std::string contact_rows(const Frame& frame) {
+  std::string rows;
+  for (const ContactForce& contact : frame.contacts) {
+    append_row(rows, frame.t, contact.a, contact.b, contact.point.real(), contact.point.imag(),
+               contact.normal.real(), contact.normal.imag(), contact.force, contact.gap);
+  }
+  return rows;
 }
 
 std::string step_row(const StepInfo& step) {

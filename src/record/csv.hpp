@@ -10,7 +10,7 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// @name The tables of a run: a header line, then rows of numbers that restore the values exactly
+/// @name The tables of a run: a header line, then rows whose numbers restore the values exactly
 /// @{
 
 /// Header of `trajectory.csv`.
@@ -20,6 +20,8 @@ inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
 /// Header of `rheology.csv`.
 inline constexpr std::string_view rheology_header =
     "t,dissipation,torque_ratio,order_parameter,s11,s12\n";
+/// Header of `contacts.csv`.
+inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
 /// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,error_estimate,"
@@ -43,6 +45,12 @@ std::string wall_rows(const Frame& frame);
 /// @param  frame  with its rheology
 /// @return        one line, as rheology_header says; `nan` for what is not defined
 std::string rheology_row(const Frame& frame);
+
+/// Writes the contacts of a frame.
+///
+/// @param  frame  configuration at a written time
+/// @return        one line a contact, as contacts_header says; parties are `body:3` or `wall:0`
+std::string contact_rows(const Frame& frame);
 
 /// Writes a step.
 ///

@@ -37,6 +37,8 @@ struct FrameFiles {
 
 /// Polygons of the bodies and walls, by configuration_vtp().
 inline constexpr FrameFiles body_files{"bodies", ".vtp"};
+/// The network of contacts, by contacts_vtp().
+inline constexpr FrameFiles contact_files{"contacts", ".vtp"};
 /// Fields on a grid, by field_vti().
 inline constexpr FrameFiles field_files{"fields", ".vti"};
 

@@ -24,12 +24,13 @@ struct Outline {
 /// @return              points in the outline's order, length
 ComplexVector placed(const Outline& outline, Complex position, double orientation);
 
-/// Checks that every body and wall of a frame has its outline.
+/// Checks that every body and wall of a frame has its outline, and every contact its parties.
 ///
 /// @param  frame   states of bodies and walls
 /// @param  bodies  outlines in the order of frame.bodies
 /// @param  walls   outlines in the order of frame.walls
-/// @throws std::invalid_argument when the numbers differ
+/// @throws std::invalid_argument when the numbers differ, or a contact is of a body or wall that
+///         the frame has not
 void require_outlines(const Frame& frame, const std::vector<Outline>& bodies,
                       const std::vector<Outline>& walls);
 

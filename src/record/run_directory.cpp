@@ -23,9 +23,11 @@ constexpr const char* checkpoint_name = "checkpoint";
 constexpr const char* trajectory_name = "trajectory.csv";
 constexpr const char* walls_name = "walls.csv";
 constexpr const char* rheology_name = "rheology.csv";
+constexpr const char* contacts_name = "contacts.csv";
 constexpr const char* steps_name = "steps.csv";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
+constexpr std::array frame_files{body_files, contact_files, field_files};
 
 /// Returns the headers of a run's tables by file name.
 std::map<std::string, std::string_view> headers(const RunContents& contents) {
@@ -33,20 +35,24 @@ std::map<std::string, std::string_view> headers(const RunContents& contents) {
   if (contents.csv) result[trajectory_name] = trajectory_header;
   if (contents.csv) result[rheology_name] = rheology_header;
   if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
+  if (contents.csv && contents.contacts) result[contacts_name] = contacts_header;
   return result;
 }
 
 /// Returns the number of the frame that a file is about, or nothing for other files.
 std::optional<std::size_t> frame_of(const std::string& name) {
-  const std::optional<std::size_t> frame = body_files.frame_of(name);
-  return frame ? frame : field_files.frame_of(name);
+  for (const FrameFiles& files : frame_files) {
+    if (const std::optional<std::size_t> frame = files.frame_of(name)) return frame;
+  }
+  return {};
 }
 
 bool belongs_to_run(const std::string& name) {
-  constexpr std::array names{checkpoint_name, trajectory_name, walls_name, rheology_name,
-                             steps_name,      picture_name,    info_name};
-  return std::ranges::find(names, name) != names.end() || name == body_files.collection() ||
-         name == field_files.collection() || is_field_picture(name) || frame_of(name);
+  constexpr std::array names{checkpoint_name, trajectory_name, walls_name,   rheology_name,
+                             contacts_name,   steps_name,      picture_name, info_name};
+  const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
+  return std::ranges::find(names, name) != names.end() ||
+         std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
 }
 
 /// Removes the files whose name is picked, with what a kill may have left of their successors.
@@ -123,12 +129,19 @@ void RunDirectory::write_frame(const Frame& frame) {
   if (frame.field.has_value() != contents_.fields) {
     throw std::invalid_argument("a frame has a field if the run writes fields, and only then");
   }
+  if (!contents_.contacts && !frame.contacts.empty()) {
+    throw std::invalid_argument("a frame has contacts only if the run writes them");
+  }
   append(trajectory_name, trajectory_rows(frame));
   append(walls_name, wall_rows(frame));
   append(rheology_name, rheology_row(frame));
+  append(contacts_name, contact_rows(frame));
   if (contents_.vtk) {
     replace(body_files.name(frame_count()),
             configuration_vtp(frame, contents_.bodies, contents_.walls));
+  }
+  if (contents_.vtk && contents_.contacts) {
+    replace(contact_files.name(frame_count()), contacts_vtp(frame));
   }
   if (contents_.fields) replace(field_files.name(frame_count()), field_vti(*frame.field));
   frame_times_.push_back(frame.t);
@@ -137,10 +150,12 @@ void RunDirectory::write_frame(const Frame& frame) {
 }
 
 void RunDirectory::write_collections() {
-  if (contents_.vtk) replace(body_files.collection(), body_files.collection_text(frame_times_));
-  if (contents_.fields) {
-    replace(field_files.collection(), field_files.collection_text(frame_times_));
-  }
+  const auto write = [&](const FrameFiles& files) {
+    replace(files.collection(), files.collection_text(frame_times_));
+  };
+  if (contents_.vtk) write(body_files);
+  if (contents_.vtk && contents_.contacts) write(contact_files);
+  if (contents_.fields) write(field_files);
 }
 
 void RunDirectory::write_pictures(const Frame& frame) {

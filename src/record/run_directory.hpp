@@ -23,10 +23,11 @@ struct RunContents {
   std::string scene;            ///< resolved scene text: a run resumes with the same only
   std::vector<Outline> bodies;  ///< in the order of Frame::bodies
   std::vector<Outline> walls;   ///< in the order of Frame::walls
-  bool csv = true;      ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
-  bool vtk = false;     ///< bodies.pvd and one .vtp a frame
-  bool svg = false;     ///< configuration.svg of the latest frame, and pictures of its fields
-  bool fields = false;  ///< fields.pvd and one .vti a frame
+  bool csv = true;        ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
+  bool vtk = false;       ///< bodies.pvd and one .vtp a frame
+  bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields
+  bool fields = false;    ///< fields.pvd and one .vti a frame
+  bool contacts = false;  ///< with csv contacts.csv, and with vtk contacts.pvd and one .vtp a frame
 };
 
 /// What happens to a run that a directory holds already.
@@ -70,8 +71,9 @@ class RunDirectory {
   /// Adds a written time to all files asked for.
   ///
   /// @param  frame  the configuration at that time
-  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents, or a
-  ///         field although the run writes none, or none although it does
+  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents, a
+  ///         contact of others, contacts or a field although the run writes none, or no field
+  ///         although it does
   /// @throws RecordError when the disk does not take it; what was written before stays valid
   void write_frame(const Frame& frame);
 

@@ -4,6 +4,29 @@
 
 namespace stokesbook {
 
+namespace {
+
+nlohmann::ordered_json totals_of(const RunInfo& info) {
+  const RunTotals& totals = info.totals;
+  nlohmann::ordered_json json = {{"steps", totals.steps},
+                                 {"rejected_steps", totals.rejected_steps},
+                                 {"solves", totals.solves},
+                                 {"gmres_iterations", totals.gmres_iterations},
+                                 {"matvecs", totals.matvecs}};
+  if (info.has_contact) {
+    json.update({{"ncp_iterations", totals.ncp_iterations},
+                 {"contact_solves", totals.contact_solves},
+                 {"contact_seconds", totals.contact_seconds},
+                 {"halved_by_contact", totals.halved_by_contact},
+                 {"largest_force_imbalance", totals.largest_force_imbalance},
+                 {"largest_torque_imbalance", totals.largest_torque_imbalance},
+                 {"energy_injected", totals.energy_injected}});
+  }
+  return json;
+}
+
+}  // namespace
+
 std::string to_json(const RunInfo& info) {
   const nlohmann::ordered_json json = {
       {"version", info.version},
@@ -13,12 +36,7 @@ std::string to_json(const RunInfo& info) {
       {"machine", info.machine},
       {"threads", info.threads},
       {"plan", info.plan},
-      {"totals",
-       {{"steps", info.totals.steps},
-        {"rejected_steps", info.totals.rejected_steps},
-        {"solves", info.totals.solves},
-        {"gmres_iterations", info.totals.gmres_iterations},
-        {"matvecs", info.totals.matvecs}}},
+      {"totals", totals_of(info)},
       {"resolution",
        {{"first_nodes", info.resolution.first_nodes},
         {"most_nodes", info.resolution.most_nodes},

@@ -10,11 +10,18 @@ namespace stokesbook {
 
 /// What a run has cost.
 struct RunTotals {
-  long long steps = 0;             ///< of time
-  long long rejected_steps = 0;    ///< tries that were longer than the step that was taken
-  long long solves = 0;            ///< of the linear system
-  long long gmres_iterations = 0;  ///< of all solves
-  long long matvecs = 0;           ///< applications of the operator
+  long long steps = 0;                    ///< of time
+  long long rejected_steps = 0;           ///< tries that were longer than the step that was taken
+  long long solves = 0;                   ///< of the linear system
+  long long gmres_iterations = 0;         ///< of all solves
+  long long matvecs = 0;                  ///< applications of the operator
+  long long ncp_iterations = 0;           ///< of all contact solves
+  long long contact_solves = 0;           ///< of the complementarity problem of contact
+  double contact_seconds = 0.0;           ///< wall time that contact took
+  long long halved_by_contact = 0;        ///< rejected steps whose contact was not resolved
+  double largest_force_imbalance = 0.0;   ///< net contact force over the largest, of any step
+  double largest_torque_imbalance = 0.0;  ///< net torque over the largest force and its distance
+  double energy_injected = 0.0;           ///< work of contact on the bodies, force
 };
 
 /// How finely a run was resolved, and how well.
@@ -33,6 +40,7 @@ struct RunInfo {
   std::string machine;            ///< where it ran
   int threads = 1;                ///< in parallel regions
   std::vector<std::string> plan;  ///< one decision with its reason a line
+  bool has_contact = false;       ///< whether contact is resolved: its totals are written then
   RunTotals totals;               ///< what it has cost
   RunResolution resolution;       ///< how well it was resolved
   double wall_seconds = 0.0;      ///< how long it took

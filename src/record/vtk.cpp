@@ -1,6 +1,7 @@
 #include "record/vtk.hpp"
 
 #include <algorithm>
+#include <concepts>
 
 #include "record/number_text.hpp"
 
@@ -8,32 +9,71 @@ namespace stokesbook {
 
 namespace {
 
-/// A closed curve with its data.
+/// How the points of a cell are joined.
+enum class Joined { in_line, in_loop, in_polygon };
+
 struct Cell {
-  long id;
-  bool encloses;
+  Joined joined;
   ComplexVector points;
-  BodyState state;
 };
 
+/// A wall or body.
+struct Component : Cell, BodyState {
+  long id;
+};
+
+/// A contact: from the centre of a by the contact point to the centre of b.
+struct Link : Cell {
+  long a, b;
+  Complex normal;
+  double force, gap;
+};
+
+bool is_line(const Cell& cell) {
+  return cell.joined != Joined::in_polygon;
+}
+
+long id_of(const ContactParty& party) {
+  const long number = static_cast<long>(party.number);
+  return party.is_wall ? -1 - number : number;
+}
+
 /// Lists walls and bodies as VTK orders cells: lines before polygons.
-std::vector<Cell> list_cells(const Frame& frame, const std::vector<Outline>& bodies,
-                             const std::vector<Outline>& walls) {
-  std::vector<Cell> cells;
+std::vector<Component> list_components(const Frame& frame, const std::vector<Outline>& bodies,
+                                       const std::vector<Outline>& walls) {
+  std::vector<Component> components;
+  const auto add = [&](const Outline& outline, const BodyState& state, long id) {
+    const Joined joined = outline.encloses ? Joined::in_loop : Joined::in_polygon;
+    components.push_back({{joined, placed(outline, state.position, state.orientation)}, state, id});
+  };
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const BodyState& body = frame.bodies[k];
-    cells.push_back({static_cast<long>(k), bodies[k].encloses,
-                     placed(bodies[k], body.position, body.orientation), body});
+    add(bodies[k], frame.bodies[k], id_of({.is_wall = false, .number = k}));
   }
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    const WallLoad& wall = frame.walls[k];
-    cells.push_back({-1 - static_cast<long>(k),
-                     walls[k].encloses,
-                     placed(walls[k], wall.position, wall.orientation),
-                     {wall.position, wall.orientation, {}, 0.0, wall.force, wall.torque}});
+    const auto& [position, orientation, force, torque] = frame.walls[k];
+    add(walls[k], {position, orientation, {}, 0.0, force, torque},
+        id_of({.is_wall = true, .number = k}));
   }
-  std::stable_partition(cells.begin(), cells.end(), [](const Cell& cell) { return cell.encloses; });
-  return cells;
+  std::stable_partition(components.begin(), components.end(), is_line);
+  return components;
+}
+
+std::vector<Link> list_links(const Frame& frame) {
+  std::vector<Link> links;
+  for (const ContactForce& contact : frame.contacts) {
+    // A line to the centre of a wall would cross what the wall holds.
+    const auto end = [&](const ContactParty& party) {
+      return party.is_wall ? contact.point : frame.bodies[party.number].position;
+    };
+    links.push_back(
+        {{Joined::in_line, ComplexVector{{end(contact.a), contact.point, end(contact.b)}}},
+         id_of(contact.a),
+         id_of(contact.b),
+         contact.normal,
+         contact.force,
+         contact.gap});
+  }
+  return links;
 }
 
 std::string data_array(const std::string& type, const std::string& name, int components,
@@ -55,27 +95,18 @@ void append_line(std::string& text, Complex value) {
   text += " 0\n";
 }
 
-std::string ids(const std::vector<Cell>& cells) {
+/// Lists a member of all cells.
+template <class Kind, class Base, class Value>
+std::string cell_data(const std::string& name, const std::vector<Kind>& cells,
+                      Value Base::*member) {
   std::string values;
-  for (const Cell& cell : cells) append_line(values, cell.id);
-  return data_array("Int64", "id", 1, values);
+  for (const Kind& cell : cells) append_line(values, cell.*member);
+  return data_array(std::integral<Value> ? "Int64" : "Float64", name,
+                    std::same_as<Value, Complex> ? 3 : 1, values);
 }
 
-std::string scalars(const std::string& name, const std::vector<Cell>& cells,
-                    double BodyState::*member) {
-  std::string values;
-  for (const Cell& cell : cells) append_line(values, cell.state.*member);
-  return data_array("Float64", name, 1, values);
-}
-
-std::string vectors(const std::string& name, const std::vector<Cell>& cells,
-                    Complex BodyState::*member) {
-  std::string values;
-  for (const Cell& cell : cells) append_line(values, cell.state.*member);
-  return data_array("Float64", name, 3, values);
-}
-
-std::string points(const std::vector<Cell>& cells) {
+template <class Kind>
+std::string points(const std::vector<Kind>& cells) {
   std::string values;
   for (const Cell& cell : cells) {
     for (const Complex point : cell.points) append_line(values, point);
@@ -83,18 +114,20 @@ std::string points(const std::vector<Cell>& cells) {
   return data_array("Float64", "points", 3, values);
 }
 
-/// Lists the points of the cells that are closed polylines (true) or polygons (false).
-std::string topology(const std::vector<Cell>& cells, bool polylines) {
+/// Lists the points of the cells that are lines, or of the others.
+template <class Kind>
+std::string topology(const std::vector<Kind>& cells, bool lines) {
   std::string connectivity;
   std::string offsets;
   Eigen::Index first = 0;
   Eigen::Index offset = 0;
   for (const Cell& cell : cells) {
     const Eigen::Index next = first + cell.points.size();
-    if (cell.encloses == polylines) {
+    if (is_line(cell) == lines) {
+      const bool closed = cell.joined == Joined::in_loop;
       for (Eigen::Index k = first; k < next; ++k) append_line(connectivity, k);
-      if (polylines) append_line(connectivity, first);
-      offset += cell.points.size() + (polylines ? 1 : 0);
+      if (closed) append_line(connectivity, first);
+      offset += cell.points.size() + (closed ? 1 : 0);
       append_line(offsets, offset);
     }
     first = next;
@@ -104,14 +137,25 @@ std::string topology(const std::vector<Cell>& cells, bool polylines) {
 }
 
 /// Returns the opening tag of the piece with its counts.
-std::string piece(const std::vector<Cell>& cells) {
+template <class Kind>
+std::string piece(const std::vector<Kind>& cells) {
   Eigen::Index n_points = 0;
   for (const Cell& cell : cells) n_points += cell.points.size();
-  const auto n_lines = std::ranges::count(cells, true, &Cell::encloses);
-  const auto n_polygons = std::ranges::count(cells, false, &Cell::encloses);
+  const auto n_lines = std::ranges::count_if(cells, is_line);
+  const auto n_polygons = std::ssize(cells) - n_lines;
   return "<Piece NumberOfPoints=\"" + std::to_string(n_points) +
          "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(n_lines) +
          "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(n_polygons) + "\">\n";
+}
+
+/// Writes cells, lines before polygons, with their data.
+template <class Kind>
+std::string poly_data(const std::vector<Kind>& cells, const std::string& data) {
+  return "<?xml version=\"1.0\"?>\n"
+         "<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n" +
+         piece(cells) + data + "<Points>\n" + points(cells) + "</Points>\n<Lines>\n" +
+         topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
+         "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 }  // namespace
@@ -119,17 +163,23 @@ std::string piece(const std::vector<Cell>& cells) {
 std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bodies,
                               const std::vector<Outline>& walls) {
   require_outlines(frame, bodies, walls);
-  const std::vector<Cell> cells = list_cells(frame, bodies, walls);
-  return "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n" +
-         piece(cells) + "<CellData Scalars=\"id\" Vectors=\"velocity\">\n" + ids(cells) +
-         vectors("velocity", cells, &BodyState::velocity) +
-         scalars("omega", cells, &BodyState::omega) +
-         scalars("theta", cells, &BodyState::orientation) +
-         vectors("force", cells, &BodyState::force) + scalars("torque", cells, &BodyState::torque) +
-         "</CellData>\n<Points>\n" + points(cells) + "</Points>\n<Lines>\n" +
-         topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
-         "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  const std::vector<Component> cells = list_components(frame, bodies, walls);
+  return poly_data(cells, "<CellData Scalars=\"id\" Vectors=\"velocity\">\n" +
+                              cell_data("id", cells, &Component::id) +
+                              cell_data("velocity", cells, &BodyState::velocity) +
+                              cell_data("omega", cells, &BodyState::omega) +
+                              cell_data("theta", cells, &BodyState::orientation) +
+                              cell_data("force", cells, &BodyState::force) +
+                              cell_data("torque", cells, &BodyState::torque) + "</CellData>\n");
+}
+
+std::string contacts_vtp(const Frame& frame) {
+  const std::vector<Link> cells = list_links(frame);
+  return poly_data(cells, "<CellData Scalars=\"force\" Vectors=\"normal\">\n" +
+                              cell_data("a", cells, &Link::a) + cell_data("b", cells, &Link::b) +
+                              cell_data("normal", cells, &Link::normal) +
+                              cell_data("force", cells, &Link::force) +
+                              cell_data("gap", cells, &Link::gap) + "</CellData>\n");
 }
 
 }  // namespace stokesbook

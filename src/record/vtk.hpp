@@ -24,6 +24,15 @@ namespace stokesbook {
 std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bodies,
                               const std::vector<Outline>& walls);
 
+/// Draws the network of contacts as VTK PolyData (XML, ASCII): one polyline a contact.
+///
+/// A line goes from the centre of a by the contact point to the centre of b; at a wall it ends in
+/// the point. Cell data: `a` and `b` (the `id` of configuration_vtp()), `normal`, `force` and
+/// `gap` as in ContactForce.
+/// @param  frame  with its contacts, of bodies that it has
+/// @return        text of a `.vtp` file
+std::string contacts_vtp(const Frame& frame);
+
 /// @}
 
 }  // namespace stokesbook

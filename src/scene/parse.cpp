@@ -30,7 +30,6 @@ double read_viscosity(const TableReader& root, double unless_given) {
 Scene read_root(const Node& node, const std::filesystem::path& directory) {
   const TableReader root(node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists",
                                 "fill", "solver", "time", "contact", "output"});
-  root.refuse({"contact"}, "not available yet");
   Scene scene;
   scene.title = root.get("title", any_text).value_or("");
   scene.seed = static_cast<std::uint64_t>(root.get("seed", seed).value_or(0));
@@ -46,6 +45,7 @@ Scene read_root(const Node& node, const std::filesystem::path& directory) {
   scene.fills = read_fills(root, directory, enclosed);
   scene.solver = read_solver(root);
   scene.time = read_time(root);
+  scene.contact = read_contact(root, scene);
   scene.output = read_output(root);
   if (scene.walls.empty() && scene.bodies.empty() && scene.fills.empty()) {
     fail(node, "a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ...");

@@ -81,6 +81,14 @@ SolverSettings read_solver(const TableReader& root);
 /// @throws SceneError at the first thing that is wrong
 std::optional<TimeSettings> read_time(const TableReader& root);
 
+/// Reads [contact].
+///
+/// @param  root   the whole scene
+/// @param  scene  what was read of it before: bodies, fills and time, which must suit contact
+/// @return        the section; none when the scene has none
+/// @throws SceneError at the first thing that is wrong
+std::optional<ContactSettings> read_contact(const TableReader& root, const Scene& scene);
+
 /// Reads [output].
 ///
 /// @param  root  the whole scene

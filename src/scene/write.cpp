@@ -102,6 +102,14 @@ std::string section(const TimeSettings& time) {
   return text;
 }
 
+std::string section(const ContactSettings& contact) {
+  const double number = contact.minimum_separation;
+  const Entry separation = contact.in_spacings
+                               ? Entry("minimum_separation", toml_value(number) + "h")
+                               : Entry("minimum_separation", number);
+  return "\n[contact]\n" + lines({separation, {"allow_close", contact.allow_close}});
+}
+
 std::string section(const OutputSettings& output) {
   std::string text = "\n[output]\n";
   if (output.dt_write) text += lines({{"dt_write", *output.dt_write}});
@@ -127,6 +135,7 @@ std::string to_toml(const Scene& scene) {
   for (const Fill& fill : scene.fills) text += section(fill);
   text += section(scene.solver);
   if (scene.time) text += section(*scene.time);
+  if (scene.contact) text += section(*scene.contact);
   return text + section(scene.output);
 }
 

@@ -179,6 +179,26 @@ class Records(Program):
         self.assertEqual(resolution["most_nodes"], [48, 48])
         self.assertGreaterEqual(resolution["error_estimate"], steps["error_estimate"].max())
 
+    def test_contact_is_recorded_where_the_scene_has_it(self):
+        totals = {"ncp_iterations", "contact_solves", "contact_seconds", "halved_by_contact",
+                  "largest_force_imbalance", "largest_torque_imbalance", "energy_injected"}
+        tables = {"contacts.csv", "contacts.pvd", "contacts_000000.vtp"}
+        arguments = ("--set", "time.t_final=0.1", "--set", 'time.method="euler"')
+        contact = ("--set", "contact.minimum_separation=0.01")
+        for name, extra in (("without", ()), ("with", contact)):
+            result = self.run_scene("--out", name, *arguments, *extra)
+            folder = self.folder / name
+            written = tables & {path.name for path in folder.iterdir()}
+            reported = totals & json.loads((folder / "run.json").read_text())["totals"].keys()
+            self.assertEqual(written, tables if extra else set())
+            self.assertEqual(reported, totals if extra else set())
+            self.assertEqual("\ncontact: " in result.stdout, bool(extra))
+            self.assertEqual("[contact]" in (folder / "scene.toml").read_text(), bool(extra))
+        header = (self.folder / "with" / "contacts.csv").read_text().splitlines()[0]
+        self.assertEqual(header, "t,a,b,x,y,nx,ny,force,gap")
+        refused = self.run_scene(*contact, code=1)
+        self.assertIn("adams_bashforth2", refused.stderr)
+
     def test_automatic_nodes_follow_the_gap(self):
         """Circles driven together: nodes grow, the tolerance is kept, and resuming changes nothing."""
         text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")

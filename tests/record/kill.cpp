@@ -63,7 +63,7 @@ void check_files(const Folder& folder) {
     }
     if (!name.ends_with(".pvd")) continue;
     for (std::size_t at = 0; (at = text.find("file=\"", at)) != std::string::npos; ++at) {
-      const std::string file = text.substr(at + 6, 17);
+      const std::string file = text.substr(at + 6, text.find('"', at + 6) - at - 6);
       BOOST_TEST(std::filesystem::exists(folder.at(file)), file);
     }
   }

@@ -29,22 +29,34 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                     .error_estimate = 1e-7 / 3.0,
                     .seconds = 0.1});
   }
-  run.write_text("run.json", to_json({.version = "0.1.0",
-                                      .git_hash = "abc",
-                                      .compiler = "GNU \"12\"",
-                                      .flags = "-O3",
-                                      .machine = "x86\\64",
-                                      .threads = 2,
-                                      .plan = {"no walls: no N_0", "direct sum"},
-                                      .totals = {1, 5, 2, 3, 4000000000},
-                                      .resolution = {{32, 64}, {48, 64}, 2.5e-9},
-                                      .wall_seconds = 1.5,
-                                      .peak_memory = 5000000000,
-                                      .exit_status = 2,
-                                      .message = "overlap in caf\xe9"}));
+  run.write_text("run.json",
+                 to_json({.version = "0.1.0",
+                          .git_hash = "abc",
+                          .compiler = "GNU \"12\"",
+                          .flags = "-O3",
+                          .machine = "x86\\64",
+                          .threads = 2,
+                          .plan = {"no walls: no N_0", "direct sum"},
+                          .has_contact = true,
+                          .totals = {1, 5, 2, 3, 4000000000, 6, 7, 0.5, 8, 1e-16, 2e-16, -0.25},
+                          .resolution = {{32, 64}, {48, 64}, 2.5e-9},
+                          .wall_seconds = 1.5,
+                          .peak_memory = 5000000000,
+                          .exit_status = 2,
+                          .message = "overlap in caf\xe9"}));
   const std::string command =
       "'" STOKESBOOK_PYTHON "' '" READ_OUTPUTS "' '" + folder.path().string() + "'";
   BOOST_TEST(std::system(command.c_str()) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(totals_of_contact_are_those_of_scenes_with_contact) {
+  RunInfo info;
+  const auto mentions_contact = [&] {
+    return to_json(info).find("ncp_iterations") != std::string::npos;
+  };
+  BOOST_TEST(!mentions_contact());
+  info.has_contact = true;
+  BOOST_TEST(mentions_contact());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -36,6 +36,13 @@ def wall(t, j):
     return t / 3.0, j + 1.0 / 9.0, -t
 
 
+def contacts(k):
+    """a, b, x, y, nx, ny, force, gap; body 1 with body 0, then with the outer wall"""
+    t = k / 7.0
+    return [("body:1", ("body:0", "wall:0")[j], 1 / 3 + t, -t, 0.6, -0.8, j + t / 19, t / 23)
+            for j in range(k)]
+
+
 def read_table(path):
     table = np.genfromtxt(path, names=True, delimiter=",")
     return table.dtype.names, np.array(table.tolist())
@@ -55,6 +62,10 @@ def check_tables(directory):
     expected = np.column_stack([times, times / 3, nan, -times, nan, times])
     expected[:, 4] = 1 / 7
     assert np.array_equal(rows, expected, equal_nan=True)
+    table = np.genfromtxt(directory / "contacts.csv", names=True, delimiter=",", dtype=None,
+                          encoding="ascii")
+    assert table.dtype.names == ("t", "a", "b", "x", "y", "nx", "ny", "force", "gap")
+    assert table.tolist() == [(t, *row) for k, t in enumerate(times) for row in contacts(k)]
     names, rows = read_table(directory / "steps.csv")
     assert names == ("t", "dt", "gmres_iterations", "matvecs", "ncp_iterations", "contacts",
                      "min_gap", "residual", "error_estimate", "seconds")
@@ -120,6 +131,26 @@ def check_polydata(path, t):
     forces = [walls[0][:2], states[0][6:8], states[1][6:8], walls[1][:2]]
     assert array("force").tolist() == [[x, y, 0] for x, y in forces]
     assert array("torque").tolist() == [walls[0][2], states[0][8], states[1][8], walls[1][2]]
+
+
+def check_network(path, t):
+    """From the centre of one body by the point of contact to that of the other, or to the wall."""
+    polydata = read_vtk(vtkXMLPolyDataReader(), path)
+    expected = contacts(round(7 * t))
+    assert polydata.GetNumberOfCells() == polydata.GetNumberOfLines() == len(expected)
+    if not expected:
+        return
+    centres = [complex(*body(t, j)[:2]) for j in range(2)]
+    for k, (_, b, x, y, *_) in enumerate(expected):
+        end = centres[0] if b == "body:0" else x + 1j * y
+        assert cell_points(polydata, k).tolist() == [centres[1], x + 1j * y, end]
+    data = polydata.GetCellData()
+    array = lambda name: vtk_to_numpy(data.GetArray(name)).tolist()
+    assert array("a") == [1 for _ in expected]
+    assert array("b") == [{"body:0": 0, "wall:0": -1}[b] for _, b, *_ in expected]
+    assert array("normal") == [[nx, ny, 0] for *_, nx, ny, _, _ in expected]
+    assert array("force") == [force for *_, force, _ in expected]
+    assert array("gap") == [gap for *_, gap in expected]
 
 
 def check_image(path, t):
@@ -200,7 +231,10 @@ def check_run_info(path):
         "version": "0.1.0", "git_hash": "abc", "compiler": 'GNU "12"', "flags": "-O3",
         "machine": "x86\\64", "threads": 2, "plan": ["no walls: no N_0", "direct sum"],
         "totals": {"steps": 1, "rejected_steps": 5, "solves": 2, "gmres_iterations": 3,
-                   "matvecs": 4000000000},
+                   "matvecs": 4000000000, "ncp_iterations": 6, "contact_solves": 7,
+                   "contact_seconds": 0.5, "halved_by_contact": 8,
+                   "largest_force_imbalance": 1e-16, "largest_torque_imbalance": 2e-16,
+                   "energy_injected": -0.25},
         "resolution": {"first_nodes": [32, 64], "most_nodes": [48, 64], "error_estimate": 2.5e-9},
         "wall_seconds": 1.5, "peak_memory": 5000000000, "exit_status": 2,
         "message": "overlap in caf\ufffd"}
@@ -210,6 +244,7 @@ def main():
     directory = Path(sys.argv[1])
     check_tables(directory)
     check_collection(directory / "bodies.pvd", check_polydata)
+    check_collection(directory / "contacts.pvd", check_network)
     check_collection(directory / "fields.pvd", check_image)
     check_picture(directory / "configuration.svg")
     check_field_picture(directory / "fields_pressure.svg")

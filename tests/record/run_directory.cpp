@@ -2,6 +2,8 @@
 
 #include "record/run_directory.hpp"
 
+#include <algorithm>
+
 #include <boost/test/unit_test.hpp>
 
 #include "folder.hpp"
@@ -37,24 +39,34 @@ BOOST_AUTO_TEST_CASE(directories_are_made) {
 
 BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
   RunContents contents = sample_contents();
-  contents.vtk = contents.svg = contents.fields = false;
+  contents.vtk = contents.svg = contents.fields = contents.contacts = false;
   const auto names = [](const RunContents& asked, int k) {
     const Folder folder;
     Frame frame = sample_frame(k);
     if (!asked.fields) frame.field.reset();
+    if (!asked.contacts) frame.contacts.clear();
     create(folder, asked).write_frame(frame);
     std::string list;
     for (const auto& [name, text] : read_all(folder.path())) list += name + ' ';
     return list;
   };
   BOOST_TEST(names(sample_contents(), 0) ==
-             "bodies.pvd bodies_000000.vtp configuration.svg fields.pvd fields_000000.vti "
+             "bodies.pvd bodies_000000.vtp configuration.svg contacts.csv contacts.pvd "
+             "contacts_000000.vtp fields.pvd fields_000000.vti "
              "fields_dissipation.svg fields_pressure.svg fields_shear_stress.svg "
              "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv trajectory.csv "
              "walls.csv ");
   BOOST_TEST(names(contents, 0) == "rheology.csv steps.csv trajectory.csv walls.csv ");
+  contents.contacts = true;
+  BOOST_TEST(names(contents, 0) == "contacts.csv rheology.csv steps.csv trajectory.csv walls.csv ");
   contents.csv = false;
-  BOOST_TEST(names(contents, 0) == "steps.csv ");
+  BOOST_TEST(names(contents, 1) == "steps.csv ");
+  contents.vtk = true;
+  BOOST_TEST(names(contents, 1) ==
+             "bodies.pvd bodies_000000.vtp contacts.pvd contacts_000000.vtp steps.csv ");
+  contents.contacts = false;
+  BOOST_TEST(names(contents, 1) == "bodies.pvd bodies_000000.vtp steps.csv ");
+  contents.vtk = false;
   contents.fields = true;
   BOOST_TEST(names(contents, 0) == "fields.pvd fields_000000.vti steps.csv ");
   contents.fields = false;
@@ -87,7 +99,8 @@ BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
   const std::map<std::string, std::string> foreign{
       {"bodies.csv", "1"},   {"bodies_1.vtp", "2"},   {"bodies_000001.vtp.old", "3"},
       {"notes", "4"},        {"fits.partial", "5"},   {"scene.toml", "6"},
-      {"fields_1.vti", "7"}, {"fields_old.svg", "8"}, {"fields_000001.vtp", "9"}};
+      {"fields_1.vti", "7"}, {"fields_old.svg", "8"}, {"fields_000001.vtp", "9"},
+      {"contacts.vtp", "10"}};
   for (const auto& [name, text] : foreign) write(folder.at(name), text);
   write(folder.at("checkpoint.partial"), "left by a kill");
   RunContents contents = sample_contents();
@@ -112,6 +125,7 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
     return files;
   }();
   write(folder.at("bodies_000003.vtp.partial"), "half");
+  write(folder.at("contacts_000003.vtp.partial"), "half");
   write(folder.at("fields_000003.vti.partial"), "half");
   const ResumedRun run = RunDirectory::resume(folder.path(), sample_contents());
   BOOST_TEST(run.directory.frame_count() == 1u);
@@ -123,6 +137,27 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
     if (name.ends_with(".svg")) text = saved_files.at(name);
   }
   BOOST_TEST((files == saved_files));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_are_cut_back_too) {
+  const Folder folder;
+  const auto rows = [&] {
+    const std::string text = read(folder.at("contacts.csv"));
+    return std::ranges::count(text, '\n') - 1;
+  };
+  {
+    RunDirectory run = create(folder);
+    run.write_frame(sample_frame(1));
+    run.save({});
+    run.write_frame(sample_frame(2));
+    BOOST_TEST(rows() == 3);
+  }
+  RunDirectory run = RunDirectory::resume(folder.path(), sample_contents()).directory;
+  BOOST_TEST(rows() == 1);
+  BOOST_TEST(!std::filesystem::exists(folder.at("contacts_000001.vtp")));
+  run.write_frame(sample_frame(2));
+  BOOST_TEST(rows() == 3);
+  BOOST_TEST(std::filesystem::exists(folder.at("contacts_000001.vtp")));
 }
 
 BOOST_AUTO_TEST_CASE(resuming_without_frames_spares_foreign_files) {
@@ -183,6 +218,24 @@ BOOST_AUTO_TEST_CASE(a_field_is_written_if_it_is_asked_for_and_only_then) {
   RunDirectory run = RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
   BOOST_CHECK_THROW(run.write_frame(sample_frame(0)), std::invalid_argument);
   BOOST_TEST(run.frame_count() == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(contacts_are_of_what_the_frame_has_where_they_are_asked_for) {
+  const Folder folder;
+  RunContents contents = sample_contents();
+  for (const ContactParty missing :
+       {ContactParty{.is_wall = false, .number = 2}, ContactParty{.is_wall = true, .number = 2}}) {
+    Frame frame = sample_frame(1);
+    frame.contacts[0].b = missing;
+    RunDirectory run = RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
+    BOOST_CHECK_THROW(run.write_frame(frame), std::invalid_argument);
+    BOOST_TEST(run.frame_count() == 0u);
+  }
+  contents.contacts = false;
+  RunDirectory run = RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
+  run.write_frame(sample_frame(0));
+  BOOST_CHECK_THROW(run.write_frame(sample_frame(1)), std::invalid_argument);
+  BOOST_TEST(run.frame_count() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(a_frame_of_other_bodies_is_refused) {

@@ -84,12 +84,17 @@ RunContents sample_contents() {
           .csv = true,
           .vtk = true,
           .svg = true,
-          .fields = true};
+          .fields = true,
+          .contacts = true};
 }
 
 Frame sample_frame(int k) {
   const double t = k / 7.0;
-  Frame frame{t, {}, {}, {t / 3.0, Rheology::undefined, -t, {1.0 / 7.0, t}}, sample_field(t)};
+  Frame frame{.t = t,
+              .bodies = {},
+              .walls = {},
+              .rheology = {t / 3.0, Rheology::undefined, -t, {1.0 / 7.0, t}},
+              .field = sample_field(t)};
   for (int j = 0; j < 2; ++j) {
     frame.bodies.push_back({.position = {3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0},
                             .orientation = j + t,
@@ -101,6 +106,16 @@ Frame sample_frame(int k) {
                            .orientation = j / 9.0,
                            .force = {t / 3.0, j + 1.0 / 9.0},
                            .torque = -t});
+  }
+  // First none, then of the bodies, then of a body and the outer wall too.
+  const ContactParty star{.is_wall = false, .number = 1};
+  for (std::size_t j = 0; j < static_cast<std::size_t>(k % 3); ++j) {
+    frame.contacts.push_back({.a = star,
+                              .b = {.is_wall = j == 1, .number = 0},
+                              .point = {1.0 / 3.0 + t, -t},
+                              .normal = {0.6, -0.8},
+                              .force = static_cast<double>(j) + t / 19.0,
+                              .gap = t / 23.0});
   }
   return frame;
 }

@@ -10,7 +10,7 @@ namespace stokesbook::test {
 /// knows these numbers too.
 RunContents sample_contents();
 
-/// The sample at the k-th written time.
+/// The sample at the k-th written time, with k mod 3 contacts.
 Frame sample_frame(int k);
 
 /// A run of a chaotic map, so that a resumed run which forgot one bit would end elsewhere.

@@ -47,7 +47,6 @@ BOOST_AUTO_TEST_CASE(top_level) {
       {"[[time]]\n", "s.toml:1:1: time = [{...}]: must be a table, not an array of 1"},
       {"time = true\n", "s.toml:1:8: time = true: must be a table, not a boolean"},
       {"fluid = 1\n", "s.toml:1:9: fluid = 1: must be a table, not an integer"},
-      {"[contact]\nminimum_separation = 0.01\n", "s.toml:1:2: contact: not available yet"},
       {"[fluid]\nviscosity = 0\n", "s.toml:2:13: fluid.viscosity = 0: must be a number > 0"},
       {"[fluid]\nviscosity = -1.5\n", "s.toml:2:13: fluid.viscosity = -1.5: must be a number > 0"},
       {"[fluid]\nviscosity = nan\n",
@@ -186,6 +185,59 @@ BOOST_AUTO_TEST_CASE(settings) {
       {"[output]\nformat = ['csv']\n",
        "s.toml:2:1: output.format = [\"csv\"]: unknown key, did you mean 'formats'?"},
   });
+}
+
+BOOST_AUTO_TEST_CASE(contact) {
+  const std::string right = ": must be a number > 0: a length, or node spacings as in \"0.05h\"";
+  const std::string method = ": contact is resolved with \"euler\" and \"heun\"";
+  const std::string spacing =
+      "s.toml:2:22: contact.minimum_separation = \"0.05h\": needs given n_nodes, as h is their "
+      "spacing: a body has \"auto\"";
+  const std::string start = "[contact]\nminimum_separation = ";
+  const std::string any = start + "0.01\n";
+  const std::string time = "[time]\nt_final = 1\ndt = 0.1\n";
+  const std::string fill =
+      "[[fill]]\nshape = { kind = 'circle', radius = 1 }\ncount = 2\nregion = { box = [0, 0, 9, 9] "
+      "}\n";
+  std::vector<BadScene> scenes{
+      {"contact = 0.1\n", "s.toml:1:11: contact = 0.1: must be a table, not a float"},
+      {"[contact]\nallow_close = true\n",
+       "s.toml:1:1: contact.minimum_separation is missing" + right},
+      {any + "allow_close = 1\n",
+       "s.toml:3:15: contact.allow_close = 1: must be true or false, not an integer"},
+      {"[contact]\nminimum_seperation = 0.01\n",
+       "s.toml:2:1: contact.minimum_seperation = 0.01: unknown key, did you mean "
+       "'minimum_separation'?"},
+      {any + "friction = 0\n",
+       "s.toml:3:1: contact.friction = 0: unknown key; known here: minimum_separation, "
+       "allow_close"},
+      {start + "[0.1]\n",
+       "s.toml:2:22: contact.minimum_separation = [0.1]" + right + ", not an array of 1"},
+      {start + "inf\n", "s.toml:2:22: contact.minimum_separation = inf" + right + ", and finite"},
+      {any,
+       "s.toml:1:2: contact: there is no body to keep apart: write [[bodies]], or leave "
+       "[contact] out"},
+      {any + tank(),
+       "s.toml:1:2: contact: there is no body to keep apart: write [[bodies]], or "
+       "leave [contact] out"},
+      {start + "'0.05h'\n" + disk("n_nodes = 'auto'\n"), spacing},
+      {start + "'0.05h'\n" + disk() + fill + "n_nodes = 'auto'\n", spacing}};
+  for (const std::string number : {"0", "-0.01"}) {
+    scenes.push_back(
+        {start + number + "\n", "s.toml:2:22: contact.minimum_separation = " + number + right});
+  }
+  for (const std::string text : {"", "h", "0.05", "0.05 h", " 0.05h", "0.05hh", "0.05H", "0h",
+                                 "-1h", "infh", "nanh", "1e999h", "0x1h", "close"}) {
+    scenes.push_back({start + '"' + text + "\"\n",
+                      "s.toml:2:22: contact.minimum_separation = \"" + text + '"' + right});
+  }
+  for (const std::string name : {"adams_bashforth2", "rk4"}) {
+    scenes.push_back({any + disk() + time + "method = '" + name + "'\n",
+                      "s.toml:9:10: time.method = \"" + name + '"' + method});
+  }
+  scenes.push_back({any + disk() + "[time]\nt_final = 1\nmethod = 'dormand_prince54'\n",
+                    "s.toml:8:10: time.method = \"dormand_prince54\"" + method});
+  check(scenes);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -67,6 +67,10 @@ t_final = 40.0
 dt = 0.2
 method = "euler"
 
+[contact]
+minimum_separation = 0.01                 # length; or "0.05h"
+allow_close = false
+
 [output]
 dt_write = 0.2
 formats = ["csv", "vtk"]
@@ -94,6 +98,7 @@ BOOST_AUTO_TEST_CASE(enclosed) {
   BOOST_TEST((scene.walls.at(0).motion == WallMotion(RotatingWall{1.0})));
   BOOST_TEST(scene.bodies.size() == 3);
   BOOST_TEST(!scene.fills.at(0).box.has_value());
+  BOOST_TEST(scene.contact.value().minimum_separation == 0.01);
   BOOST_TEST(scene.output.formats.size() == 2);
 }
 

@@ -126,6 +126,19 @@ TimeSettings adapted_steps(Dice& dice) {
   return time;
 }
 
+/// Contact, and what must suit it.
+void add_contact(Scene& scene, Dice& dice) {
+  using enum SteppingMethod;
+  scene.contact = ContactSettings{dice.positive(), dice.coin(), dice.coin()};
+  if (scene.time) {
+    scene.time = fixed_steps(dice);
+    scene.time->method = dice.one_of<SteppingMethod>({euler, heun});
+  }
+  if (!scene.contact->in_spacings) return;
+  for (Body& body : scene.bodies) body.n_nodes = 2 * dice.integer(4, 200);
+  for (Fill& fill : scene.fills) fill.n_nodes = 2 * dice.integer(4, 200);
+}
+
 void add_settings(Scene& scene, Dice& dice) {
   using enum OutputFormat;
   scene.solver.tolerance = dice.uniform(1e-14, 0.1);
@@ -140,6 +153,7 @@ void add_settings(Scene& scene, Dice& dice) {
        PreconditionerKind::clusters});
   scene.solver.coupling = dice.one_of<Coupling>({Coupling::global, Coupling::local});
   if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
+  if (dice.coin()) add_contact(scene, dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();
   scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg}});
   if (dice.coin()) {
@@ -198,6 +212,18 @@ BOOST_AUTO_TEST_CASE(every_number_comes_back) {
     scene.bodies[0].torque = number;
     BOOST_TEST(parse(to_toml(scene)).bodies[0].torque == number);
   }
+}
+
+BOOST_AUTO_TEST_CASE(contact_is_written_as_it_was_given) {
+  const auto section_of = [](const std::string& separation) {
+    const std::string text =
+        to_toml(parse("[contact]\nminimum_separation = " + separation + "\n" + disk()));
+    const std::size_t start = text.find("[contact]");
+    return text.substr(start, text.find("\n\n", start) - start);
+  };
+  BOOST_TEST(section_of("0.01") == "[contact]\nminimum_separation = 0.01\nallow_close = false");
+  BOOST_TEST(section_of("'0.050h'") ==
+             "[contact]\nminimum_separation = \"0.05h\"\nallow_close = false");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_are_short_and_floats) {

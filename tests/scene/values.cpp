@@ -45,6 +45,7 @@ BOOST_AUTO_TEST_CASE(defaults) {
   BOOST_TEST(scene.solver.tolerance == 1e-8);
   BOOST_TEST(scene.solver.gmres_max_iterations == 500);
   BOOST_TEST(!scene.time.has_value());
+  BOOST_TEST(!scene.contact.has_value());
   BOOST_TEST(!scene.output.dt_write.has_value());
   BOOST_TEST((scene.output.formats == std::vector{OutputFormat::csv}));
 }
@@ -219,6 +220,29 @@ BOOST_AUTO_TEST_CASE(time_settings) {
   BOOST_TEST((adapting("") == TimeSettings{4.0, {}, dormand_prince54, 1e-6}));
   BOOST_TEST((adapting("tolerance = 1e-9\ndt = 0.1\ndt_min = 1e-3\ndt_max = 1\n") ==
               TimeSettings{4.0, 0.1, dormand_prince54, 1e-9, 1e-3, 1.0}));
+}
+
+BOOST_AUTO_TEST_CASE(contact_settings) {
+  const auto contact = [](const std::string& lines, const std::string& rest = disk()) {
+    return parse("[contact]\n" + lines + "\n" + rest).contact.value();
+  };
+  BOOST_TEST((contact("minimum_separation = 0.01") == ContactSettings{0.01, false, false}));
+  BOOST_TEST((contact("minimum_separation = 2\nallow_close = false") ==
+              ContactSettings{2.0, false, false}));
+  BOOST_TEST((contact("minimum_separation = '0.05h'\nallow_close = true") ==
+              ContactSettings{0.05, true, true}));
+  BOOST_TEST((contact("minimum_separation = '2.5e-1h'") == ContactSettings{0.25, true, false}));
+  // Nodes that the solver chooses have no spacing, but lengths do without; so do those of walls.
+  const std::string automatic = disk("n_nodes = 'auto'\n");
+  BOOST_TEST(contact("minimum_separation = 0.01", automatic).minimum_separation == 0.01);
+  const std::string wall =
+      "[[walls]]\nrole = 'outer'\nshape = { kind = 'circle', radius = 9 }\nn_nodes = 'auto'\n";
+  BOOST_TEST(contact("minimum_separation = '1h'", disk() + wall).in_spacings);
+  const std::string time = "[time]\nt_final = 1\ndt = 0.1\n";
+  for (const std::string method : {"", "method = 'euler'\n", "method = 'heun'\n"}) {
+    contact("minimum_separation = 0.01", disk() + time + method);
+  }
+  contact("minimum_separation = 0.01", disk() + "[solver]\ncoupling = 'local'\n");
 }
 
 BOOST_AUTO_TEST_CASE(output_settings) {
