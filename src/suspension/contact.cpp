@@ -85,6 +85,10 @@ ContactKey key_of(const LoopRow& row, std::size_t components) {
           (of_b ? more_than_vertices : 0) + row.row.key.vertex};
 }
 
+// By which derivative the loop linearises gaps: the exact one converges fast; that of the forces makes
+// its linear problems symmetric, hence solvable, however far a step goes astray.
+enum class Linearisation { exact, symmetric };
+
 // Geometry of a stage as the loop asks for it; remembers all rows that it has returned.
 class StageRows {
  public:
@@ -95,7 +99,15 @@ class StageRows {
             Concerns concerns)
       : stage_(stage), shapes_(shapes), rules_(rules), concerns_(std::move(concerns)) {}
 
-  ContactRows operator()(const VectorXd& velocity) {
+  ContactResult resolved(ContactStep step, Linearisation linearisation) {
+    step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
+    return resolve_contact(step);
+  }
+
+  const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
+
+ private:
+  ContactRows rows(const VectorXd& velocity, Linearisation linearisation) {
     const Interferences found =
         interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
     std::vector<LoopRow> rows;
@@ -109,17 +121,15 @@ class StageRows {
     for (Index i = 0; i < m; ++i) {
       const LoopRow& row = rows[static_cast<std::size_t>(i)];
       result.gap[i] = row.row.gap;
-      add_gradient(result.gradient, i, row);
       add_force(result.force_gradient, i, row);
+      if (linearisation == Linearisation::exact) add_derivative(result.gradient, i, row);
       result.keys.push_back(key_of(row, shapes_.size()));
       seen_.insert_or_assign(result.keys.back(), row);
     }
+    if (linearisation == Linearisation::symmetric) result.gradient = result.force_gradient;
     return result;
   }
 
-  const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
-
- private:
   static void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
     const auto first = static_cast<Index>(3 * component);
     gradient.insert(i, first) = wrench.force.real();
@@ -127,7 +137,7 @@ class StageRows {
     gradient.insert(i, first + 2) = wrench.torque;
   }
 
-  static void add_gradient(GapGradient& gradient, Index i, const LoopRow& row) {
+  static void add_derivative(GapGradient& gradient, Index i, const LoopRow& row) {
     add(gradient, i, row.a, row.row.derivative.on_a);
     add(gradient, i, row.b, row.row.derivative.on_b);
   }
@@ -262,11 +272,16 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
       .dt = stage.dt,
       .separation = separation_,
       .tolerance = rules.tolerance,
-      .rows = [&](const VectorXd& velocity) { return rows(velocity); },
+      .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * response(forces);
       }};
-  ContactOutcome outcome{resolve_contact(step), {}, 0.0, 0.0, 0.0};
+  ContactOutcome outcome{rows.resolved(step, Linearisation::exact), {}, 0.0, 0.0, 0.0};
+  if (outcome.result.status != ContactStatus::resolved) {
+    const int iterations = outcome.result.iterations;
+    outcome.result = rows.resolved(step, Linearisation::symmetric);
+    outcome.result.iterations += iterations;
+  }
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];

@@ -15,6 +15,7 @@ namespace {
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
+  problem.background.resize(0);
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     Component& component = problem.components[k];
     component.velocity = ComplexVector::Zero(component.velocity.size());

@@ -101,23 +101,23 @@ BOOST_AUTO_TEST_CASE(stacks_of_three_keep_both_separations) {
   }
 }
 
-// Radius 1/2 on the axis of u = (-x, y): the force that holds the gap, of which only the limit has
-// been known, 3 pi for a gap of zero.
+// Radius 1/2 on the axis of u = (-x, y), held at a gap of so many h = pi / 32: forces by a prototype
+// of the specification, which tend to 3 pi with the gap.
 BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
   const double h = std::numbers::pi / 32;
   const std::vector<std::pair<double, double>> known{{4.0, 10.1758}, {3.0, 9.9867}, {2.0, 9.7982},
                                                      {1.5, 9.7043},  {1.0, 9.6108}, {0.5, 9.5176},
                                                      {0.25, 9.4711}};
   for (const auto& [gap, force] : known) {
-    const double separation = gap * h, x = 0.5 + 0.5 * separation;
+    const double x = 0.5 + 0.5 * gap * h;
     Scene scene = with_contact(ExtensionalFlow{-1.0},
                                {body_at(Circle{0.5}, {-x, 0.0}, automatic_nodes),
                                 body_at(Circle{0.5}, {x, 0.0}, automatic_nodes)},
-                               separation * (1 - 3e-3));
+                               gap * h);
     scene.contact->allow_close = true;
-    const Run run = run_of(over(scene, 0.1, 0.1));
-    BOOST_REQUIRE(run.frames.front().contacts.size() == 1);
-    BOOST_TEST(run.frames.front().contacts[0].force == force, boost::test_tools::tolerance(2e-3));
+    const Run run = run_of(over(scene, 0.4, 0.1));
+    BOOST_REQUIRE(run.frames.back().contacts.size() == 1);
+    BOOST_TEST(run.frames.back().contacts[0].force == force, boost::test_tools::tolerance(1e-3));
   }
 }
 
