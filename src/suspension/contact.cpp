@@ -181,6 +181,25 @@ std::pair<double, double> imbalance(const VectorXd& force, const Configuration& 
 
 }  // namespace
 
+VectorXd to_numbers(const CloserPairs& pairs) {
+  VectorXd numbers(static_cast<Index>(3 * pairs.size()));
+  Index i = 0;
+  for (const auto& [pair, gap] : pairs) {
+    numbers.segment<3>(i) << static_cast<double>(pair.first), static_cast<double>(pair.second), gap;
+    i += 3;
+  }
+  return numbers;
+}
+
+CloserPairs to_pairs(const VectorXd& numbers) {
+  CloserPairs pairs;
+  for (Index i = 0; i < numbers.size(); i += 3) {
+    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
+        numbers[i + 2];
+  }
+  return pairs;
+}
+
 SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
     : solver_(solver),
       separation_(separation_of(solver)),

@@ -18,6 +18,18 @@ namespace stokesbook {
 /// Pairs that began closer than the separation, and how close they may come.
 using CloserPairs = std::map<std::pair<std::size_t, std::size_t>, double>;
 
+/// Packs pairs into numbers.
+///
+/// @param  pairs  P of them
+/// @return        3P numbers: both components, and the gap
+Eigen::VectorXd to_numbers(const CloserPairs& pairs);
+
+/// Unpacks pairs.
+///
+/// @param  numbers  as to_numbers() packs them
+/// @return          pairs
+CloserPairs to_pairs(const Eigen::VectorXd& numbers);
+
 /// A step, or a stage of one, for which contact is to be resolved.
 struct ContactStage {
   const Configuration& start;  ///< where the step begins

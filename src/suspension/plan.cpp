@@ -112,6 +112,14 @@ Plan::Line fields_line(const FieldSettings& fields) {
           quantities + " at every written time"};
 }
 
+Plan::Line contact_line(const Scene& scene) {
+  if (!scene.contact) return {"contact", "none", "no [contact]: an overlap stops the run"};
+  return {"contact",
+          "least gap " + short_number(scene.contact->minimum_separation) +
+              (scene.contact->in_spacings ? " node spacings" : ""),
+          "contact.minimum_separation, by space-time interference and complementarity"};
+}
+
 }  // namespace
 
 bool Plan::is_fast(double pairs_a_point) const {
@@ -182,7 +190,7 @@ Plan make_plan(const Scene& scene) {
     plan.lines.push_back({"rheology", "one solve without bodies", "a Couette cell's torque ratio"});
   }
   if (scene.output.fields) plan.lines.push_back(fields_line(*scene.output.fields));
-  plan.lines.push_back({"contact", "none", "no [contact]: an overlap stops the run"});
+  plan.lines.push_back(contact_line(scene));
   return plan;
 }
 

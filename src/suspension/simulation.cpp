@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
-#include <tuple>
 
 #include "record/number_text.hpp"
 #include "suspension/fields.hpp"
+#include "suspension/step_counts.hpp"
 #include "suspension/stepping.hpp"
 
 namespace stokesbook {
@@ -39,18 +38,6 @@ Frame make_frame(double t, std::size_t bodies, const Configuration& configuratio
   return frame;
 }
 
-std::string contact_reason(const ContactOutcome& outcome) {
-  return "contact is not resolved: " + outcome.result.reason;
-}
-
-int pairs_in_contact(const ContactOutcome& outcome) {
-  std::set<std::tuple<bool, std::size_t, bool, std::size_t>> pairs;
-  for (const ContactForce& force : outcome.forces) {
-    pairs.emplace(force.a.is_wall, force.a.number, force.b.is_wall, force.b.number);
-  }
-  return static_cast<int>(pairs.size());
-}
-
 // Lets a stepper know where a shorter step may do.
 Rate shorter_where_refused(const Rate& rate) {
   return [=](double t, const VectorXd& state) {
@@ -68,46 +55,8 @@ constexpr std::size_t densities_kept = 4;
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
 
-VectorXd to_numbers(const CloserPairs& pairs) {
-  VectorXd numbers(static_cast<Eigen::Index>(3 * pairs.size()));
-  Eigen::Index i = 0;
-  for (const auto& [pair, gap] : pairs) {
-    numbers[i++] = static_cast<double>(pair.first);
-    numbers[i++] = static_cast<double>(pair.second);
-    numbers[i++] = gap;
-  }
-  return numbers;
-}
-
-CloserPairs to_pairs(const VectorXd& numbers) {
-  CloserPairs pairs;
-  for (Eigen::Index i = 0; i < numbers.size(); i += 3) {
-    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
-        numbers[i + 2];
-  }
-  return pairs;
-}
-
 std::string density_name(std::size_t k) {
   return "density_" + std::to_string(k);
-}
-
-// Adds a solve to what a step has done.
-void add(StepInfo& step, const Solution& solution, double seconds) {
-  const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
-                                           : solution.gaps.front().points.gap;
-  step.min_gap = std::min(step.min_gap, gap);
-  step.gmres_iterations += solution.cost.gmres_iterations;
-  step.matvecs += solution.cost.matvecs;
-  step.residual = std::max(step.residual, solution.gmres.residual);
-  step.seconds += seconds;
-}
-
-void add(StepInfo& step, const ContactOutcome& outcome, const SolveCost& cost) {
-  step.gmres_iterations += cost.gmres_iterations;
-  step.matvecs += cost.matvecs;
-  step.ncp_iterations += outcome.result.iterations;
-  step.seconds += outcome.seconds;
 }
 
 }  // namespace
@@ -291,100 +240,16 @@ Advance Simulation::take_step(const Rates& rates) const {
   }
 }
 
-double Simulation::planned_end() const {
-  if (now_.t >= time_.t_final)
-    return now_.t + *time_.dt;  // what holds at the end, holds thereafter
-  return evened_end(now_.t, next_event(), *time_.dt);
-}
-
-// Contact depends on the step that is to be taken: one that cannot be resolved is halved.
-Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end) {
-  const Configuration configuration = to_configuration(now_.state);
-  LoadResponse response(solver_, configuration, first.solution.references);
-  while (true) {
-    const double dt = t_end - now_.t;
-    ContactOutcome outcome = contact_->resolve(
-        {configuration, to_rate(first.solution), dt, configuration, 1.0}, response, closer_);
-    if (outcome.result.status == ContactStatus::resolved) {
-      Solution solution = contact_->with_forces(first.solution, outcome, response);
-      return {t_end, std::move(outcome), std::move(solution), response.cost()};
-    }
-    t_end = halved(t_end, contact_reason(outcome));
-  }
-}
-
-double Simulation::halved(double t_end, const std::string& reason) {
-  const double dt = t_end - now_.t;
-  if (dt <= stepping_.dt_min) {
-    throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + reason +
-                          "; steps down to time.dt_min = " + short_number(stepping_.dt_min) +
-                          " do not help");
-  }
-  ++totals_.rejected_steps;
-  return now_.t + std::max(0.5 * dt, stepping_.dt_min);
-}
-
-// The mean velocity of a step by Heun's method, where the forces of its second half act at the
-// state that its first half leads to.
-ContactOutcome Simulation::corrected(const Begun& begun, StepInfo& info) {
-  const double dt = begun.t_end - now_.t;
-  const VectorXd& first = begun.outcome.result.velocity;
-  const VectorXd predicted = now_.state + dt * first;
-  const Solved stage = solve(begun.t_end, predicted, Role::stage);
-  add(info, stage.solution, stage.seconds);
-  const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
-  LoadResponse response(solver_, acting, stage.solution.references);
-  ContactOutcome outcome = contact_->resolve(
-      {start, 0.5 * (first + to_rate(stage.solution)), dt, acting, 0.5}, response, closer_);
-  add(info, outcome, response.cost());
-  if (outcome.result.status != ContactStatus::resolved) {
-    throw ConfigurationRefused(contact_reason(outcome));
-  }
-  return outcome;
-}
-
-Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun begun) {
-  StepInfo info{.min_gap = std::numeric_limits<double>::infinity(),
-                .error_estimate = first.solution.error_estimate};
-  add(info, first.solution, first.seconds);
-  while (true) {
-    add(info, begun.outcome, begun.cost);
-    try {
-      const VectorXd velocity = stepping_.method == Method::heun
-                                    ? corrected(begun, info).result.velocity
-                                    : begun.outcome.result.velocity;
-      const VectorXd state = now_.state + (begun.t_end - now_.t) * velocity;
-      const Configuration configuration = to_configuration(state);
-      if (!contact_->admits(configuration, closer_)) {
-        throw ConfigurationRefused("a step leads to gaps below contact.minimum_separation");
-      }
-      Solved last = solve(begun.t_end, state, Role::step);
-      info.t = begun.t_end;
-      info.dt = begun.t_end - now_.t;
-      info.contacts = pairs_in_contact(begun.outcome);
-      now_ = {begun.t_end, state, {}};
-      closer_ = contact_->widened(closer_, configuration);
-      ++totals_.steps;
-      if (observer_.step) observer_.step(info);
-      return is_reversal(now_.t) ? reverse() : std::move(last);
-    } catch (const ConfigurationRefused& refusal) {
-      begun = begin_in_contact(first, halved(begun.t_end, refusal.what()));
-    }
-  }
-}
-
 Simulation::Solved Simulation::advance(const Solved& first) {
-  StepInfo info{.min_gap = std::numeric_limits<double>::infinity(),
-                .error_estimate = first.solution.error_estimate};
-  add(info, first.solution, first.seconds);
+  StepInfo info = begun_step(first.solution, first.seconds);
   std::optional<Solved> last;
   const auto within = [&](double t, const VectorXd& state) {
     const Solved stage = solve(t, state, Role::stage);
-    add(info, stage.solution, stage.seconds);
+    info = with_solve(info, stage.solution, stage.seconds);
     return to_rate(stage.solution);
   };
   const auto at_end = [&](double t, const VectorXd& state) {
-    if (last) add(info, last->solution, last->seconds);  // of a step that was rejected
+    if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
     last = solve(t, state, Role::step);
     return to_rate(last->solution);
   };

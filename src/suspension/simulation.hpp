@@ -29,6 +29,9 @@ struct Observer {
 /// times; all others even out their steps to hit them too. A step that leads into an
 /// overlap, or too close for the nodes, is halved, see Stepper. The order in time.dt is that of the method.
 ///
+/// With [contact], a step's velocity is that which keeps the separation at its end; it acts from the
+/// step's beginning, and is what frames show. Steps that cannot be resolved are halved.
+///
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
 /// latest estimate.
@@ -103,6 +106,7 @@ class Simulation {
   Solved advance(const Solved& first);
   Begun begin_in_contact(const Solved& first, double t_end);
   Solved advance_in_contact(const Solved& first, Begun begun);
+  ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
   ContactOutcome corrected(const Begun& begun, StepInfo& info);
   double planned_end() const;
   double halved(double t_end, const std::string& reason);

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "record/run_data.hpp"
+#include "suspension/contact.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Begins to count what a step does.
+///
+/// @param  first    solution at its beginning
+/// @param  seconds  wall time of that
+/// @return          counts of that solve
+StepInfo begun_step(const Solution& first, double seconds);
+
+/// Adds a solve to what a step has done.
+///
+/// @param  step      so far
+/// @param  solution  of the solve
+/// @param  seconds   wall time of it
+/// @return           counts with the solve
+StepInfo with_solve(StepInfo step, const Solution& solution, double seconds);
+
+/// Adds the contact of a stage to what a step has done.
+///
+/// @param  step     so far
+/// @param  outcome  of the stage
+/// @param  cost     of its responses
+/// @return          counts with these
+StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost);
+
+/// Counts the pairs that are in contact.
+///
+/// @param  forces  of a stage
+/// @return         pairs with a force between them
+int pairs_in_contact(const std::vector<ContactForce>& forces);
+
+/// @}
+
+}  // namespace stokesbook
