@@ -216,18 +216,19 @@ class ContactLoop {
     return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
   }
 
-  // Resolved, or given up because of a force across an open gap.
+  // Resolved, or given up because of a force across an open gap. Gaps with a force are closed to the
+  // tolerance; where that takes too long, less is enough.
   bool settled() {
     const Index widest = widest_with_force();
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
     result_.kkt_residual = std::max(result_.violations.back(), open);
     if (result_.violations.back() > step_.tolerance) return false;
-    if (open <= options_.open_gap * step_.separation) {
-      result_.status = ContactStatus::resolved;
-      return true;
-    }
     const int last = std::min(options_.open_gap_after, options_.max_iterations);
-    return result_.iterations >= last && give_up_on_open_gap(widest);
+    const bool closed = open <= step_.tolerance;
+    if (!closed && result_.iterations < last) return false;
+    if (!closed && open > options_.open_gap * step_.separation) return give_up_on_open_gap(widest);
+    result_.status = ContactStatus::resolved;
+    return true;
   }
 
   // Of the gaps across which a force acts, the widest; none: -1.

@@ -79,10 +79,9 @@ double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) 
                          parameter_step(a.nodes));
 }
 
-// Descends from a pair of nodes to the least height of a over b.
-Footing least_height(const SmoothCurve& a, const SmoothCurve& b, const NodePair& start) {
-  Footing at = find_footing(a, b, parameter_step(a.nodes) * static_cast<double>(start.a),
-                            parameter_step(b.nodes) * static_cast<double>(start.b));
+// Descends from a pair of parameters to the least height of a over b.
+Footing least_height(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
+  Footing at = find_footing(a, b, s, t);
   const double rounding = 1e-15 * (std::abs(at.a.value) + std::abs(at.b.value));
   double step = step_down(a, b, at);
   for (int evaluations = 0; evaluations < 60 && std::abs(step) > 1e-14; ++evaluations) {
@@ -95,6 +94,14 @@ Footing least_height(const SmoothCurve& a, const SmoothCurve& b, const NodePair&
     }
   }
   return at;
+}
+
+// Nothing lies between the closest points: where they see each other through the fluid, so does all
+// of either curve.
+ClosestPoints measured(const SmoothCurve& a, const Footing& at) {
+  const bool separate = at.height > 0.0 && dot(at.across(), normal(a, at.a)) < 0.0;
+  const double distance = std::abs(at.across());
+  return {separate ? distance : -distance, at.s, at.t, at.a.value, at.b.value};
 }
 
 }  // namespace
@@ -123,15 +130,16 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
     const bool local_minimum = !nearer(pairs[(i + count - 1) % count], pairs[i]) &&
                                !nearer(pairs[(i + 1) % count], pairs[i]);
     if (!local_minimum || pairs[i].distance > closest + spacing) continue;
-    const Footing refined = least_height(a, b, pairs[i]);
+    const Footing refined =
+        least_height(a, b, parameter_step(a.nodes) * static_cast<double>(pairs[i].a),
+                     parameter_step(b.nodes) * static_cast<double>(pairs[i].b));
     if (!best || refined.height < best->height) best = refined;
   }
-  // Nothing lies between the closest points: where they see each other through the fluid, so does
-  // all of either curve.
-  const Complex across = best->across();
-  const bool separate = best->height > 0.0 && dot(across, normal(a, best->a)) < 0.0;
-  const double distance = std::abs(across);
-  return {separate ? distance : -distance, best->s, best->t, best->a.value, best->b.value};
+  return measured(a, *best);
+}
+
+ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
+  return measured(a, least_height(a, b, s, t));
 }
 
 }  // namespace stokesbook

@@ -66,6 +66,17 @@ struct ClosestPoints {
 /// @par Cost      N_a N_b distances, O(N_a + N_b) a Newton step
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 
+/// Descends from a pair of points to the next local minimum of the distance of two curves.
+///
+/// @param  a  one curve, N_a nodes
+/// @param  b  the other, N_b nodes
+/// @param  s  parameter on the one, radians
+/// @param  t  parameter on the other near the foot of that point, radians
+/// @return    gap and where it is
+/// @par Accuracy  as closest_points()
+/// @par Cost      O(N_a + N_b) a Newton step
+ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);
+
 /// @}
 
 }  // namespace stokesbook

@@ -4,10 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <tuple>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
+#include "suspension/gaps.hpp"
 #include "suspension/stepping.hpp"
 
 namespace stokesbook {
@@ -18,7 +21,7 @@ using Eigen::VectorXd;
 namespace {
 
 // Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
-constexpr double relative_sag = 1e-3, relative_tolerance = 1e-3;
+constexpr double relative_sag = 1e-3, relative_tolerance = 1e-5;
 
 double mean_spacing(const Scene& scene, const References& references) {
   double length = 0.0, nodes = 0.0;
@@ -60,7 +63,12 @@ std::vector<Pose> poses_of(const Configuration& configuration) {
   return poses;
 }
 
-// Straight paths at a velocity that is packed as a rate.
+// Where a velocity that is packed as a rate leads to.
+Configuration moved(const Configuration& start, const VectorXd& velocity, double dt) {
+  return to_configuration(to_state(start) + dt * velocity);
+}
+
+// Straight paths there.
 std::vector<RigidPath> paths(const Configuration& start, const VectorXd& velocity, double dt) {
   std::vector<RigidPath> paths;
   for (std::size_t k = 0; k < start.size(); ++k) {
@@ -85,6 +93,11 @@ ContactKey key_of(const LoopRow& row, std::size_t components) {
           (of_b ? more_than_vertices : 0) + row.row.key.vertex};
 }
 
+// Parameter of a point on a polygon whose vertices are equidistant in the shape's.
+double parameter(const Polygon& polygon, Index vertex) {
+  return 2.0 * std::numbers::pi * static_cast<double>(vertex) / static_cast<double>(polygon.size());
+}
+
 // By which derivative the loop linearises gaps: the exact one converges fast; that of the forces makes
 // its linear problems symmetric, hence solvable, however far a step goes astray.
 enum class Linearisation { exact, symmetric };
@@ -95,9 +108,13 @@ class StageRows {
   using Concerns = std::function<bool(std::size_t a, std::size_t b)>;
 
   // What does not concern contact is left out.
-  StageRows(const ContactStage& stage, const ContactShapes& shapes, const ContactRules& rules,
-            Concerns concerns)
-      : stage_(stage), shapes_(shapes), rules_(rules), concerns_(std::move(concerns)) {}
+  StageRows(const ContactStage& stage, const References& references, const ContactShapes& shapes,
+            const ContactRules& rules, Concerns concerns)
+      : stage_(stage),
+        references_(references),
+        shapes_(shapes),
+        rules_(rules),
+        concerns_(std::move(concerns)) {}
 
   ContactResult resolved(ContactStep step, Linearisation linearisation) {
     step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
@@ -118,11 +135,21 @@ class StageRows {
     const auto m = static_cast<Index>(rows.size());
     const GapGradient none(m, velocity.size());
     ContactRows result{VectorXd(m), none, none, {}};
+    const Configuration end = moved(stage_.start, velocity, stage_.dt);
     for (Index i = 0; i < m; ++i) {
       const LoopRow& row = rows[static_cast<std::size_t>(i)];
-      result.gap[i] = row.row.gap;
-      add_force(result.force_gradient, i, row);
-      if (linearisation == Linearisation::exact) add_derivative(result.gradient, i, row);
+      const RowKey& key = row.row.key;
+      // Forces act where their configuration has the closest points: those at the end of the step
+      // would cost an order.
+      add(result.force_gradient, i, key, closest(key, stage_.acting), stage_.acting);
+      // The curves' gap in place of the polygons' where it is the same one.
+      const ClosestPoints at_end = closest(key, end);
+      const double gap = at_end.gap - rules_.separation.between(row.a, row.b);
+      const bool same = at_end.gap > 0.0 && std::abs(gap - row.row.gap) < sags(row);
+      result.gap[i] = same ? gap : row.row.gap;
+      if (linearisation == Linearisation::exact) {
+        same ? add(result.gradient, i, key, at_end, end) : add_derivative(result.gradient, i, row);
+      }
       result.keys.push_back(key_of(row, shapes_.size()));
       seen_.insert_or_assign(result.keys.back(), row);
     }
@@ -137,26 +164,42 @@ class StageRows {
     gradient.insert(i, first + 2) = wrench.torque;
   }
 
+  // By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
+  // closest point.
+  double sags(const LoopRow& row) const {
+    return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
+  }
+
   static void add_derivative(GapGradient& gradient, Index i, const LoopRow& row) {
     add(gradient, i, row.a, row.row.derivative.on_a);
     add(gradient, i, row.b, row.row.derivative.on_b);
   }
 
-  // Force n on a and -n on b at one point, with torques about the centres where forces act: the
-  // point goes along with both.
-  void add_force(GapGradient& gradient, Index i, const LoopRow& row) const {
-    const auto moved = [&](std::size_t k) {
-      return stage_.acting[k].position - stage_.start[k].position;
-    };
-    const Complex point = row.row.point + 0.5 * (moved(row.a) + moved(row.b));
+  // Where the curves are closest, at a configuration.
+  ClosestPoints closest(const RowKey& key, const Configuration& at) const {
+    const SmoothCurve a = smooth_curve(*references_[key.vertex_of], at[key.vertex_of]);
+    const SmoothCurve b = smooth_curve(*references_[key.polygon_of], at[key.polygon_of]);
+    const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
+    const Polygon& polygon = shapes_[key.polygon_of]->polygon;
+    const Complex seen = std::polar(1.0, -b.orientation) * (a.at(s).value - b.position);
+    const Index edge = polygon.closest(seen, std::numeric_limits<double>::infinity()).edge;
+    return closest_points_near(a, b, s, parameter(polygon, edge));
+  }
+
+  // Unit forces at the closest points, that push the two apart; torques about their centres.
+  static void add(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
+                  const Configuration& at) {
+    const Complex point = 0.5 * (points.point_a + points.point_b);
+    const Complex normal = (points.point_a - points.point_b) / points.gap;
     const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
-      return {force, cross(point - stage_.acting[k].position, force)};
+      return {force, cross(point - at[k].position, force)};
     };
-    add(gradient, i, row.a, wrench(row.a, row.row.normal));
-    add(gradient, i, row.b, wrench(row.b, -row.row.normal));
+    add(gradient, i, key.vertex_of, wrench(key.vertex_of, normal));
+    add(gradient, i, key.polygon_of, wrench(key.polygon_of, -normal));
   }
 
   const ContactStage& stage_;
+  const References& references_;
   const ContactShapes& shapes_;
   const ContactRules& rules_;
   Concerns concerns_;
@@ -275,8 +318,8 @@ bool SuspensionContact::admits(const Configuration& configuration,
                                const CloserPairs& closer) const {
   const Separation separation{polygon_separation_, closer};
   return std::ranges::all_of(gaps(configuration), [&](const PolygonGap& found) {
-    return found.gap >=
-           separation.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
+    return found.gap >= separation.between(found.a, found.b) -
+                            (relative_tolerance + 2.0 * relative_sag) * separation_;
   });
 }
 
@@ -284,7 +327,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
                                           const CloserPairs& closer) const {
   const auto begun = std::chrono::steady_clock::now();
   const ContactRules rules = this->rules(closer);
-  StageRows rows(stage, shapes_, rules,
+  StageRows rows(stage, solver_.references(), shapes_, rules,
                  [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); });
   const ContactStep step{
       .free_velocity = stage.free_velocity,

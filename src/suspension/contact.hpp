@@ -51,10 +51,10 @@ struct ContactOutcome {
 
 /// Keeps the components of a scene at their minimum separation.
 ///
-/// Contact is seen ahead by interferences() of the polygons of all components, and resolved by
-/// resolve_contact() with the mobility of the whole suspension. Polygons lie within a thousandth of
-/// the separation of their curves, and gaps are kept to another thousandth.
-/// @par Accuracy  gaps of the curves from 0.999 to 1.003 separations where a force acts
+/// Contact is seen ahead by interferences() of the polygons of all components, which lie within a
+/// thousandth of the separation of their curves, and resolved by resolve_contact() with the mobility
+/// of the whole suspension and the gaps of the curves.
+/// @par Accuracy  gaps of the curves from 1 to 1.003 separations where a force acts
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
@@ -104,7 +104,7 @@ class SuspensionContact {
   ///
   /// @param  configuration  where the components are
   /// @param  closer         pairs that may come closer
-  /// @return                true when no gap is narrower by more than twice the tolerance of gaps
+  /// @return                true when no gap is narrower by more than the sags of both
   bool admits(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "suspension/load_response.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "double_layer/double_layer.hpp"
@@ -12,6 +13,9 @@ using Eigen::SparseVector;
 using Eigen::VectorXd;
 
 namespace {
+
+// Relative difference of loads that count as one: what it changes is below the solver's tolerance.
+constexpr double same_load = 1e-9;
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
@@ -63,31 +67,40 @@ ComplexVector LoadResponse::density(const Closure& closure, const ComplexVector&
   return deinterleaved(result.solution);
 }
 
+std::size_t LoadResponse::answer(const SparseVector<double>& load) {
+  const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+    return (load - answer.load).norm() <= same_load * load.norm();
+  });
+  if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
+  const Closure closure(under_loads(discrete_->problem, load));
+  ComplexVector found = density(closure, guess(load));
+  std::vector<RigidMotion> motions = closure.complete(found).motions;
+  answers_.push_back({load, std::move(found), std::move(motions)});
+  return answers_.size() - 1;
+}
+
 MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
   if (!discrete_) discrete_ = solver_.discretise(configuration_, references_);
-  std::vector<Answer> answers;
   MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
+  latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
-    const SparseVector<double> load = loads.col(column);
-    const Closure closure(under_loads(discrete_->problem, load));
-    answers.push_back({load, density(closure, guess(load))});
-    const std::vector<RigidMotion> motions = closure.complete(answers.back().density).motions;
+    latest_.push_back(answer(loads.col(column)));
+    const std::vector<RigidMotion>& motions = answers_[latest_.back()].motions;
     for (std::size_t k = 0; k < motions.size(); ++k) {
       velocities.block<3, 1>(static_cast<Index>(3 * k), column) << motions[k].velocity.real(),
           motions[k].velocity.imag(), motions[k].omega;
     }
   }
-  answers_ = std::move(answers);
   return velocities;
 }
 
 LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
   SparseVector<double> load(answers_.front().load.size());
   ComplexVector density = ComplexVector::Zero(answers_.front().density.size());
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
     const double factor = multipliers[static_cast<Index>(i)];
-    load += factor * answers_[i].load;
-    density += factor * answers_[i].density;
+    load += factor * answers_[latest_[i]].load;
+    density += factor * answers_[latest_[i]].density;
   }
   const Completion completion = Closure(under_loads(discrete_->problem, load)).complete(density);
   return {std::move(density), completion};

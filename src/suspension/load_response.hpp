@@ -33,13 +33,14 @@ class LoadResponse {
 
   /// Solves for the motions under some loads.
   ///
-  /// Each solve begins with the earlier solution for the most similar load.
+  /// A load that was answered before, in this or an earlier call, is not solved for again; others
+  /// begin with the solution for the most similar one.
   /// @param  loads  3K x m, forces / length and torques
   /// @return        3K x m velocities of all components, zero for prescribed ones
   /// @throws NumericsRefused when GMRES does not converge
   /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
   ///                component do not balance
-  /// @par Cost      m solves; the first call builds the system
+  /// @par Cost      a solve for each new load; the first call builds the system
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
   /// Adds up the solutions of the latest call.
@@ -62,8 +63,10 @@ class LoadResponse {
   struct Answer {
     Eigen::SparseVector<double> load;
     ComplexVector density;
+    std::vector<RigidMotion> motions;
   };
   /// @endcond
+  std::size_t answer(const Eigen::SparseVector<double>& load);
   ComplexVector density(const Closure& closure, const ComplexVector& guess);
   ComplexVector guess(const Eigen::SparseVector<double>& load) const;
 
@@ -71,7 +74,8 @@ class LoadResponse {
   Configuration configuration_;
   References references_;
   std::optional<DiscreteProblem> discrete_;  // built when it is first needed
-  std::vector<Answer> answers_;              // of the latest call, a column each
+  std::vector<Answer> answers_;              // of all loads so far
+  std::vector<std::size_t> latest_;          // those of the latest call's columns
   SolveCost cost_;
   int solves_ = 0;
 };

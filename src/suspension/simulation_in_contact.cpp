@@ -29,7 +29,6 @@ ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& resp
   const ContactResult& result = outcome.result;
   const bool resolved = result.status == ContactStatus::resolved;
   totals_.ncp_iterations += result.iterations;
-  totals_.contact_solves += response.solves();
   totals_.contact_seconds += outcome.seconds;
   totals_.halved_by_contact += resolved ? 0 : 1;
   if (!resolved) return outcome;
@@ -44,11 +43,12 @@ ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& resp
 // Contact depends on the step that is to be taken: one that cannot be resolved is halved.
 Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end) {
   const Configuration configuration = to_configuration(now_.state);
+  LoadResponse response(solver_, configuration, first.solution.references);
   while (true) {
-    LoadResponse response(solver_, configuration, first.solution.references);
     ContactOutcome outcome = resolve(
         {configuration, to_rate(first.solution), t_end - now_.t, configuration, 1.0}, response);
     if (outcome.result.status == ContactStatus::resolved) {
+      totals_.contact_solves += response.solves();
       Solution solution = contact_->with_forces(first.solution, outcome, response);
       return {t_end, std::move(outcome), std::move(solution), response.cost()};
     }
@@ -79,6 +79,7 @@ ContactOutcome Simulation::corrected(const Begun& begun, StepInfo& info) {
   LoadResponse response(solver_, acting, stage.solution.references);
   ContactOutcome outcome =
       resolve({start, 0.5 * (first + to_rate(stage.solution)), dt, acting, 0.5}, response);
+  totals_.contact_solves += response.solves();
   info = with_contact(info, outcome, response.cost());
   if (outcome.result.status == ContactStatus::resolved) return outcome;
   throw ConfigurationRefused(refusal_of(outcome));

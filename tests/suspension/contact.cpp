@@ -165,4 +165,89 @@ BOOST_AUTO_TEST_CASE(reversed_shear_leaves_what_contact_has_moved) {
   BOOST_TEST(returned(3.0, 0.08) == 0.412, boost::test_tools::tolerance(0.06));
 }
 
+// A disk is pushed into the slit between two held ones.
+BOOST_AUTO_TEST_CASE(held_disks_carry_what_is_pressed_on_them) {
+  Body pressed = body_at(Circle{0.8}, {0.0, 1.6}, automatic_nodes);
+  pressed.force = {0.0, -200.0};
+  std::vector<Body> bodies{pressed, body_at(Circle{1.0}, {-1.2, 0.0}, automatic_nodes),
+                           body_at(Circle{1.0}, {1.2, 0.0}, automatic_nodes)};
+  bodies[1].held = bodies[2].held = true;
+  Scene scene = with_contact(QuiescentFlow{}, bodies, 0.09);
+  scene.gauge_length = 100.0;
+  const Run run = run_of(over(scene, 4.0, 0.1));
+  const Frame& end = run.frames.back();
+  BOOST_REQUIRE(end.contacts.size() == 2);
+  Complex reaction{};
+  for (const ContactForce& contact : end.contacts) {
+    BOOST_TEST(contact.gap >= 0.09 * (1 - 1e-3));
+    BOOST_TEST(contact.gap <= 0.09 * (1 + 4e-3));
+    reaction += contact.force * (contact.a.number == 0 ? contact.normal : -contact.normal);
+  }
+  BOOST_TEST(std::abs(end.bodies[0].velocity) < 1e-3);
+  BOOST_TEST(std::abs(reaction - Complex(0.0, 200.0)) < 0.5);
+  for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 4);
+}
+
+// A loaded ellipse sinks to the floor of a container and rests there.
+BOOST_AUTO_TEST_CASE(bodies_rest_on_the_walls_of_a_container) {
+  Body heavy = body_at(Ellipse{0.6, 0.3}, {0.4, -1.0}, automatic_nodes);
+  heavy.force = {0.0, -50.0};
+  heavy.orientation = 0.3;
+  Scene scene = with_contact(QuiescentFlow{}, {heavy}, 0.05);
+  scene.walls = {{WallRole::outer, Circle{2.0}, {}, 0.0, automatic_nodes, {}}};
+  const Run run = run_of(over(scene, 8.0, 0.1));
+  const Frame& end = run.frames.back();
+  BOOST_REQUIRE(!end.contacts.empty());
+  double reaction = 0.0;
+  for (const ContactForce& contact : end.contacts) {
+    BOOST_TEST(contact.b.is_wall);
+    BOOST_TEST(contact.gap >= 0.05 * (1 - 1e-3));
+    reaction += contact.force * contact.normal.imag();
+  }
+  BOOST_TEST(reaction == 50.0, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(std::abs(end.bodies[0].velocity) < 0.01);
+}
+
+// A chases B: what an observer who moves along sees, is the same.
+BOOST_AUTO_TEST_CASE(contact_is_the_same_for_every_observer) {
+  const auto run = [](Complex boost) {
+    Body chaser = body_at(Circle{1.0}, {-1.2, 0.1}, automatic_nodes);
+    Body ahead = body_at(Ellipse{1.0, 0.6}, {1.1, 0.0}, automatic_nodes);
+    chaser.force = 40.0;
+    ahead.force = -40.0;
+    Scene scene = with_contact(UniformFlow{boost}, {chaser, ahead}, 0.1);
+    return run_of(over(scene, 0.5, 0.05));
+  };
+  const Complex boost(7.0, -3.0);
+  const Frame still = run({}).frames.back(), moving = run(boost).frames.back();
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(std::abs(moving.bodies[k].position - 0.5 * boost - still.bodies[k].position) < 1e-6);
+  }
+  BOOST_REQUIRE(still.contacts.size() == 1);
+  BOOST_TEST(moving.contacts.at(0).force == still.contacts[0].force,
+             boost::test_tools::tolerance(1e-5));
+}
+
+// Order of Euler and of Heun with contact: a pair that is driven together, turns round, and parts.
+BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
+  const auto end = [](double dt, SteppingMethod method) {
+    Scene scene = with_contact(ShearFlow{1.0},
+                               {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                                body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                               0.25);
+    scene.output.dt_write = 6.0;
+    scene.solver.tolerance = 1e-7;
+    const Frame frame = run_of(over(scene, 6.0, dt, method)).frames.back();
+    return frame.bodies[0].position - frame.bodies[1].position;
+  };
+  const Complex reference = end(0.0025, heun);
+  const auto order = [&](SteppingMethod method) {
+    return std::log2(std::abs(end(0.1, method) - reference) /
+                     std::abs(end(0.025, method) - reference)) /
+           2.0;
+  };
+  BOOST_TEST(order(euler) >= 0.8);
+  BOOST_TEST(order(heun) >= 1.5);
+}
+
 }  // namespace stokesbook::test
