@@ -165,7 +165,7 @@ Experiment recycling() {
   return {.key = "recycling",
           .title = "Directions of the step before, recycled",
           .x = "directions and one, k",
-          .error = "products with the operator, to a residual of 1e-8 from the density before",
+          .error = "products with the operator, to 1e-8",
           .lines = std::move(lines)};
 }
 
