@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 #include "double_layer/double_layer.hpp"
@@ -129,8 +130,12 @@ class StageRows {
         interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
     std::vector<LoopRow> rows;
     for (const Contact& contact : found.contacts) {
-      if (!concerns_(contact.a, contact.b)) continue;
-      for (const ContactRow& row : contact.rows) rows.push_back({contact.a, contact.b, row});
+      const auto& [a, b, volume, own] = contact;
+      if (!concerns_(a, b)) continue;
+      if (contact.is_violated()) pressed_.emplace(a, b);
+      // Each row costs a solve: those that merely come near have none.
+      if (!pressed_.contains({a, b})) continue;
+      for (const ContactRow& row : own) rows.push_back({a, b, row});
     }
     const auto m = static_cast<Index>(rows.size());
     const GapGradient none(m, velocity.size());
@@ -203,6 +208,7 @@ class StageRows {
   const ContactShapes& shapes_;
   const ContactRules& rules_;
   Concerns concerns_;
+  std::set<std::pair<std::size_t, std::size_t>> pressed_;  // violated at some velocity
   std::map<ContactKey, LoopRow> seen_;
 };
 
