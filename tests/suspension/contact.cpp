@@ -250,4 +250,110 @@ BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
   BOOST_TEST(order(heun) >= 1.5);
 }
 
+BOOST_AUTO_TEST_CASE(a_hexagon_under_compression_is_resolved_at_any_step) {
+  std::vector<Body> bodies{body_at(Circle{1.0}, {0.02, -0.01}, automatic_nodes)};
+  for (int k = 0; k < 6; ++k) {
+    const Complex corner = std::polar(2.15, std::numbers::pi / 3.0 * k + 0.1);
+    bodies.push_back(body_at(Circle{1.0}, corner, automatic_nodes));
+  }
+  for (const double dt : {0.4, 0.1}) {
+    Scene scene = over(with_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.8, dt);
+    scene.solver.tolerance = 1e-3;
+    const Run run = run_of(scene);
+    for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 9);
+    for (std::size_t a = 0; a < 7; ++a) {
+      for (std::size_t b = a + 1; b < 7; ++b) {
+        BOOST_TEST(distance(run.frames.back(), a, b) - 2.0 >= 0.1 * (1 - 1e-3));
+      }
+    }
+    BOOST_TEST(run.totals.largest_force_imbalance <= 1e-12);
+    BOOST_TEST(run.totals.largest_torque_imbalance <= 1e-12);
+  }
+}
+
+// A disk is pressed into the valley of a held star, and rests on both flanks.
+BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
+  Body disk = body_at(Circle{0.45}, {0.0, 1.5}, automatic_nodes);
+  disk.force = {10.0, -300.0};
+  Body star = body_at(Star{1.0, 0.45, 3}, {0.0, 0.0}, automatic_nodes);
+  star.held = true;
+  star.orientation = std::numbers::pi / 6;  // a valley above
+  Scene scene = over(with_contact(QuiescentFlow{}, {disk, star}, 0.09), 4.0, 0.05);
+  scene.gauge_length = 100.0;
+  scene.solver.tolerance = 1e-3;
+  const Run run = run_of(scene);
+  const Frame& end = run.frames.back();
+  BOOST_REQUIRE(end.contacts.size() == 2);
+  Complex reaction{};
+  for (const ContactForce& contact : end.contacts) reaction += contact.force * contact.normal;
+  BOOST_TEST(std::abs(reaction - Complex(-10.0, 300.0)) < 3.0);
+  for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 6);
+}
+
+// Two slender ellipses, flat on each other, are pressed together.
+BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
+  std::vector<Body> bodies{body_at(Ellipse{1.0, 0.1}, {0.0, 0.3}, automatic_nodes),
+                           body_at(Ellipse{1.0, 0.1}, {0.0, 0.0}, automatic_nodes)};
+  bodies[0].force = {0.0, -10.0};
+  bodies[1].force = {0.0, 10.0};
+  Scene scene = over(with_contact(QuiescentFlow{}, bodies, 0.09), 4.0, 0.1);
+  scene.solver.tolerance = 1e-3;
+  const Run run = run_of(scene);
+  const Frame& end = run.frames.back();
+  BOOST_TEST(std::abs(end.bodies[0].orientation) < 0.01);
+  BOOST_TEST(!end.contacts.empty());
+  for (const ContactForce& contact : end.contacts) BOOST_TEST(contact.force < 20.0);
+}
+
+// The same scene ten times larger, and a thousand times smaller.
+BOOST_AUTO_TEST_CASE(lengths_have_no_meaning) {
+  const auto end = [](double unit) {
+    Scene scene =
+        with_contact(ShearFlow{1.0},
+                     {body_at(Circle{0.5 * unit}, {-1.5 * unit, 0.2 * unit}, automatic_nodes),
+                      body_at(Circle{0.5 * unit}, {0.0, 0.0}, automatic_nodes)},
+                     0.25 * unit);
+    return run_of(over(scene, 3.0, 0.1, heun)).frames.back().bodies[0].position / unit;
+  };
+  for (const double unit : {10.0, 1e-3}) BOOST_TEST(std::abs(end(unit) - end(1.0)) < 1e-5);
+}
+
+// A gap is kept for four hundred steps, without drift.
+BOOST_AUTO_TEST_CASE(resting_contact_does_not_drift) {
+  Body heavy = body_at(Circle{0.5}, {0.3, -1.3}, automatic_nodes);
+  heavy.force = {0.0, -20.0};
+  Scene scene = with_contact(QuiescentFlow{}, {heavy}, 0.05);
+  scene.walls = {{WallRole::outer, Circle{2.0}, {}, 0.0, automatic_nodes, {}}};
+  scene.solver.tolerance = 1e-4;
+  scene.output.dt_write = 10.0;
+  const Run run = run_of(over(scene, 40.0, 0.1));
+  BOOST_REQUIRE(run.steps.size() == 400);
+  for (std::size_t k = 200; k < run.steps.size(); ++k) {
+    BOOST_TEST(run.steps[k].min_gap == run.steps[199].min_gap, boost::test_tools::tolerance(1e-3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(runs_with_contact_resume_bit_for_bit) {
+  Scene scene = over(head_on(0.05), 0.4, 0.04, heun);
+  scene.bodies[0].position = {-1.03, 0.05};
+  scene.bodies[1].position = {1.03, -0.05};
+  scene.contact->allow_close = true;
+  const SuspensionSolver solver(scene);
+  std::vector<Checkpoint> checkpoints;
+  Observer observer;
+  observer.checkpoint = [&](const Checkpoint& reached) { checkpoints.push_back(reached); };
+  Frame whole, rest;
+  observer.frame = [&](const Frame& frame) { whole = frame; };
+  Simulation(solver, observer).run();
+  Observer second;
+  second.frame = [&](const Frame& frame) { rest = frame; };
+  Simulation resumed(solver, second);
+  resumed.resume(checkpoints.at(4));
+  resumed.run();
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(rest.bodies[k].position == whole.bodies[k].position);
+    BOOST_TEST(rest.bodies[k].velocity == whole.bodies[k].velocity);
+  }
+}
+
 }  // namespace stokesbook::test
