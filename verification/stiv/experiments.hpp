@@ -14,6 +14,7 @@ study::Experiment volume_of_depth();
 study::Experiment volume_of_vertices();
 study::Experiment one_newton_step();
 study::Experiment newton_iterations();
+study::Experiment distances();
 study::Experiment gradients();
 study::Experiment balance();
 study::Experiment observers();

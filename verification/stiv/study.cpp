@@ -9,10 +9,10 @@ study::Study stiv_study() {
   return {.number = "10",
           .name = "stiv",
           .title = "Space-time interference",
-          .experiments = {tunnelling(), first_contact(), advancement(), vertices_for_a_separation(),
-                          volume_of_depth(), volume_of_vertices(), one_newton_step(),
-                          newton_iterations(), gradients(), balance(), observers(), valley(),
-                          queries(), pairs()}};
+          .experiments = {tunnelling(), first_contact(), advancement(), distances(),
+                          vertices_for_a_separation(), volume_of_depth(), volume_of_vertices(),
+                          one_newton_step(), newton_iterations(), gradients(), balance(),
+                          observers(), valley(), queries(), pairs()}};
 }
 
 }  // namespace stokesbook
