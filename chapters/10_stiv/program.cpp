@@ -205,10 +205,13 @@ Swept swept(const ContactShapes& shapes, const PathPair& paths) {
 // [volume]
 
 std::string picture_of_swept_pair() {
-  const ContactShapes shapes{body(Ellipse{1.2, 0.5}), body(Star{1.1, 0.2, 5})};
-  const PathPair paths{0, 1, moving({-2.3, 0.5}, {1.5, -0.4}, -0.7), moving({0.4, 0.0}, 0.0)};
+  const auto coarse = [](const Shape& shape) {
+    return std::make_shared<ContactShape>(contact_shape(sample(shape, 96, Side::fluid_outside)));
+  };
+  const ContactShapes shapes{coarse(Ellipse{1.2, 0.5}), coarse(Star{1.1, 0.2, 5})};
+  const PathPair paths{0, 1, moving({-2.3, 0.8}, {1.1, -0.5}, -0.7), moving({0.4, 0.0}, 0.0)};
   const auto pixel = [](Complex z) {
-    return Complex{420.0 + 110.0 * z.real(), 190.0 - 110.0 * z.imag()};
+    return Complex{440.0 + 110.0 * z.real(), 190.0 - 110.0 * z.imag()};
   };
   const RelativePath path(paths.path_a, paths.path_b);
   const auto outline = [&](const ContactShape& shape, const RelativeFrame& frame) {
@@ -225,7 +228,8 @@ std::string picture_of_swept_pair() {
   std::string ways, normals;
   for (std::size_t k = 0; k < found.touched.size(); ++k) {
     ways += svg::line(pixel(found.touched[k]), pixel(found.ended[k]));
-    normals += svg::line(pixel(found.touched[k]), pixel(found.touched[k] + 0.2 * found.normals[k]));
+    normals +=
+        svg::line(pixel(found.touched[k]), pixel(found.touched[k] + 0.12 * found.normals[k]));
   }
   picture += svg::path(ways, stroke(red, 2.0)) + svg::path(normals, stroke("currentColor", 1.0));
   std::string arrows;
