@@ -96,7 +96,7 @@ void check_newton() {
 VectorXd gaps(RowChoice choice, int count) {
   constexpr double separation = 0.1;
   const auto polygon = [](const Shape& shape) {
-    return std::make_shared<ContactShape>(contact_shape(sample(shape, 1024, Side::fluid_outside)));
+    return std::make_shared<ContactShape>(contact_shape(sample(shape, 4096, Side::fluid_outside)));
   };
   const ContactShapes shapes{polygon(Ellipse{2.0, 1.0}), polygon(Circle{1.0})};
   Complex displacement{0.8, -0.42};
