@@ -19,6 +19,7 @@ PairWrench opposite(Complex n, Complex arm, Complex other_arm, bool of_a) {
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths) {
   const RigidPath& mine = of_a ? paths.path_a : paths.path_b;
   const RigidPath& other = of_a ? paths.path_b : paths.path_a;
+  //! [row]
   // Between the centres: no arm is a difference of two places far from both.
   const Complex apart = other.start.centre - mine.start.centre;
   const Complex apart_at_end = apart + (other.displacement - mine.displacement);
@@ -26,6 +27,7 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
   const Complex arm = 0.5 * (turned(mine, event.measured, vertex) + apart +
                              turned(other, event.measured, event.point));
   const Complex arm_at_end = turned(mine, 1.0, vertex);
+  //! [row]
   const RowKey key =
       of_a ? RowKey{paths.a, paths.b, event.vertex} : RowKey{paths.b, paths.a, event.vertex};
   return {key,

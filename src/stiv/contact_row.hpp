@@ -69,7 +69,8 @@ struct PathPair {
 /// @param  of_a       true where the vertex is one of a's
 /// @param  paths      of both components
 /// @return            row with gap and wrenches
-/// @par Accuracy      the derivative is exact for the closest edge of the polygon
+/// @par Accuracy      the derivative is exact for the closest edge of the polygon, @ref claim_10_10;
+/// forces balance to rounding, @ref claim_10_11
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);
 
 /// @}

@@ -28,7 +28,8 @@ using ContactShapes = std::vector<std::shared_ptr<const ContactShape>>;
 /// Gaps of curves are narrower than those of their polygons by at most the sum of the two sags.
 /// @param  curve  N nodes
 /// @return        sag, length
-/// @par Accuracy  relative to second order in the spacing of the nodes
+/// @par Accuracy  relative to second order in the spacing of the nodes: contact between polygons is
+/// early or late by the sum of two sags, @ref claim_10_2 and @ref claim_10_3
 double sag(const Curve& curve);
 
 /// Takes the nodes of a curve for the vertices of its polygon.

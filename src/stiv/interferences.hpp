@@ -41,7 +41,8 @@ struct Interferences {
 /// @return         contacts, the same bits for any number of threads
 /// @throws std::invalid_argument when numbers of shapes and paths differ, a path is not finite, or
 ///                 separation or tolerance is not positive
-/// @par Accuracy   of gaps: rounding for polygons, the sum of two sags for curves
+/// @par Accuracy   of gaps: rounding for polygons, @ref claim_10_1; the sum of two sags for curves,
+/// @ref claim_10_2
 /// @par Cost       O(n log n) and a few queries for each vertex that comes near another component
 Interferences interferences(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                             const ContactRules& rules);

@@ -64,7 +64,7 @@ class Polygon {
   /// @param  z        point, length
   /// @param  at_most  distance beyond which none is looked for, length; may be infinite
   /// @return          closest point; its distance is infinite where none is as near as at_most
-  /// @par Accuracy  rounding of the positions
+  /// @par Accuracy  rounding of the positions, @ref claim_10_18
   /// @par Cost      O(log M) where one part of the polygon is clearly the closest, O(M) from the
   /// centre of a circle; no allocation
   ClosestPoint closest(Complex z, double at_most) const;

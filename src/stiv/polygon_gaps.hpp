@@ -28,7 +28,7 @@ struct PolygonGap {
 /// @param  reach   gaps that are as wide as that are left out, length, > 0
 /// @return         pairs with narrower gaps, ascending by pair
 /// @throws std::invalid_argument when numbers of shapes and poses differ, or a pose is not finite
-/// @par Accuracy   rounding for the polygons
+/// @par Accuracy   rounding for the polygons, @ref claim_10_19
 /// @par Cost       O(n log n), and for each pair a query for each vertex in reach, and for each
 /// edge of one polygon
 std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vector<Pose>& poses,

@@ -68,6 +68,7 @@ class Search {
                  separation = clearance_.separation, tolerance = clearance_.tolerance;
     std::optional<Touch> touch;
     double tau = 0.0, previous = infinity, stretch = 1.0;
+    //! [follow]
     while (tau < 1.0) {
       const Complex z = path_.at(tau)(x);
       const ClosestPoint at = closest(z, separation + tolerance + speed * (1.0 - tau));
@@ -95,6 +96,7 @@ class Search {
       }
       tau += std::max(step, std::numeric_limits<double>::epsilon());
     }
+    //! [follow]
     return {false, touch};
   }
 

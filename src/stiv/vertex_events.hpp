@@ -78,8 +78,8 @@ struct VertexEvents {
 /// @param  path       of A, seen from B; the polygons do not overlap at its start
 /// @param  clearance  separation, tolerance, watch and dip
 /// @return            vertices that end too deep, and those that end near B
-/// @par Accuracy      contact is found at delta + tolerance at the latest; g has rounding error for
-/// B's polygon, which lies within its sag of the curve
+/// @par Accuracy      contact is found at delta + tolerance at the latest, @ref claim_10_4; g has
+/// rounding error for B's polygon, which lies within its sag of the curve
 /// @par Cost          a few queries O(log M) a vertex that comes near; none for the others
 /// @sa source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, Berkeley,
 /// 1996, for the advancement

@@ -1,0 +1,85 @@
+// Two circles that come together however fast: what the end of the step, or some instants of it, tell.
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.hpp"
+#include "set_ups.hpp"
+
+namespace stokesbook::verification::stiv {
+
+using namespace study;
+
+namespace {
+
+constexpr double separation = 0.1, start_gap = 2.0, reach = 1e9;
+
+// The gaps to the separation that a method finds at the end of a step, each circle going half the
+// way.
+using Gap = double (*)(const Step& step);
+
+Measure errors(Gap gap) {
+  return [=](Size size) {
+    const auto circle = body(Circle{1.0}, 64);
+    std::vector<double> travels{2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 20.0, 100.0, 1000.0};
+    if (size == Size::full) travels.insert(travels.end(), {1e4, 1e5, 1e6});
+    std::vector<Measurement> measurements;
+    for (const double travel : travels) {
+      const Step step{{circle, circle},
+                      {{{{-2.0, 0.0}, 0.0}, {0.5 * travel, 0.0}, 0.0},
+                       {{{2.0, 0.0}, 0.0}, {-0.5 * travel, 0.0}, 0.0}}};
+      const double exact = start_gap - separation - travel;
+      measurements.push_back({.x = travel, .error = std::abs(gap(step) - exact) / travel});
+    }
+    return measurements;
+  };
+}
+
+double swept(const Step& step) {
+  return least_gap(violations(step, {{separation}, 1e-4}));
+}
+
+// What does not overlap is taken to have a gap of 0.
+double seen_at(const Step& step, int instants) {
+  double least = 0.0;
+  for (int k = 1; k <= instants; ++k) {
+    least =
+        std::min(least, distance_at(step, static_cast<double>(k) / instants, reach) - separation);
+  }
+  return least;
+}
+
+double at_end(const Step& step) {
+  return seen_at(step, 1);
+}
+
+double at_instants(const Step& step) {
+  return seen_at(step, 16);
+}
+
+}  // namespace
+
+Experiment tunnelling() {
+  return {
+      .key = "tunnelling",
+      .title = "Two unit circles that come together, from a gap of 2",
+      .x = "relative travel s",
+      .error = "error of the gap at the end of the step, over the travel",
+      .lines = {
+          {.key = "end", .label = "overlap at the end", .measure = errors(at_end)},
+          {.key = "instants", .label = "overlap at 16 instants", .measure = errors(at_instants)},
+          {.key = "swept",
+           .label = "swept",
+           .measure = errors(swept),
+           .claim = Claim{.id = "10_1",
+                          .statement = "However far two circles travel in a step, the gap "
+                                       "is what is left of their distance.",
+                          .law = Identity{1e-14},
+                          .reason = "conservative steps cannot pass the first contact, "
+                                    "and on the axis the gap falls by the travel; a few "
+                                    "roundings",
+                          .api = {"stokesbook::interferences()"}},
+           .control =
+               Control{"overlap is looked for at the end of the step only", errors(at_end)}}}};
+}
+
+}  // namespace stokesbook::verification::stiv

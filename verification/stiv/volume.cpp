@@ -1,0 +1,157 @@
+// The volume of two circles against the integral of their gaps.
+#include <cmath>
+#include <numbers>
+
+#include "experiments.hpp"
+#include "set_ups.hpp"
+
+namespace stokesbook::verification::stiv {
+
+using namespace study;
+using Eigen::Index;
+
+namespace {
+
+constexpr double radius = 0.5;
+
+struct Impact {
+  double separation, depth;
+};
+
+// Two circles from well apart to a depth, along the x axis.
+std::vector<Contact> contacts(const Impact& impact, Index m, double phase) {
+  constexpr double travel = 0.2;
+  const double distance = 2.0 * radius + impact.separation + travel - impact.depth;
+  const auto circle = body(Circle{radius}, m);
+  return violations({{circle, circle},
+                     {{{{0.0, 0.0}, phase}, {0.0, 0.0}, 0.0},
+                      {{{distance, 0.0}, 0.7 * phase}, {-travel, 0.0}, 0.0}}},
+                    {{impact.separation}, 1e-9});
+}
+
+double volume(const Impact& impact, Index m, double phase) {
+  double sum = 0.0;
+  for (const Contact& contact : contacts(impact, m, phase)) sum -= contact.volume;
+  return sum;
+}
+
+// The point at an angle phi from the axis travels t after it has met the other circle's offset, at
+// an angle psi: its gap is -t cos psi.
+double gap(const Impact& impact, double phi) {
+  const double other = radius + impact.separation, psi = std::asin(radius * std::sin(phi) / other);
+  const double t = impact.depth - radius * (1.0 - std::cos(phi)) - other * (1.0 - std::cos(psi));
+  return -t * std::cos(psi);
+}
+
+// Both sides; the integrand vanishes at the ends of the contact, and Simpson's rule is of order 4.
+double exact_volume(const Impact& impact) {
+  double inside = 0.0, outside = 1.0;
+  for (int bisection = 0; bisection < 60; ++bisection) {
+    const double middle = 0.5 * (inside + outside);
+    (gap(impact, middle) < 0.0 ? inside : outside) = middle;
+  }
+  constexpr int intervals = 400;
+  double sum = 0.0;
+  for (int k = 0; k <= intervals; ++k) {
+    const double weight = k == 0 || k == intervals ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
+    sum -= weight * gap(impact, inside * (2.0 * k / intervals - 1.0));
+  }
+  return 2.0 * radius * sum * (2.0 * inside / intervals) / 3.0;
+}
+
+double published(const Impact& impact) {
+  return 2.0 * 4.0 / 3.0 * std::sqrt(radius) * std::pow(impact.depth, 1.5);
+}
+
+constexpr double thin = 1e-3, wide = 0.05;
+
+std::vector<double> depths(Size size) {
+  std::vector<double> all;
+  for (double p = size == Size::full ? 1e-5 : 1e-4; p < 2e-2; p *= std::sqrt(10.0))
+    all.push_back(p);
+  return all;
+}
+
+Measure over_depths(double (*of)(const Impact& impact)) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (const double depth : depths(size)) {
+      measurements.push_back({.x = depth, .error = of({thin, depth})});
+    }
+    return measurements;
+  };
+}
+
+double measured(const Impact& impact) {
+  return volume(impact, 8192, 1e-4);
+}
+
+double deepest_gap(const Impact& impact) {
+  return -least_gap(contacts(impact, 8192, 1e-4));
+}
+
+// Root of the mean square over orientations of the polygons.
+Measure over_vertices(double (*reference)(const Impact& impact)) {
+  return [=](Size size) {
+    const Impact impact{wide, 1e-2};
+    const double exact = reference(impact);
+    std::vector<Measurement> measurements;
+    for (Index m = 256; m <= (size == Size::full ? 8192 : 2048); m *= 2) {
+      constexpr int phases = 16;
+      double sum = 0.0;
+      for (int k = 0; k < phases; ++k) {
+        const double phase = 2.0 * std::numbers::pi / static_cast<double>(m) * (k + 0.3) / phases;
+        sum += std::pow(volume(impact, m, phase) / exact - 1.0, 2);
+      }
+      measurements.push_back({.x = static_cast<double>(m), .error = std::sqrt(sum / phases)});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment volume_of_depth() {
+  return {.key = "depth",
+          .title = "The volume of two circles of radius 1/2",
+          .x = "depth p",
+          .error = "|V|",
+          .lines = {{.key = "volume",
+                     .label = "volume",
+                     .measure = over_depths(measured),
+                     .claim = Claim{.id = "10_6",
+                                    .statement = "The volume grows as the power 3/2 of the depth.",
+                                    .law = Algebraic{-1.5, 0.01},
+                                    .reason = "the gap is a parabola of height p, over a length "
+                                              "in proportion to the root of p",
+                                    .api = {"stokesbook::Contact"}},
+                     .control = Control{"the deepest gap instead", over_depths(deepest_gap)}},
+                    {.key = "published",
+                     .label = "(8/3) a^(1/2) p^(3/2)",
+                     .measure = over_depths(published)}}};
+}
+
+Experiment volume_of_vertices() {
+  return {
+      .key = "volume",
+      .title = "The volume of two circles, by polygons",
+      .x = "vertices M",
+      .error = "error of V relative to the integral, root mean square over orientations",
+      .lines = {{.key = "volume",
+                 .label = "volume",
+                 .measure = over_vertices(exact_volume),
+                 .claim = Claim{.id = "10_7",
+                                .statement = "The volume is of order 2 in the vertices.",
+                                .law = Algebraic{2.0, 0.2},
+                                .reason = "the trapezoid rule for an integrand with kinks at the "
+                                          "ends of the contact, and edges for arcs",
+                                .api = {"stokesbook::Contact"}},
+                 .control = Control{"held against the formula without the separation's own "
+                                    "curvature",
+                                    over_vertices(published)}},
+                {.key = "published",
+                 .label = "against (8/3) a^(1/2) p^(3/2)",
+                 .measure = over_vertices(published)}}};
+}
+
+}  // namespace stokesbook::verification::stiv
