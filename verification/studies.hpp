@@ -15,6 +15,7 @@ study::Study near_singular_study();
 study::Study stress_study();
 study::Study fmm_study();
 study::Study time_stepping_study();
+study::Study lcp_study();
 study::Study suspension_study();
 /// @}
 

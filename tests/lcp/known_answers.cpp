@@ -5,7 +5,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/solvers.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 
