@@ -262,7 +262,7 @@ Experiment depths() {
       .key = "depths",
       .title = "A point driven into a disk: what one and two linear problems leave",
       .x = "depth of the free end p",
-      .error = "violation, or gap across which a force acts, in radii",
+      .error = "error of the velocity",
       .lines = {order_line(
                     "one", "one problem", [](double p) { return error(1, p); },
                     {.id = "11_13",
