@@ -16,6 +16,7 @@ study::Study stress_study();
 study::Study fmm_study();
 study::Study time_stepping_study();
 study::Study stiv_study();
+study::Study lcp_study();
 study::Study suspension_study();
 /// @}
 

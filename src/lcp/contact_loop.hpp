@@ -113,7 +113,9 @@ struct ContactResult {
 /// @return          a result for every step: resolved, or the reason why it is not
 /// @throws std::invalid_argument when sizes do not agree, or dt or the tolerance is not positive
 /// @throws std::domain_error when a number is not finite
-/// @par Accuracy    gaps to the tolerance; the linear problems to rounding
+/// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
+///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
+///                  and squares it where J_f does not depend on U, @ref claim_11_15
 /// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});

@@ -24,7 +24,7 @@ namespace stokesbook {
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when M or q is not finite
 /// @par Accuracy    quadratic convergence where z + w > 0 and \f$ M_{AA} \f$ is regular, slower
-///                  where not
+///                  where not; @ref claim_11_7, @ref claim_11_8, @ref claim_11_11
 /// @par Cost        2/3 m^3 operations a step
 /// @par Not for     telling that there is no solution: it stalls
 /// @sa source: De Luca, Facchinei, Kanzow, Math. Program. 75 (1996) 407

@@ -1,6 +1,7 @@
 #include "lcp/lemke.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -160,6 +161,7 @@ LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double toler
   for (int change = 0; change < side_changes && !active.empty(); ++change) {
     const VectorXd z = solve_active(scaled.problem, active);
     const LcpResult result = judge(scaled, z, tolerance);
+    if (!std::isfinite(result.residual)) break;  // M_AA is singular
     if (result.residual < best.residual) best = result;
     const Index worst = worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
     if (worst < 0) break;

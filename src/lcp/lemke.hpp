@@ -24,9 +24,10 @@ namespace stokesbook {
 /// @return          solution or ray; iterations are pivots
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when M or q is not finite
-/// @par Accuracy    rounding, times the condition of \f$ M_{AA} \f$
+/// @par Accuracy    rounding, times the condition of \f$ M_{AA} \f$; @ref claim_11_10, @ref
+///                  claim_11_12; rays: @ref claim_11_3
 /// @par Cost        2 m^2 operations a pivot, m^2 numbers of memory; mostly fewer than 2 m pivots,
-///                  but there are problems with 2^m
+///                  but there are problems with 2^m, @ref claim_11_1
 /// @par Not for     m beyond a thousand: use barzilai_borwein()
 /// @sa source: Cottle, Pang, Stone, The Linear Complementarity Problem (1992), 4.4 and 4.9
 LcpResult lemke(const LcpProblem& problem, const LcpOptions& options = {});

@@ -18,7 +18,8 @@ namespace stokesbook {
 /// @return          solved or stalled; iterations are steps
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when M or q is not finite
-/// @par Accuracy    rounding after finitely many steps, where it does not stall
+/// @par Accuracy    rounding after finitely many steps, where it does not stall; @ref claim_11_9;
+///                  on a chain of m contacts m/2 of them, @ref claim_11_6
 /// @par Cost        2/3 |A|^3 operations a step
 /// @par Not for     M that is singular, where it may stall; telling that there is no solution
 /// @sa source: Harker, Pang, Lect. Appl. Math. 26 (1990) 265

@@ -18,7 +18,7 @@ namespace stokesbook {
 /// @throws std::invalid_argument when sizes do not agree, or M has a diagonal entry <= 0
 /// @throws std::domain_error when M or q is not finite
 /// @par Accuracy    linear convergence, as Gauss-Seidel's: for a chain of m contacts, of the order
-///                  of m^2 sweeps a digit
+///                  of m^2 sweeps a digit; @ref claim_11_4, @ref claim_11_5
 /// @par Cost        4 m^2 operations a sweep
 /// @par Not for     chains and contacts that nearly repeat each other; telling that there is no
 ///                  solution

@@ -1,5 +1,6 @@
 #include "lcp/scaled_problem.hpp"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -63,6 +64,8 @@ VectorXd scaled_guess(const LcpUnits& units, const VectorXd& guess) {
 }
 
 double natural_residual(const VectorXd& z, const VectorXd& w) {
+  // A maximum may lose a NaN.
+  if (!z.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   return z.size() == 0 ? 0.0 : z.cwiseMin(w).cwiseAbs().maxCoeff();
 }
 

@@ -49,7 +49,7 @@ Eigen::VectorXd scaled_guess(const LcpUnits& units, const Eigen::VectorXd& guess
 ///
 /// @param  z  m numbers
 /// @param  w  m numbers
-/// @return    0 at a solution
+/// @return    0 at a solution; infinite where z or w is not finite
 double natural_residual(const Eigen::VectorXd& z, const Eigen::VectorXd& w);
 
 /// Gives a point its units, and judges it: solved when its residual meets the tolerance.

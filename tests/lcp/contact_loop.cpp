@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/scenes.hpp"
+#include "support/contact_scenes.hpp"
 
 namespace stokesbook::test {
 

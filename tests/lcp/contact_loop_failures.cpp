@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/scenes.hpp"
+#include "support/contact_scenes.hpp"
 
 namespace stokesbook::test {
 

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/solvers.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 

@@ -2,7 +2,7 @@
 // residual.
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/solvers.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 

@@ -5,7 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/solvers.hpp"
+#include "lcp/scaled_problem.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 
@@ -166,6 +167,19 @@ BOOST_AUTO_TEST_CASE(sizes_that_do_not_agree_and_numbers_that_are_not_finite_thr
     BOOST_CHECK_THROW(solve(one(nan, -1.0), {}), std::domain_error);
     if (std::string(name) == "Lemke") continue;
     BOOST_CHECK_THROW(solve(one(1.0, -1.0), {.guess = VectorXd::Ones(2)}), std::invalid_argument);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_finite_is_no_solution) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ScaledLcp scaled = scale_problem(chain(9));
+  for (Index i = 0; i < 9; ++i) {
+    VectorXd z = VectorXd::Ones(9);
+    z[i] = nan;
+    const LcpResult result = judge(scaled.units, z, VectorXd::Zero(9), 1e-10);
+    BOOST_TEST(!solved(result));
+    BOOST_TEST(std::isinf(result.residual));
+    BOOST_TEST(std::isinf(natural_residual(VectorXd::Ones(9), z)));
   }
 }
 

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/scaled_problem.hpp"
-#include "lcp/solvers.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 

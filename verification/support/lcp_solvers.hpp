@@ -4,8 +4,8 @@
 #include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
 #include "lcp/minimum_map_newton.hpp"
-#include "lcp/problems.hpp"
 #include "lcp/projected_gauss_seidel.hpp"
+#include "support/lcp_problems.hpp"
 
 namespace stokesbook::test {
 

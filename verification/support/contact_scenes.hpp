@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "lcp/contact_loop.hpp"
-#include "lcp/solvers.hpp"
+#include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {
 

@@ -1,0 +1,138 @@
+// Pivots that can be counted beforehand, and rays that are proofs.
+#include <algorithm>
+#include <cmath>
+
+#include "experiments.hpp"
+#include "variants.hpp"
+
+namespace stokesbook::verification::lcp {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+using ProblemOfSize = LcpProblem (*)(Index m);
+
+LcpProblem transposed_murty(Index m) {
+  LcpProblem problem = murty(m);
+  problem.matrix.transposeInPlace();
+  return problem;
+}
+
+LcpProblem random_definite(Index m) {
+  return planted("definite", definite_matrix(m, static_cast<unsigned>(m)), 1, true).problem;
+}
+
+// How far Lemke's pivots are from a count.
+Measure miscount(ProblemOfSize make, double (*count)(double m)) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (Index m = 2; m <= (size == Size::full ? 14 : 10); m += 2) {
+      const auto x = static_cast<double>(m);
+      const double pivots = lemke(make(m)).iterations;
+      measurements.push_back(
+          {.x = x, .error = std::abs(pivots - count(x)), .unknowns = x, .operations = pivots});
+    }
+    return measurements;
+  };
+}
+
+double two_to_the(double m) {
+  return std::exp2(m);
+}
+
+double one_more(double m) {
+  return m + 1.0;
+}
+
+enum class Proof { ray, end_of_path };
+
+// By how much M^T v <= 0 is missed by the ray v; 1 where q . v < 0 is, or where there is no ray.
+double flaw(const LcpProblem& problem, Proof proof) {
+  const LcpResult result = lemke(problem);
+  if (result.status != LcpStatus::ray) return 1.0;
+  const VectorXd& v = proof == Proof::ray ? result.ray : result.z;
+  if (!(problem.offset.dot(v) < 0.0)) return 1.0;
+  return std::max(0.0, (problem.matrix.transpose() * v).maxCoeff()) /
+         (largest(v) * problem.matrix.cwiseAbs().maxCoeff());
+}
+
+// Each contact twice, but for 1e-6. All forces together balance, so that they move nothing, and q
+// asks for movement: there is no solution.
+LcpProblem pinched(Index m, unsigned seed) {
+  MatrixXd factor = normal_matrix(m, m / 4, seed);
+  factor.row(m - 1) -= factor.colwise().sum();
+  VectorXd offset = normal_matrix(2 * m, 1, seed);
+  offset.array() -= offset.mean() + 0.1;
+  return {near_duplicates(factor * factor.transpose()), offset};
+}
+
+Measure flaws(Proof proof) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (Index m = 8; m <= (size == Size::full ? 128 : 32); m *= 2) {
+      double worst = 0.0;
+      for (unsigned seed = 1; seed <= 20; ++seed) {
+        worst = std::max(worst, flaw(pinched(m, seed), proof));
+      }
+      measurements.push_back({.x = 2.0 * static_cast<double>(m), .error = worst});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment pivots() {
+  return {
+      .key = "pivots",
+      .title = "Counts of Lemke's pivots",
+      .x = "rows m",
+      .error = "how far the pivots are from their number",
+      .axes = Axes::semi_log,
+      .lines = {
+          {.key = "murty",
+           .label = "Murty's matrix, 2^m",
+           .measure = miscount(murty, two_to_the),
+           .claim = Claim{.id = "11_1",
+                          .statement = "On Murty's matrix Lemke takes exactly 2^m pivots.",
+                          .law = Identity{0.0},
+                          .reason = "an additional row doubles the path: by induction on m in the "
+                                    "chapter; the pivots' numbers are integers, so that there is "
+                                    "no rounding",
+                          .api = {"stokesbook::lemke"}},
+           .control = Control{"Murty's matrix transposed", miscount(transposed_murty, two_to_the)}},
+          {.key = "chain",
+           .label = "a chain, m + 1",
+           .measure = miscount(chain, one_more),
+           .claim =
+               Claim{.id = "11_2",
+                     .statement = "On a chain that is pushed together Lemke takes m + 1 pivots.",
+                     .law = Identity{0.0},
+                     .reason = "t enters, then each of the m multipliers; where no entry off the "
+                               "diagonal is positive, none leaves again",
+                     .api = {"stokesbook::lemke"}},
+           .control = Control{"random definite matrices", miscount(random_definite, one_more)}}}};
+}
+
+Experiment rays() {
+  return {.key = "rays",
+          .title = "Rays: proofs that there is no solution",
+          .x = "rows m",
+          .error = "positive part of M^T v over |M| |v|; 1 unless q v < 0; worst of twenty",
+          .lines = {{.key = "lemke",
+                     .label = "Lemke's ray",
+                     .measure = flaws(Proof::ray),
+                     .claim = Claim{.id = "11_3",
+                                    .statement = "On semidefinite problems without a solution, of "
+                                                 "nearly repeated rows, Lemke's ray is a proof.",
+                                    .law = Identity{1e-10},
+                                    .reason = "v >= 0, M^T v <= 0, q v < 0 exclude a solution; "
+                                              "pivots are accepted down to 1e-11 of a column",
+                                    .api = {"stokesbook::lemke"}},
+                     .control = Control{"z at the end of the path, not the direction of the ray",
+                                        flaws(Proof::end_of_path)}}}};
+}
+
+}  // namespace stokesbook::verification::lcp
