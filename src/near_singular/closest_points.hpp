@@ -73,7 +73,7 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 /// @param  s  parameter on the one, radians
 /// @param  t  parameter on the other near the foot of that point, radians
 /// @return    gap and where it is
-/// @par Accuracy  as closest_points()
+/// @par Accuracy  as closest_points(), @ref claim_06_36
 /// @par Cost      O(N_a + N_b) a Newton step
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);
 

@@ -53,8 +53,8 @@ struct ContactOutcome {
 ///
 /// Contact is seen ahead by interferences() of the polygons of all components, which lie within a
 /// thousandth of the separation of their curves, and resolved by resolve_contact() with the mobility
-/// of the whole suspension and the gaps of the curves.
-/// @par Accuracy  gaps of the curves from 1 to 1.003 separations where a force acts
+/// of the whole suspension and the gaps of the curves. Where a force acts, these are from 1 to 1.003
+/// separations.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
