@@ -113,7 +113,7 @@ Experiment balance() {
       .key = "balance",
       .title = "Newton's third law for every vertex of an impact",
       .x = "length of the step s",
-      .error = "largest sum of forces or torques about the origin, for a unit force",
+      .error = "largest sum of forces or torques",
       .lines = {{.key = "start",
                  .label = "arms at the start of the step",
                  .measure = imbalances(&ContactRow::force),
