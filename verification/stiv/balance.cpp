@@ -145,7 +145,7 @@ Experiment observers() {
       .key = "observers",
       .title = "One impact of two circles, seen by moving observers",
       .x = "velocity of the observer v",
-      .error = "sum of the forces over the larger one; relative change of the volume",
+      .error = "relative: sum of forces, change of volume",
       .lines = {
           {.key = "sum",
            .label = "sum of forces, relative volume",
