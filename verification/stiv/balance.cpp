@@ -113,7 +113,7 @@ Experiment balance() {
       .key = "balance",
       .title = "Newton's third law for every vertex of an impact",
       .x = "length of the step s",
-      .error = "largest sum of forces or torques about the origin, for a unit force",
+      .error = "largest sum of forces or torques",
       .lines = {{.key = "start",
                  .label = "arms at the start of the step",
                  .measure = imbalances(&ContactRow::force),
@@ -145,7 +145,7 @@ Experiment observers() {
       .key = "observers",
       .title = "One impact of two circles, seen by moving observers",
       .x = "velocity of the observer v",
-      .error = "sum of the forces over the larger one; relative change of the volume",
+      .error = "relative: sum of forces, change of volume",
       .lines = {
           {.key = "sum",
            .label = "sum of forces, relative volume",

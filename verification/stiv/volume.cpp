@@ -136,7 +136,7 @@ Experiment volume_of_vertices() {
       .key = "volume",
       .title = "The volume of two circles, by polygons",
       .x = "vertices M",
-      .error = "error of V relative to the integral, root mean square over orientations",
+      .error = "relative error of V, root mean square",
       .lines = {{.key = "volume",
                  .label = "volume",
                  .measure = over_vertices(exact_volume),
