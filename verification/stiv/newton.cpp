@@ -112,22 +112,24 @@ Experiment one_newton_step() {
       .title = "What one step of Newton's method leaves of a depth",
       .x = "depth p",
       .error = "distance of the gap from zero after the step",
-      .lines = {{.key = "deepest",
-                 .label = "row of the deepest vertex",
-                 .measure = after_one_step(RowChoice::deepest),
-                 .claim = Claim{.id = "10_8",
-                                .statement = "With the deepest vertex Newton's method is of "
-                                             "order 2.",
-                                .law = Algebraic{-2.0, 0.15},
-                                .window = {.to = 0.04},
-                                .reason = "the gap of the deepest vertex has a derivative that "
-                                          "is not zero at the solution; the next one is deeper "
-                                          "by the square of the correction",
-                                .api = {"stokesbook::RowChoice"}},
-                 .control = Control{"the volume instead", after_one_step(RowChoice::aggregate)}},
-                {.key = "aggregate",
-                 .label = "row of the volume",
-                 .measure = after_one_step(RowChoice::aggregate)}}};
+      .lines = {
+          {.key = "deepest",
+           .label = "row of the deepest vertex",
+           .measure = after_one_step(RowChoice::deepest),
+           .claim = Claim{.id = "10_8",
+                          .statement = "With the deepest vertex Newton's method is of "
+                                       "order 2.",
+                          .law = Algebraic{-2.0, 0.15},
+                          .window = {.to = 0.04},
+                          .reason = "the gap of the deepest vertex has a derivative that is not "
+                                    "zero at the solution; the next one is deeper by the square of "
+                                    "the correction. Depths above half the separation, below which "
+                                    "the distance at the end counts, and small against the bodies",
+                          .api = {"stokesbook::RowChoice"}},
+           .control = Control{"the volume instead", after_one_step(RowChoice::aggregate)}},
+          {.key = "aggregate",
+           .label = "row of the volume",
+           .measure = after_one_step(RowChoice::aggregate)}}};
 }
 
 Experiment newton_iterations() {

@@ -35,12 +35,11 @@ double volume(const Impact& impact, Index m, double phase) {
   return sum;
 }
 
-// The point at an angle phi from the axis travels t after it has met the other circle's offset, at
-// an angle psi: its gap is -t cos psi.
+// The gap of the point at an angle phi from the axis: depths are below half the separation, where
+// the distance at the end counts.
 double gap(const Impact& impact, double phi) {
-  const double other = radius + impact.separation, psi = std::asin(radius * std::sin(phi) / other);
-  const double t = impact.depth - radius * (1.0 - std::cos(phi)) - other * (1.0 - std::cos(psi));
-  return -t * std::cos(psi);
+  const double distance = 2.0 * radius + impact.separation - impact.depth;
+  return std::abs(distance - std::polar(radius, phi)) - radius - impact.separation;
 }
 
 // Both sides; the integrand vanishes at the ends of the contact, and Simpson's rule is of order 4.
