@@ -1,6 +1,8 @@
 // Check of exercise 11.3: the library's loop, and what the naive answer does to two contacts.
 #include "chapters/check.hpp"
 
+#include <Eigen/LU>
+
 #include "lcp/contact_loop.hpp"
 
 using namespace stokesbook;
