@@ -230,7 +230,7 @@ std::string dot(Complex place, const std::string& text) {
 
 std::string picture_of_cones() {
   const Complex left{105.0, 110.0}, middle{325.0, 110.0}, right{545.0, 110.0};
-  const Complex q = left + Complex{-26.0, 62.0};
+  const Complex q = left + Complex{-45.0, 53.0};
   const std::string path = "stroke-dasharray=\"5 4\" " + stroke("currentColor", 1.5);
   return svg::open({650.0, 260.0}, "Complementary cones of three matrices") +
          cones(matrix2(2.0, 1.0, 1.0, 2.0), left) +

@@ -26,7 +26,8 @@ struct LcpOperator {
 /// @return          solved or stalled; iterations are products with M
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when numbers are not finite
-/// @par Accuracy    linear convergence at best, slower the worse M is conditioned
+/// @par Accuracy    linear convergence at best, slower the worse M is conditioned;
+///                  the same in all units, @ref claim_11_21
 /// @par Cost        a product with M a step, 10 m operations and 6 m numbers beside it
 /// @par Not for     M as ill-conditioned as Hilbert's; telling that there is no solution
 /// @sa source: Dai, Fletcher, Numer. Math. 100 (2005) 21; Yan, Corona, Malhotra, Veerapaneni,

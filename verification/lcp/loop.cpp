@@ -245,7 +245,7 @@ Measure over_free_velocities(const LcpSolver& solver) {
 // A claim about an order in the depth, and the same with a wrong gradient.
 Line order_line(const std::string& key, const std::string& label, double (*residual)(double p),
                 Claim claim, double (*defective)(double p)) {
-  claim.window = {.to = 0.25, .floor = 1e-15};
+  claim.window = {.to = 0.15, .floor = 1e-15};
   claim.api = {"stokesbook::resolve_contact"};
   return {
       .key = key,

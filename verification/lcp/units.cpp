@@ -77,7 +77,15 @@ Experiment units() {
            .measure = errors(solution<fischer_newton>)},
           {.key = "barzilai_borwein",
            .label = "Barzilai-Borwein",
-           .measure = errors(solution<barzilai_borwein>)},
+           .measure = errors(solution<barzilai_borwein>),
+           .claim = Claim{.id = "11_21",
+                          .statement = "Told the diagonal, Barzilai-Borwein does not mind "
+                                       "the units of rows.",
+                          .law = Identity{5e-9},
+                          .reason = "its tolerance of 1e-10, times the condition, which is "
+                                    "below 50",
+                          .api = {"stokesbook::barzilai_borwein"}},
+           .control = Control{"not told the diagonal", errors(without_diagonal)}},
           {.key = "bare_fischer",
            .label = "Fischer-Newton without scaling",
            .measure = errors(without_units)},
