@@ -294,9 +294,12 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
     };
     if (found.gap <= 0.0) {
       add(overlaps, " by " + short_number(-found.gap));
-    } else if (found.gap < polygon_separation_ - relative_tolerance * separation_) {
-      add(narrow, " are " + short_number(found.gap) + " apart");
+    } else {
       closer[{found.a, found.b}] = found.gap;
+      // A gap of just the separation is wide enough, though polygons keep a little more.
+      if (found.gap < (1.0 - relative_sag) * separation_) {
+        add(narrow, " are " + short_number(found.gap) + " apart");
+      }
     }
   }
   if (!overlaps.empty()) throw ConfigurationRefused("bodies overlap at the start: " + overlaps);

@@ -66,7 +66,7 @@ class SuspensionContact {
   /// @return delta, length
   double separation() const { return separation_; }
 
-  /// Finds pairs that are closer than the separation.
+  /// Finds pairs that are closer than the separation, or just at it.
   ///
   /// @param  configuration  where the components are
   /// @return                their gaps, length

@@ -114,7 +114,6 @@ BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
                                {body_at(Circle{0.5}, {-x, 0.0}, automatic_nodes),
                                 body_at(Circle{0.5}, {x, 0.0}, automatic_nodes)},
                                gap * h);
-    scene.contact->allow_close = true;
     const Run run = run_of(over(scene, 0.4, 0.1));
     BOOST_REQUIRE(run.frames.back().contacts.size() == 1);
     BOOST_TEST(run.frames.back().contacts[0].force == force, boost::test_tools::tolerance(1e-3));
