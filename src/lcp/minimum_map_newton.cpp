@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "lcp/scaled_problem.hpp"
+#include "lcp/damped_newton.hpp"
 
 namespace stokesbook {
 
@@ -14,9 +14,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int default_steps = 100;
-constexpr double armijo = 1e-4;
-constexpr double shortest = 1e-12;        // factor of a step
 constexpr double regularisation = 1e-12;  // of a singular block
 constexpr double singular = 1e-14;        // reciprocal condition
 
@@ -27,8 +24,13 @@ VectorXd solve_block(MatrixXd block, const VectorXd& rhs) {
   return block.partialPivLu().solve(rhs);
 }
 
+double merit(const VectorXd& z, const VectorXd& w) {
+  return 0.5 * z.cwiseMin(w).squaredNorm();
+}
+
 // Where z + step has w_A = 0, and all other z = 0.
-VectorXd newton_step(const LcpProblem& problem, const VectorXd& z, const VectorXd& w) {
+std::optional<DescentStep> newton_step(const LcpProblem& problem, const VectorXd& z,
+                                       const VectorXd& w) {
   std::vector<Index> active;
   for (Index i = 0; i < z.size(); ++i) {
     if (w[i] < z[i]) active.push_back(i);
@@ -37,42 +39,15 @@ VectorXd newton_step(const LcpProblem& problem, const VectorXd& z, const VectorX
   if (!active.empty()) {
     next(active) = solve_block(problem.matrix(active, active), -problem.offset(active));
   }
-  return next - z;
-}
-
-double merit(const VectorXd& z, const VectorXd& w) {
-  return 0.5 * z.cwiseMin(w).squaredNorm();
+  const VectorXd direction = next - z;
+  if (!direction.allFinite()) return std::nullopt;
+  return DescentStep{direction, -2.0 * merit(z, w)};
 }
 
 }  // namespace
 
 LcpResult minimum_map_newton(const LcpProblem& problem, const LcpOptions& options) {
-  const ScaledLcp scaled = scale_problem(problem);
-  const auto& [matrix, offset] = scaled.problem;
-  VectorXd z = scaled_guess(scaled.units, options.guess);
-  VectorXd w = offset + matrix * z;
-  const int most = options.max_iterations.value_or(default_steps);
-  int steps = 0;
-  LcpResult result = judge(scaled, z, options.tolerance);
-  while (result.status != LcpStatus::solved && steps < most) {
-    const VectorXd step = newton_step(scaled.problem, z, w);
-    if (!step.allFinite()) break;
-    const double now = merit(z, w);
-    double factor = 1.0;
-    VectorXd next_z, next_w;
-    for (; factor > shortest; factor *= 0.5) {
-      next_z = z + factor * step;
-      next_w = offset + matrix * next_z;
-      if (merit(next_z, next_w) <= (1.0 - 2.0 * armijo * factor) * now) break;
-    }
-    if (factor <= shortest) break;
-    z = next_z;
-    w = next_w;
-    ++steps;
-    result = judge(scaled, z, options.tolerance);
-  }
-  result.iterations = steps;
-  return result;
+  return damped_newton({merit, newton_step}, problem, options);
 }
 
 }  // namespace stokesbook
