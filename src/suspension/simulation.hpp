@@ -35,7 +35,7 @@ struct Observer {
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
 /// latest estimate.
-/// @par Accuracy  of methods that adapt steps, time.tolerance within a factor of ten or so where the
+/// @par Accuracy  of methods that adapt steps, time.tolerance within a factor of ten where the
 ///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
 ///                @ref claim_09_20; far better where the flow contracts, as onto a contact
 /// @par Cost      one solve a step, and one for each stage beyond the first;

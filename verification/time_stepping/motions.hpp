@@ -19,8 +19,9 @@ struct Motion {
   std::vector<double> known_at = {};  ///< times at which the solution is known; none: at all
 };
 
-/// Jeffery's equation of an ellipse 3:1 in shear of rate 1, from theta = 0 (C9).
-Motion jeffery_in_shear(double t_final);
+/// Jeffery's equation of an ellipse 3:1 in shear of rate 1 (C9), from where it is at a time after
+/// theta = 0.
+Motion jeffery_in_shear(double t_final, double t_start = 0.0);
 
 /// The same in extension, theta' = -B sin 2 theta, from theta = 1.2.
 Motion jeffery_in_extension(double t_final);
@@ -33,7 +34,7 @@ Motion approaching_circles(double t_final);
 Scene passing_circles();
 
 /// Their motion by full solves: position of the first in radii, and its angle. Known at t = 12 from an
-/// independent code (NT1), and at 2, 4, ..., 10 by the pair 8(7) to 1e-12.
+/// independent code (NT1), and at 0.5, 1, ..., 11.5 by the pair 8(7) to 1e-12.
 Motion passing();
 
 /// Nine circles in three rows that shear slides past each other, by full solves; known at the end, by

@@ -1,4 +1,5 @@
 // What a tolerance means: the error found for the error asked.
+#include <algorithm>
 #include <cmath>
 
 #include "experiments.hpp"
@@ -10,14 +11,19 @@ using namespace study;
 
 namespace {
 
-Measure errors(const Motion& motion, Method method, double scale = 1.0) {
+// Largest errors of some motions, and what each takes on average.
+Measure errors(const std::vector<Motion>& motions, Method method, double scale = 1.0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     const double factor = size == Size::full ? std::sqrt(10.0) : 10.0;
     for (double tolerance = 1e-3; tolerance > 0.9e-10; tolerance /= factor) {
-      const RunResult run = run_to_tolerance(motion, method, tolerance, scale);
-      measurements.insert(measurements.begin(),
-                          {.x = tolerance, .error = run.error, .operations = run.evaluations});
+      Measurement largest{.x = tolerance, .error = 0.0, .operations = 0.0};
+      for (const Motion& motion : motions) {
+        const RunResult run = run_to_tolerance(motion, method, tolerance, scale);
+        largest.error = std::max(largest.error, run.error);
+        largest.operations += run.evaluations / static_cast<double>(motions.size());
+      }
+      measurements.insert(measurements.begin(), largest);
     }
     return measurements;
   };
@@ -27,18 +33,16 @@ constexpr const char* in_proportion =
     "the error of a step is of one order more than its estimate: what adds up over 1 / h steps is "
     "in "
     "proportion to the tolerance";
-constexpr const char* pessimistic = "as for the others, but its estimate is pessimistic";
-constexpr const char* symmetric =
-    "as for the ellipse, but errors before and after the encounter hide one another in part";
+constexpr const char* lower_order =
+    "its estimate is the error of the lower order, a fifth of it: the orders are close enough that "
+    "this stays within a factor 10 over seven decades";
 
-// What a line claims: errors between `least` and ten times what is asked.
-struct Asked {
-  std::string id;
-  double least;
-  std::string reason;
-};
+// From half a turn's fast part to its slow one. A single start may err by a hundredth of what is
+// asked, in the few long steps of the pair 8(7), whose errors happen to cancel.
+constexpr double starts[] = {0.0, 1.0, 2.5, 4.0, 6.0, 7.5, 9.0};
 
-Line line(const Motion& motion, Method method, const Asked& asked) {
+Line line(const std::vector<Motion>& motions, Method method, const std::string& id,
+          const std::string& reason) {
   const std::string names[] = {"Bogacki-Shampine 3(2)", "Dormand-Prince 5(4)",
                                "Prince-Dormand 8(7)"};
   const std::string keys[] = {"bogacki_shampine32", "dormand_prince54", "prince_dormand87"};
@@ -47,41 +51,44 @@ Line line(const Motion& motion, Method method, const Asked& asked) {
   return {
       .key = keys[index],
       .label = names[index],
-      .measure = errors(motion, method),
-      .claim = Claim{.id = asked.id,
-                     .statement = names[index] + " errs by ten times what is asked at most, and "
-                                                 "not by far less.",
-                     .law = ErrorBelowTolerance{10.0, asked.least},
-                     .reason = asked.reason,
+      .measure = errors(motions, method),
+      .claim = Claim{.id = id,
+                     .statement = names[index] + " errs by what is asked, within a factor 10 up "
+                                                 "and down.",
+                     .law = ErrorBelowTolerance{10.0, 0.1},
+                     .reason = reason,
                      .api = {"stokesbook::Stepper", "stokesbook::stepping_settings"}},
       .control = Control{"lengths and angles in a unit a hundred times too large",
-                         errors(motion, method, 100.0)}};
+                         errors(motions, method, 100.0)}};
 }
 
 }  // namespace
 
 Experiment tolerances() {
-  const Motion jeffery = jeffery_in_shear(20.0);
+  std::vector<Motion> jeffery;
+  for (const double start : starts) jeffery.push_back(jeffery_in_shear(20.0, start));
   return {.key = "tolerance",
-          .title = "Error found for the tolerance asked: an ellipse 3:1 in shear, one turn",
+          .title =
+              "Error found for the tolerance asked: an ellipse 3:1 in shear, one turn, "
+              "from seven angles",
           .x = "tolerance",
-          .error = "largest error of the angle at the ends of steps",
-          .lines = {line(jeffery, Method::bogacki_shampine32, {"09_17", 0.1, in_proportion}),
-                    line(jeffery, Method::dormand_prince54, {"09_18", 0.1, in_proportion}),
-                    line(jeffery, Method::prince_dormand87, {"09_19", 0.02, pessimistic})},
+          .error = "largest error of the angle at the ends of steps, of all seven",
+          .lines = {line(jeffery, Method::bogacki_shampine32, "09_17", in_proportion),
+                    line(jeffery, Method::dormand_prince54, "09_18", in_proportion),
+                    line(jeffery, Method::prince_dormand87, "09_19", lower_order)},
           .work_precision = true,
           .operation = "evaluations of the rate"};
 }
 
-// Errors at t = 2, 4, ..., 12; of the pair 8(7) at 12.
+// Errors at t = 0.5, 1, ..., 12; of the pair 8(7) at 12.
 Experiment tolerances_of_passing() {
-  const Motion pair = passing();
+  const std::vector<Motion> pair{passing()};
   return {.key = "tolerance_passing",
           .title = "Error found for the tolerance asked: two circles that pass each other",
           .x = "tolerance",
           .error = "largest error of position, in radii, and angle",
-          .lines = {line(pair, Method::dormand_prince54, {"09_20", 0.02, symmetric}),
-                    line(pair, Method::prince_dormand87, {"09_21", 0.02, pessimistic})},
+          .lines = {line(pair, Method::dormand_prince54, "09_20", in_proportion),
+                    line(pair, Method::prince_dormand87, "09_21", lower_order)},
           .work_precision = true,
           .operation = "solves"};
 }
