@@ -19,13 +19,17 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+MatrixXd own_layer(const Component& component) {
+  MatrixXd layer = double_layer_matrix(component.curve);
+  layer.diagonal().array() -= 0.5;
+  if (component.kind == ComponentKind::enclosing_wall) layer += null_space_matrix(component.curve);
+  return layer;
+}
+
 MatrixXd self_block(const Component& component, std::optional<double> gauge) {
   const Index n = component.curve.size();
-  const MatrixXd layer =
-      double_layer_matrix(component.curve) - 0.5 * MatrixXd::Identity(2 * n, 2 * n);
-  if (component.kind == ComponentKind::enclosing_wall) {
-    return layer + null_space_matrix(component.curve);
-  }
+  const MatrixXd layer = own_layer(component);
+  if (component.kind == ComponentKind::enclosing_wall) return layer;
   // Alone in a fluid of that gauge, the component's closure acts as it does on itself among others.
   const RigidModes modes(component.curve, component.centre);
   const double own_gauge = std::sqrt(std::numbers::e) * modes.gyration_radius();

@@ -26,6 +26,13 @@ namespace stokesbook {
 ///   \f$ a/\sqrt e \f$ for a circle: the block is singular there
 Eigen::MatrixXd self_block(const Component& component, std::optional<double> gauge = {});
 
+/// Assembles a component's own layer: \f$ -\frac12 + D \f$, with N_0 on an enclosing wall.
+///
+/// @param  component  curve in any frame
+/// @return            2N x 2N, dimensionless, interleaved
+/// @par Cost          N^2 kernel evaluations
+Eigen::MatrixXd own_layer(const Component& component);
+
 /// The inverse of the diagonal blocks: solves every component alone.
 ///
 /// Blocks are inverted once per distinct reference (shape, node count, kind) and shared by all

@@ -13,6 +13,7 @@
 #include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
+#include "krylov/rigid_mode_matrices.hpp"
 
 namespace stokesbook {
 
@@ -37,33 +38,6 @@ bool is_held(const Component& component, ClusterForm form) {
 // The tighter the gap, over the radii of gyration, the larger what small components make of it.
 double basis_tolerance(double gap) {
   return std::min(0.1, 0.3 * std::sqrt(gap));
-}
-
-// The three rigid motions of an inner component: U_1, U_2 and a omega.
-struct ModeMatrices {
-  double radius = 0.0;  // of gyration
-  MatrixXd modes;       // K, 2N x 3
-  MatrixXd projection;  // Pi, 3 x 2N
-};
-
-ModeMatrices mode_matrices(const Component& component) {
-  const RigidModes modes(component.curve, component.centre);
-  const Index n = component.curve.size();
-  const double a = modes.gyration_radius();
-  ModeMatrices result{a, MatrixXd(2 * n, 3), MatrixXd(3, 2 * n)};
-  const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
-  for (Index k = 0; k < 3; ++k) {
-    const ComplexVector velocity = modes.at_nodes(motions[k]);
-    result.modes.col(k) = interleaved(velocity);
-  }
-  ComplexVector unit = ComplexVector::Zero(n);
-  for (Index k = 0; k < 2 * n; ++k) {
-    unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;
-    const RigidMotion motion = modes.project(unit);
-    result.projection.col(k) << motion.velocity.real(), motion.velocity.imag(), a * motion.omega;
-    unit[k / 2] = 0.0;
-  }
-  return result;
 }
 
 // Flows of the loads -4 pi mu (U, a^2 omega) of the three motions of radius a at points.
@@ -119,15 +93,15 @@ class ClusterOperator {
                   const LayerBlock& layer)
       : problem_(problem), form_(form), alone_(alone), layer_(layer), gauge_(held_gauge(problem)) {
     for (const Component& component : problem.components) {
-      modes_.push_back(is_inner(component) ? mode_matrices(component) : ModeMatrices{});
+      modes_.push_back(is_inner(component) ? rigid_mode_matrices(component) : RigidModeMatrices{});
     }
   }
 
-  const ModeMatrices& modes(std::size_t component) const { return modes_[component]; }
+  const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }
 
   MatrixXd block(const Pair& pair) const {
     const auto [target, source] = pair;
-    const ModeMatrices& rigid = modes_[source];
+    const RigidModeMatrices& rigid = modes_[source];
     MatrixXd block = layer_(target, source);
     MatrixXd of_motions = -block * rigid.modes;
     if (is_held(problem_.components[source], form_)) {
@@ -158,7 +132,7 @@ class ClusterOperator {
   const std::vector<Member>& alone_;
   const LayerBlock& layer_;
   double gauge_;
-  std::vector<ModeMatrices> modes_;
+  std::vector<RigidModeMatrices> modes_;
 };
 
 // Q^T B Q of all pairs that meet in clusters.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -9,15 +8,12 @@
 
 #include "closure/problem.hpp"
 #include "krylov/block_diagonal.hpp"
+#include "krylov/layer_block.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup krylov
 /// @{
-
-/// Assembles the double layer of one component at the nodes of another: 2M x 2N, dimensionless,
-/// interleaved, in the plane's frame. It is called by several threads at once.
-using LayerBlock = std::function<Eigen::MatrixXd(std::size_t target, std::size_t source)>;
 
 /// Returns the gauge length of the Stokeslets with which bodies are held in clusters: a hundred
 /// times the largest radius of gyration of all inner components.

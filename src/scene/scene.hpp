@@ -186,7 +186,8 @@ enum class PreconditionerKind {
   automatic,       ///< the plan decides
   none,            ///< none
   block_diagonal,  ///< every component alone, see BlockDiagonalPreconditioner
-  clusters         ///< every component among its neighbours, see ClusterPreconditioner
+  clusters,        ///< every component among its neighbours, see ClusterPreconditioner
+  direct           ///< the whole system, factorised, see DirectPreconditioner
 };
 
 /// How components see each other at one instant.

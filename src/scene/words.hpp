@@ -59,11 +59,12 @@ inline constexpr Words<NearSingular, 4> near_singular_schemes{{
 }};
 
 /// Words of `preconditioner` in [solver].
-inline constexpr Words<PreconditionerKind, 4> preconditioners{{
+inline constexpr Words<PreconditionerKind, 5> preconditioners{{
     {"auto", PreconditionerKind::automatic},
     {"none", PreconditionerKind::none},
     {"block_diagonal", PreconditionerKind::block_diagonal},
     {"clusters", PreconditionerKind::clusters},
+    {"direct", PreconditionerKind::direct},
 }};
 
 /// Words of `coupling` in [solver].

@@ -24,19 +24,10 @@ namespace stokesbook {
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
                                                        const References& references);
 
-/// Tells whether clusters save more time than they take to set up: where a third as many pairs as
-/// there are components have gaps below 0.003 of their mean radius of gyration, or among 150
-/// components one below 0.005; and no inner component has more than 256 nodes.
-///
-/// Measured on chains, hexagons and random packings of disks: at gaps of 0.01 the set-up takes longer
-/// than all iterations that it saves, at 0.001 less. It grows like the cube of a component's nodes.
-/// @param  configuration  where the components are, none overlapping
-/// @param  references     of each component
-/// @return                true where they pay
-/// @par Cost              that of cluster_neighbours()
-bool clusters_pay(const Configuration& configuration, const References& references);
+/// As many bodies are a crowd: long waves, which clusters of held bodies solve badly, have room.
+constexpr std::size_t cluster_crowd = 150;
 
-/// Chooses the form that takes fewer iterations: the mobility form among 150 components or more,
+/// Chooses the form that takes fewer iterations: the mobility form in a crowd,
 /// unless as many gaps as there are components are below 0.05, where contacts make a rigid network.
 ///
 /// @param  neighbours  from cluster_neighbours()

@@ -85,7 +85,8 @@ Plan::Line singularity_line(const Census& census) {
 
 Plan::Line preconditioner_line(const Plan& plan, const Scene& scene, bool only_circles) {
   const std::string decision =
-      plan.preconditioner == PreconditionerKind::clusters         ? "clusters, from the right"
+      plan.preconditioner == PreconditionerKind::direct           ? "the whole system, factorised"
+      : plan.preconditioner == PreconditionerKind::clusters       ? "clusters, from the right"
       : plan.preconditioner == PreconditionerKind::block_diagonal ? "block diagonal, from the right"
                                                                   : "none";
   if (scene.solver.coupling == Coupling::local) {
@@ -97,8 +98,12 @@ Plan::Line preconditioner_line(const Plan& plan, const Scene& scene, bool only_c
   const std::string reason = only_circles
                                  ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
                                  : "own blocks of slender and lobed shapes spread the spectrum";
-  if (!plan.clusters_at_tight_gaps) return {"preconditioner", decision, reason};
-  return {"preconditioner", decision + "; clusters where many gaps are tight", reason};
+  if (!plan.direct_at_tight_gaps && !plan.clusters_at_tight_gaps) {
+    return {"preconditioner", decision, reason};
+  }
+  const char* small = plan.direct_at_tight_gaps ? ", small systems factorised" : "";
+  const char* large = plan.clusters_at_tight_gaps ? ", large ones by clusters" : "";
+  return {"preconditioner", decision + "; where gaps are tight" + small + large, reason};
 }
 
 Plan::Line fields_line(const FieldSettings& fields) {
@@ -154,6 +159,11 @@ Plan make_plan(const Scene& scene) {
                         : !chosen_here ? scene.solver.preconditioner
                         : only_circles ? PreconditionerKind::none
                                        : PreconditionerKind::block_diagonal;
+  // Below, rounding in the softest modes of held components shows in estimates; iterations that
+  // stop in time leave these modes alone.
+  constexpr double least_tolerance_of_direct = 1e-8;
+  plan.direct_at_tight_gaps =
+      chosen_here && census.components > 1 && tolerance >= least_tolerance_of_direct;
   // Among held components close to one another, GMRES with clusters breaks down.
   plan.clusters_at_tight_gaps = chosen_here && census.free > 1 && census.held + census.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than

@@ -31,6 +31,7 @@ struct Plan {
   bool null_space_fix = false;                                   ///< a wall encloses the fluid
   bool near_correction = false;                                  ///< components may come close
   PreconditionerKind preconditioner = PreconditionerKind::none;  ///< where gaps are wide
+  bool direct_at_tight_gaps = false;           ///< factorise small systems where gaps are tight
   bool clusters_at_tight_gaps = false;         ///< precondition by clusters where gaps are tight
   double gmres_tolerance = 0.0;                ///< relative residual
   double near_tolerance = 0.0;                 ///< of the sums' quadrature, relative to the density

@@ -5,13 +5,16 @@
 #include <map>
 
 #include "double_layer/double_layer.hpp"
+#include "krylov/direct.hpp"
 #include "record/number_text.hpp"
 #include "suspension/background_flow.hpp"
 #include "suspension/clusters.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/density_history.hpp"
 #include "suspension/grading_for_gaps.hpp"
+#include "suspension/layer_blocks.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/preconditioner_choice.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
@@ -178,13 +181,20 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const References& references) const {
   DiscreteProblem discrete = unpreconditioned(problem, configuration, references);
-  if (plan_.preconditioner == PreconditionerKind::clusters ||
-      (plan_.clusters_at_tight_gaps && clusters_pay(configuration, references))) {
-    discrete.precondition = cluster_preconditioner(problem, configuration, references,
-                                                   near_curves(configuration, references));
-    return discrete;
+  const std::vector<PlacedCurve> near = near_curves(configuration, references);
+  switch (chosen_preconditioner(plan_, references, [&] { return gaps(configuration); })) {
+    case PreconditionerKind::direct:
+      discrete.precondition =
+          DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
+      return discrete;
+    case PreconditionerKind::clusters:
+      discrete.precondition = cluster_preconditioner(problem, configuration, references, near);
+      return discrete;
+    case PreconditionerKind::none:
+      return discrete;
+    default:
+      break;
   }
-  if (plan_.preconditioner == PreconditionerKind::none) return discrete;
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     members.push_back({references[k]->inverse_block, configuration[k].orientation});

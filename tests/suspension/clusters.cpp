@@ -6,6 +6,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "support/touching.hpp"
+#include "suspension/preconditioner_choice.hpp"
 #include "suspension/scenes.hpp"
 
 namespace stokesbook::test {
@@ -138,16 +139,29 @@ BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_plan_takes_clusters_where_many_gaps_are_tight) {
-  const auto pays = [](const Scene& scene) {
-    const Discretised start(scene);
-    return clusters_pay(start.configuration, start.references);
+BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
+  using enum PreconditionerKind;
+  const auto chosen = [](const Scene& scene) {
+    const Discretised start(with_preconditioner(scene, none));
+    return chosen_preconditioner(make_plan(scene), start.references,
+                                 [&] { return start.solver.gaps(start.configuration); });
   };
-  BOOST_TEST(pays(disk_chain(1e-3)));
-  BOOST_TEST(pays(disk_hexagon(1, 1e-3)));
-  BOOST_TEST(!pays(disk_hexagon(1, 1e-2)));
-  BOOST_TEST(!pays(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})));
-  BOOST_TEST(iterations(disk_chain(1e-3)) == iterations_by_clusters(disk_chain(1e-3)));
+  BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
+  BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == direct));
+  BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == none));  // too many nodes for the one, gaps too wide
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));
+  BOOST_TEST((chosen(disk_packing(20)) == none));
+  BOOST_TEST((chosen(disk_packing(150)) == clusters));
+  BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));
+  BOOST_TEST((chosen(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})) == none));
+}
+
+BOOST_AUTO_TEST_CASE(a_factorised_system_leaves_nothing_to_iterate) {
+  const Wall container = outer_wall(Circle{6.0}, automatic_nodes);
+  for (const Scene& scene : {disk_hexagon(1, 1e-2), disk_hexagon(1, 1e-4), mixed({container})}) {
+    BOOST_TEST(iterations(with_preconditioner(scene, PreconditionerKind::direct)) <= 2);
+  }
 }
 
 }  // namespace stokesbook::test

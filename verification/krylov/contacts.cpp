@@ -151,7 +151,18 @@ Experiment contact_iterations() {
           {.key = "blocks",
            .label = "block-diagonal",
            .measure = counts(by_gap(), Kind::block_diagonal)},
-          {.key = "clusters", .label = "clusters", .measure = counts(by_gap(), Kind::clusters)}}};
+          {.key = "clusters", .label = "clusters", .measure = counts(by_gap(), Kind::clusters)},
+          {.key = "direct",
+           .label = "factorised",
+           .measure = counts(by_gap(), Kind::direct),
+           .claim = Claim{.id = "05_30",
+                          .statement = "Where the whole system is factorised, GMRES takes two "
+                                       "iterations at most, however narrow the gaps are.",
+                          .law = Identity{2.0},
+                          .reason = "near corrections are those of the operator, and rounding is "
+                                    "far below 1e-8",
+                          .api = {"stokesbook::DirectPreconditioner"}},
+           .control = Control{"clusters", counts(by_gap(), Kind::clusters)}}}};
 }
 
 Experiment contact_seconds() {
@@ -167,7 +178,10 @@ Experiment contact_seconds() {
                      .measure = measured(by_gap(), Kind::block_diagonal, &Effort::seconds)},
                     {.key = "clusters",
                      .label = "clusters",
-                     .measure = measured(by_gap(), Kind::clusters, &Effort::seconds)}}};
+                     .measure = measured(by_gap(), Kind::clusters, &Effort::seconds)},
+                    {.key = "direct",
+                     .label = "factorised",
+                     .measure = measured(by_gap(), Kind::direct, &Effort::seconds)}}};
 }
 
 Experiment packings() {

@@ -1,0 +1,64 @@
+#include "krylov/direct.hpp"
+
+#include "closure/closure.hpp"
+#include "double_layer/double_layer.hpp"
+#include "krylov/block_diagonal.hpp"
+#include "krylov/rigid_mode_matrices.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// L between all nodes, in the order of the densities.
+MatrixXd layer_of_all(const StokesProblem& problem, const LayerBlock& layer) {
+  const std::vector<Index> offsets = node_offsets(problem);
+  const std::size_t count = problem.components.size();
+  MatrixXd matrix(2 * offsets.back(), 2 * offsets.back());
+#pragma omp parallel for collapse(2) schedule(dynamic)
+  for (std::size_t target = 0; target < count; ++target) {
+    for (std::size_t source = 0; source < count; ++source) {
+      const Component& own = problem.components[source];
+      matrix.block(2 * offsets[target], 2 * offsets[source],
+                   2 * problem.components[target].curve.size(), 2 * own.curve.size()) =
+          target == source ? own_layer(own) : layer(target, source);
+    }
+  }
+  return matrix;
+}
+
+MatrixXd system_matrix(const StokesProblem& problem, const LayerBlock& layer) {
+  const std::vector<Index> offsets = node_offsets(problem);
+  const Closure closure(problem);
+  MatrixXd matrix = layer_of_all(problem, layer);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& own = problem.components[k];
+    if (own.kind == ComponentKind::enclosing_wall) continue;
+    const RigidModeMatrices rigid = rigid_mode_matrices(own);
+    auto columns = matrix.middleCols(2 * offsets[k], 2 * own.curve.size());
+    MatrixXd closed = -columns * rigid.modes;
+    for (Index mode = 0; mode < 3; ++mode) {
+      ComplexVector density = ComplexVector::Zero(offsets.back());
+      density.segment(offsets[k], own.curve.size()) = deinterleaved(rigid.modes.col(mode));
+      const ComplexVector velocity = closure.velocity(density);
+      closed.col(mode) += interleaved(velocity);
+    }
+    columns += closed * rigid.projection;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+DirectPreconditioner::DirectPreconditioner(const StokesProblem& problem, const LayerBlock& layer)
+    : factors_(system_matrix(problem, layer)) {}
+
+VectorXd DirectPreconditioner::operator()(const VectorXd& v) const {
+  return factors_.solve(v);
+}
+
+}  // namespace stokesbook

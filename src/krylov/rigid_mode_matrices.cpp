@@ -1,0 +1,31 @@
+#include "krylov/rigid_mode_matrices.hpp"
+
+#include "closure/rigid_modes.hpp"
+#include "double_layer/double_layer.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+RigidModeMatrices rigid_mode_matrices(const Component& component) {
+  const RigidModes modes(component.curve, component.centre);
+  const Index n = component.curve.size();
+  const double a = modes.gyration_radius();
+  RigidModeMatrices result{a, MatrixXd(2 * n, 3), MatrixXd(3, 2 * n)};
+  const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
+  for (Index k = 0; k < 3; ++k) {
+    const ComplexVector velocity = modes.at_nodes(motions[k]);
+    result.modes.col(k) = interleaved(velocity);
+  }
+  ComplexVector unit = ComplexVector::Zero(n);
+  for (Index k = 0; k < 2 * n; ++k) {
+    unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;
+    const RigidMotion motion = modes.project(unit);
+    result.projection.col(k) << motion.velocity.real(), motion.velocity.imag(), a * motion.omega;
+    unit[k / 2] = 0.0;
+  }
+  return result;
+}
+
+}  // namespace stokesbook

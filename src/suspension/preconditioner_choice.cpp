@@ -1,0 +1,73 @@
+#include "suspension/preconditioner_choice.hpp"
+
+#include <algorithm>
+
+#include "closure/rigid_modes.hpp"
+#include "suspension/clusters.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// In radii of gyration: gaps that slow GMRES down.
+constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
+
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_clusters = 256;
+
+bool is_inner(const std::shared_ptr<const Reference>& reference) {
+  return reference->kind != ComponentKind::enclosing_wall;
+}
+
+// In ascending order of gaps, so that the search ends with the first that is too wide.
+std::size_t pairs_within(double reach, const std::vector<Gap>& gaps, const References& references) {
+  const auto radius = [&](std::size_t k) {
+    return RigidModes(references[k]->curve, {}).gyration_radius();
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(gaps, [&](const Gap& gap) {
+    return gap.points.gap < reach * std::min(radius(gap.a), radius(gap.b));
+  }));
+}
+
+std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& references) {
+  std::vector<Gap> inner;
+  std::ranges::copy_if(gaps, std::back_inserter(inner), [&](const Gap& gap) {
+    return is_inner(references[gap.a]) && is_inner(references[gap.b]);
+  });
+  return inner;
+}
+
+}  // namespace
+
+bool direct_pays(const std::vector<Gap>& gaps, const References& references) {
+  Eigen::Index nodes = 0;
+  for (const auto& reference : references) nodes += reference->curve.size();
+  if (nodes > most_nodes_of_direct) return false;
+  return 3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
+}
+
+bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
+  if (std::ranges::any_of(references, [](const auto& reference) {
+        return is_inner(reference) && reference->curve.size() > most_nodes_in_clusters;
+      })) {
+    return false;
+  }
+  const std::vector<Gap> inner = inner_gaps(gaps, references);
+  const std::size_t count = references.size();
+  if (count >= cluster_crowd && pairs_within(tight_in_crowd, inner, references) > 0) return true;
+  return 3 * pairs_within(tight, inner, references) >= count;
+}
+
+PreconditionerKind chosen_preconditioner(const Plan& plan, const References& references,
+                                         const std::function<std::vector<Gap>()>& find_gaps) {
+  if (!plan.direct_at_tight_gaps && !plan.clusters_at_tight_gaps) return plan.preconditioner;
+  const std::vector<Gap> gaps = find_gaps();
+  if (plan.direct_at_tight_gaps && direct_pays(gaps, references)) {
+    return PreconditionerKind::direct;
+  }
+  if (plan.clusters_at_tight_gaps && clusters_pay(gaps, references)) {
+    return PreconditionerKind::clusters;
+  }
+  return plan.preconditioner;
+}
+
+}  // namespace stokesbook
