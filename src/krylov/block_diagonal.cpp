@@ -9,8 +9,8 @@
 
 #include <Eigen/LU>
 
-#include "closure/closure.hpp"
 #include "double_layer/double_layer.hpp"
+#include "krylov/rigid_mode_matrices.hpp"
 #include "null_space/null_space.hpp"
 
 namespace stokesbook {
@@ -31,21 +31,12 @@ MatrixXd self_block(const Component& component, std::optional<double> gauge) {
   const MatrixXd layer = own_layer(component);
   if (component.kind == ComponentKind::enclosing_wall) return layer;
   // Alone in a fluid of that gauge, the component's closure acts as it does on itself among others.
-  const RigidModes modes(component.curve, component.centre);
-  const double own_gauge = std::sqrt(std::numbers::e) * modes.gyration_radius();
+  const RigidModeMatrices rigid = rigid_mode_matrices(component);
+  const double own_gauge = std::sqrt(std::numbers::e) * rigid.radius;
   StokesProblem alone{{component}, 1.0, {}, gauge.value_or(own_gauge)};
   alone.components[0].velocity = ComplexVector::Zero(n);
-  const Closure closure(alone);
-  MatrixXd block(2 * n, 2 * n);
-  ComplexVector unit = ComplexVector::Zero(n);
-  for (Index column = 0; column < 2 * n; ++column) {
-    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
-    const ComplexVector rest = closure.without_rigid_part(unit);
-    const ComplexVector added = closure.velocity(unit);
-    block.col(column) = layer * interleaved(rest) + interleaved(added);
-    unit[column / 2] = 0.0;
-  }
-  return block;
+  return layer +
+         (closed_modes(Closure(alone), rigid.modes, 0, n) - layer * rigid.modes) * rigid.projection;
 }
 
 MatrixXd invert_block(const MatrixXd& block) {

@@ -1,7 +1,6 @@
 #include "krylov/direct.hpp"
 
 #include "closure/closure.hpp"
-#include "double_layer/double_layer.hpp"
 #include "krylov/block_diagonal.hpp"
 #include "krylov/rigid_mode_matrices.hpp"
 
@@ -40,14 +39,8 @@ MatrixXd system_matrix(const StokesProblem& problem, const LayerBlock& layer) {
     if (own.kind == ComponentKind::enclosing_wall) continue;
     const RigidModeMatrices rigid = rigid_mode_matrices(own);
     auto columns = matrix.middleCols(2 * offsets[k], 2 * own.curve.size());
-    MatrixXd closed = -columns * rigid.modes;
-    for (Index mode = 0; mode < 3; ++mode) {
-      ComplexVector density = ComplexVector::Zero(offsets.back());
-      density.segment(offsets[k], own.curve.size()) = deinterleaved(rigid.modes.col(mode));
-      const ComplexVector velocity = closure.velocity(density);
-      closed.col(mode) += interleaved(velocity);
-    }
-    columns += closed * rigid.projection;
+    const MatrixXd closed = closed_modes(closure, rigid.modes, offsets[k], offsets.back());
+    columns += (closed - columns * rigid.modes) * rigid.projection;
   }
   return matrix;
 }

@@ -1,6 +1,5 @@
 #include "krylov/rigid_mode_matrices.hpp"
 
-#include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 
 namespace stokesbook {
@@ -26,6 +25,17 @@ RigidModeMatrices rigid_mode_matrices(const Component& component) {
     unit[k / 2] = 0.0;
   }
   return result;
+}
+
+MatrixXd closed_modes(const Closure& closure, const MatrixXd& modes, Index first, Index n) {
+  MatrixXd closed(2 * n, modes.cols());
+  for (Index mode = 0; mode < modes.cols(); ++mode) {
+    ComplexVector density = ComplexVector::Zero(n);
+    density.segment(first, modes.rows() / 2) = deinterleaved(modes.col(mode));
+    const ComplexVector velocity = closure.velocity(density);
+    closed.col(mode) = interleaved(velocity);
+  }
+  return closed;
 }
 
 }  // namespace stokesbook

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "closure/problem.hpp"
+#include "closure/closure.hpp"
 
 namespace stokesbook {
 
@@ -23,6 +23,18 @@ struct RigidModeMatrices {
 /// @return            its matrices
 /// @par Cost          O(N^2)
 RigidModeMatrices rigid_mode_matrices(const Component& component);
+
+/// Evaluates what a closure adds to the velocities for the rigid motions of a component, C K: it
+/// depends on a density by these alone.
+///
+/// @param  closure  of a problem with n nodes
+/// @param  modes    K of the component
+/// @param  first    position of its first node in all
+/// @param  n        nodes in all
+/// @return          2n x 3, dimensionless
+/// @par Cost        three times that of Closure::velocity()
+Eigen::MatrixXd closed_modes(const Closure& closure, const Eigen::MatrixXd& modes,
+                             Eigen::Index first, Eigen::Index n);
 
 /// @}
 
