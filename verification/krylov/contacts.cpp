@@ -141,6 +141,27 @@ Experiment asked_iterations() {
                .measure = counts(by_asked_iterations(), Kind::block_diagonal)}}};
 }
 
+Experiment asked_seconds() {
+  std::vector<Case> small;
+  for (const Case& one : by_asked_iterations()) {
+    if (one.name == "chain" || one.name.starts_with("7 ")) small.push_back(one);
+  }
+  return {.key = "asked_seconds",
+          .title = "Time to the solution of the same scenes, on one machine",
+          .x = "iterations asked, m",
+          .error = "seconds, set-up and iteration",
+          .lines = {
+              {.key = "blocks",
+               .label = "block-diagonal",
+               .measure = measured(by_asked_iterations(), Kind::block_diagonal, &Effort::seconds)},
+              {.key = "clusters",
+               .label = "clusters",
+               .measure = measured(by_asked_iterations(), Kind::clusters, &Effort::seconds)},
+              {.key = "direct",
+               .label = "factorised",
+               .measure = measured(small, Kind::direct, &Effort::seconds)}}};
+}
+
 Experiment contact_iterations() {
   return {
       .key = "contact",

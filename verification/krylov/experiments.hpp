@@ -25,6 +25,7 @@ study::Experiment aspect_ratios();
 study::Experiment gaps();
 study::Experiment restarts();
 study::Experiment asked_iterations();
+study::Experiment asked_seconds();
 study::Experiment ideas();
 study::Experiment screening();
 study::Experiment pores();

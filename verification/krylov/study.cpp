@@ -24,6 +24,7 @@ study::Study krylov_study() {
                           gaps(),
                           restarts(),
                           asked_iterations(),
+                          asked_seconds(),
                           ideas(),
                           screening(),
                           pores(),
