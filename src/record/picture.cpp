@@ -155,6 +155,27 @@ std::string draw_arrows(const Layout& layout, const Frame& frame) {
   return svg::path(data, "fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\"");
 }
 
+/// Draws forces of contact as lines from bodies through the points where they act; the largest is
+/// the widest.
+std::string draw_contacts(const Layout& layout, const Frame& frame) {
+  if (frame.contacts.empty()) return "";
+  constexpr double widest = 5.0;
+  const double largest = std::ranges::max(frame.contacts, {}, &ContactForce::force).force;
+  std::string text =
+      "<g fill=\"none\" stroke=\"#e8710a\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  for (const ContactForce& contact : frame.contacts) {
+    const Complex point = layout.pixel(contact.point);
+    std::string data;
+    for (const ContactParty& party : {contact.a, contact.b}) {
+      if (party.is_wall) continue;
+      data += svg::line(layout.pixel(frame.bodies[party.number].position), point);
+    }
+    const double width = std::max(0.5, widest * contact.force / largest);
+    text += svg::path(data, svg::attribute("stroke-width", width));
+  }
+  return text + "</g>\n";
+}
+
 }  // namespace
 
 std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
@@ -170,7 +191,8 @@ std::string draw_configuration(const Frame& frame, const std::vector<Outline>& b
           : "";
   return open_picture({layout.drawn.real(), layout.height()}, frame.t, options) +
          draw_walls(layout, walls) + draw_bodies(layout, frame) +
-         draw_ticks(layout, frame, bodies) + draw_arrows(layout, frame) + bar + "</svg>\n";
+         draw_ticks(layout, frame, bodies) + draw_contacts(layout, frame) +
+         draw_arrows(layout, frame) + bar + "</svg>\n";
 }
 
 }  // namespace stokesbook

@@ -19,7 +19,8 @@ struct PictureOptions {
 /// Draws a configuration as SVG, to be shown on its own or inside a page, on light or dark ground.
 ///
 /// Bodies are filled by speed |U| (viridis, with a colour bar); a tick on each marks its direction
-/// 1, arrows its velocity. Walls are outlines; y points upwards.
+/// 1, arrows its velocity. Forces of contact are lines to where they act, the wider the larger.
+/// Walls are outlines; y points upwards.
 /// @param  frame    the configuration and its velocities
 /// @param  bodies   outlines in the order of frame.bodies
 /// @param  walls    outlines in the order of frame.walls

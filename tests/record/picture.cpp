@@ -68,6 +68,19 @@ BOOST_AUTO_TEST_CASE(no_arrows_and_no_colour_bar_at_rest) {
   BOOST_TEST(!contains(picture, "inf"));
 }
 
+BOOST_AUTO_TEST_CASE(forces_of_contact_are_as_wide_as_they_are_large) {
+  Frame frame = sample_frame(0);
+  frame.contacts.clear();
+  BOOST_TEST(!contains(draw(frame), "#e8710a"));
+  const ContactParty first{false, 0}, second{false, 1}, wall{true, 0};
+  frame.contacts = {{first, second, {0.1, 0.2}, 1.0, 8.0, 0.01},
+                    {second, wall, {0.3, 0.4}, imaginary, 2.0, 0.01}};
+  const std::string picture = draw(frame);
+  BOOST_TEST(contains(picture, "stroke=\"#e8710a\""));
+  BOOST_TEST(contains(picture, "stroke-width=\"5\""));
+  BOOST_TEST(contains(picture, "stroke-width=\"1.25\""));
+}
+
 BOOST_AUTO_TEST_CASE(title_and_time_are_text) {
   const std::string picture = draw(sample_frame(7), {.title = "<script> & co\n", .width = 500.0});
   BOOST_TEST(contains(picture, "<title>&lt;script> &amp; co </title>"));

@@ -4,6 +4,7 @@ usage: read_outputs.py DIRECTORY
 """
 
 import json
+import re
 import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
@@ -190,10 +191,10 @@ def check_picture(path):
     assert picture.tag == svg + "svg"
     assert picture.find(svg + "title").text == "A < B & C"
     _, _, width, height = map(float, picture.get("viewBox").split())
-    walls, bodies = picture.findall(svg + "g")
+    walls, bodies, contacts = picture.findall(svg + "g")
     curves = []
-    for path_element in [*walls, *bodies]:
-        numbers = path_element.get("d").strip("MZ").split()
+    for path_element in [*walls, *bodies, *contacts]:
+        numbers = re.findall(r"[-.\d]+", path_element.get("d"))
         points = np.array(numbers, float).reshape(-1, 2)
         assert (points >= 0).all() and (points <= [width, height]).all()
         curves.append(points[:, 0] - 1j * points[:, 1])
