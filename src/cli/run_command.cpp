@@ -20,6 +20,7 @@
 #include "suspension/describe.hpp"
 #include "suspension/fill.hpp"
 #include "suspension/simulation.hpp"
+#include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
 
@@ -36,6 +37,12 @@ Scene load_scene(const RunOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw SceneError(options.scene.string() + ": " + error.what());
   }
+}
+
+/// As many points as look smooth; the nodes are among them.
+ComplexVector smooth_outline(const ComplexVector& nodes) {
+  constexpr Eigen::Index least = 64;
+  return resample(nodes, nodes.size() * ((least + nodes.size() - 1) / nodes.size()));
 }
 
 RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
@@ -55,7 +62,7 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
   for (std::size_t k = 0; k < solver.references().size(); ++k) {
     const Curve& curve = solver.references()[k]->curve;
     auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
-    outlines.push_back({curve.x, curve.side == Side::fluid_inside});
+    outlines.push_back({smooth_outline(curve.x), curve.side == Side::fluid_inside});
   }
   return contents;
 }
