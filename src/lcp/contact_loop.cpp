@@ -221,7 +221,7 @@ class ContactLoop {
   bool settled() {
     const Index widest = widest_with_force();
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
-    result_.kkt_residual = std::max(result_.violations.back(), open);
+    result_.kkt_residual = std::max(result_.violations.back(), uncomplementary_gap());
     if (result_.violations.back() > step_.tolerance) return false;
     const int last = std::min(options_.open_gap_after, options_.max_iterations);
     const bool closed = open <= step_.tolerance;
@@ -229,6 +229,13 @@ class ContactLoop {
     if (!closed && open > options_.open_gap * step_.separation) return give_up_on_open_gap(widest);
     result_.status = ContactStatus::resolved;
     return true;
+  }
+
+  // Of all rows the largest part of complementarity that is left, as a length.
+  double uncomplementary_gap() const {
+    if (result_.gaps.size() == 0) return 0.0;
+    const VectorXd opened = result_.response.cwiseProduct(result_.multipliers);
+    return std::max(0.0, result_.gaps.cwiseMin(opened).maxCoeff());
   }
 
   // Of the gaps across which a force acts, the widest; none: -1.

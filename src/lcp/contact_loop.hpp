@@ -74,13 +74,15 @@ struct ContactResult {
   std::vector<ContactKey> keys{};  ///< of the rows
   GapGradient force_gradient{};    ///< J_f of the rows
   Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
-  Eigen::VectorXd gaps{};     ///< at U: least gap of each row's contact; infinite where it is gone
-  Eigen::VectorXd force{};    ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
-  double power = 0.0;         ///< of these forces
-  double kkt_residual = 0.0;  ///< length: largest violation, or gap across which a force acts
-  int iterations = 0;         ///< linear problems
-  int columns = 0;            ///< columns of response asked for
-  int rays = 0;               ///< linear problems that had no solution as they were
+  Eigen::VectorXd gaps{};   ///< at U: least gap of each row's contact; infinite where it is gone
+  Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
+  double power = 0.0;       ///< of these forces
+  /// Length: the largest violation, or \f$ \min(g_i, N_{ii}\lambda_i) \f$ where that is larger: the gap
+  /// across which a force acts, or what the force opens if that is less.
+  double kkt_residual = 0.0;
+  int iterations = 0;  ///< linear problems
+  int columns = 0;     ///< columns of response asked for
+  int rays = 0;        ///< linear problems that had no solution as they were
   std::vector<double>
       violations{};  ///< largest violation at U*, and after each iteration, lengths >= 0
 };
