@@ -155,8 +155,10 @@ class ContactLoop {
     bool ended = settled();
     while (!ended && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
-      const LinearProblem problem = linear_problem(next_cuts(), step_);
-      ended = !apply(problem) || settled();
+      const Cuts cuts = next_cuts();
+      do {
+        ended = !apply(linear_problem(cuts, step_)) || settled();
+      } while (ended && is_refined());
     }
     if (!ended) give_up_on_violation();
     return result_;
@@ -168,6 +170,12 @@ class ContactLoop {
     rows_ = rows_at(step_, velocity);
     result_.violations.push_back(violation(rows_));
     result_.gaps = gaps_now(result_.keys, rows_);
+  }
+
+  // Whether the response has become more exact for the forces that resolve contact.
+  bool is_refined() const {
+    return result_.status == ContactStatus::resolved && step_.refine &&
+           step_.refine(result_.multipliers);
   }
 
   // The rows as they are now, and later in the loop those that were violated before.

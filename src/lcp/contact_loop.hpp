@@ -43,8 +43,13 @@ struct ContactStep {
   double tolerance = 0.0;         ///< of gaps, a length > 0
   std::function<ContactRows(const Eigen::VectorXd&)> rows;  ///< U -> rows
   /// Forces, n x m, -> the velocities that they add, B times them. B must be the same in all calls
-  /// of a step, and symmetric; where discretisation leaves it not quite so, (B + B^T)/2.
+  /// of a step until it is refined, and symmetric; where discretisation leaves it not quite so,
+  /// (B + B^T)/2.
   std::function<Eigen::MatrixXd(const Eigen::SparseMatrix<double>&)> respond;
+  /// Where respond() is cheap and coarse: the multipliers of its latest columns, m numbers ->
+  /// whether it answers them more exactly from now on. Asked when all else is resolved; then the
+  /// latest linear problem is solved once more. Empty: never.
+  std::function<bool(const Eigen::VectorXd&)> refine{};
 };
 
 /// When the loop gives up, and with what it solves.
@@ -118,7 +123,8 @@ struct ContactResult {
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
 ///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
 ///                  and squares it where J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond
+/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond; one more of both
+///                  each time that the response is refined
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

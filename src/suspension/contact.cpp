@@ -144,8 +144,7 @@ class StageRows {
         references_(references),
         shapes_(shapes),
         rules_(rules),
-        concerns_(std::move(concerns)),
-        found_first_(found_at(stage.free_velocity)) {}
+        concerns_(std::move(concerns)) {}
 
   // By the exact derivative, or else by that of the forces.
   ContactResult resolved(const ContactStep& step) {
@@ -164,13 +163,9 @@ class StageRows {
     return resolve_contact(step);
   }
 
-  Interferences found_at(const VectorXd& velocity) const {
-    return interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
-  }
-
   ContactRows rows(const VectorXd& velocity, Linearisation linearisation) {
     const Interferences found =
-        velocity == stage_.free_velocity ? found_first_ : found_at(velocity);
+        interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
     const Configuration end = moved(stage_.start, velocity, stage_.dt);
     std::vector<LoopRow> rows;
     for (const Contact& contact : found.contacts) {
@@ -271,16 +266,9 @@ class StageRows {
   const ContactShapes& shapes_;
   const ContactRules& rules_;
   Concerns concerns_;
-  Interferences found_first_;  // at the free velocity, where every loop begins
   std::set<std::pair<std::size_t, std::size_t>> pressed_;  // violated at some velocity
   std::map<ContactKey, LoopRow> seen_;
 };
-
-// Whether a response answers more exactly now, so that contact is to be resolved once more.
-bool is_to_be_refined(const ContactResult& result, LoadResponse& response) {
-  return result.status == ContactStatus::resolved ? response.refine(result.multipliers)
-                                                  : response.tighten();
-}
 
 // Net force and torque of forces on all components, over the largest force and its distance.
 std::pair<double, double> imbalance(const VectorXd& force, const Configuration& acting) {
@@ -439,11 +427,12 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
       .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * response(forces);
-      }};
+      },
+      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); }};
   ContactOutcome outcome{};
   do {
     outcome.result = rows.resolved(step);
-  } while (is_to_be_refined(outcome.result, response));
+  } while (outcome.result.status != ContactStatus::resolved && response.tighten());
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];

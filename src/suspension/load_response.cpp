@@ -40,15 +40,15 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
 }  // namespace
 
 LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-                           References references, AnsweredLoads earlier)
+                           const Solution& solution, AnsweredLoads earlier)
     : solver_(solver),
       configuration_(std::move(configuration)),
-      references_(std::move(references)),
+      references_(solution.references),
       earlier_(std::move(earlier)),
-      tolerance_(std::max(column_tolerance, solver.plan().gmres_tolerance)) {}
+      tolerance_(std::max(column_tolerance, solver.plan().gmres_tolerance)),
+      discrete_(solution.system) {}
 
-void LoadResponse::build() {
-  discrete_ = solver_.discretise(configuration_, references_);
+void LoadResponse::begin() {
   flow_ = discrete_->system.right_hand_side().norm();
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
@@ -75,9 +75,8 @@ ComplexVector LoadResponse::guess(const SparseVector<double>& load) const {
   return load.dot(nearest->load) / nearest->load.squaredNorm() * nearest->density;
 }
 
-ComplexVector LoadResponse::density(const Closure& closure, double tolerance,
+ComplexVector LoadResponse::density(const ComplexVector& rhs, double tolerance,
                                     const ComplexVector& guess) {
-  const ComplexVector rhs = closure.right_hand_side();
   const GmresOptions options{tolerance, solver_.scene().solver.gmres_max_iterations};
   const GmresResult result = solve(*discrete_, rhs, options, guess);
   if (!result.converged) {
@@ -102,7 +101,9 @@ std::size_t LoadResponse::answer(const SparseVector<double>& load) {
   }
   if (known->tolerance > tolerance_) {
     const Closure closure = this->closure(known->load);
-    known->density = density(closure, tolerance_, known->density);
+    const ComplexVector rhs = closure.right_hand_side();
+    known->density = density(rhs, tolerance_, known->density);
+    known->flow = rhs.norm();
     known->motions = closure.complete(known->density).motions;
     known->tolerance = tolerance_;
   }
@@ -110,7 +111,7 @@ std::size_t LoadResponse::answer(const SparseVector<double>& load) {
 }
 
 MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
-  if (!discrete_) build();
+  if (answers_.empty() && guesses_.empty()) begin();
   MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
@@ -124,21 +125,41 @@ MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
   return velocities;
 }
 
-bool LoadResponse::refine(const VectorXd& multipliers) {
-  const double exact = solver_.plan().gmres_tolerance;
-  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact) return false;
-  if (refinements_ == most_refinements) return tighten();
-  const LoadSolution sum = combined(multipliers);
-  const Closure closure = this->closure(combined_load(multipliers));
-  const double flow = closure.right_hand_side().norm();
-  const int before = cost_.gmres_iterations;
-  const ComplexVector found = density(closure, exact * std::max(1.0, flow_ / flow), sum.density);
-  if (cost_.gmres_iterations == before) return false;
-  ++refinements_;
+// The columns of the latest call that share an answer count together.
+VectorXd LoadResponse::weights(const VectorXd& multipliers) const {
   VectorXd weights = VectorXd::Zero(static_cast<Index>(answers_.size()));
   for (std::size_t i = 0; i < latest_.size(); ++i) {
     weights[static_cast<Index>(latest_[i])] += multipliers[static_cast<Index>(i)];
   }
+  return weights;
+}
+
+// How much of a residual weights have brought in since the combination was exact, at most.
+double LoadResponse::residual_since(const VectorXd& weights) const {
+  double residual = 0.0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    const double before = i < refined_.size() ? refined_[i] : 0.0;
+    residual += std::abs(weights[i] - before) * answer.tolerance * answer.flow;
+  }
+  return residual;
+}
+
+bool LoadResponse::refine(const VectorXd& multipliers) {
+  const double exact = solver_.plan().gmres_tolerance;
+  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact) return false;
+  const VectorXd weights = this->weights(multipliers);
+  if (refined_.size() > 0 && residual_since(weights) <= 0.5 * exact * flow_) return false;
+  if (refinements_ == most_refinements) return tighten();
+  const LoadSolution sum = combined(multipliers);
+  const Closure closure = this->closure(combined_load(multipliers));
+  const ComplexVector rhs = closure.right_hand_side();
+  const int before = cost_.gmres_iterations;
+  const double tolerance = exact * std::max(1.0, flow_ / rhs.norm());
+  const ComplexVector found = density(rhs, tolerance, sum.density);
+  refined_ = weights;
+  if (cost_.gmres_iterations == before) return false;
+  ++refinements_;
   const ComplexVector missing = (found - sum.density) / weights.squaredNorm();
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const double weight = weights[static_cast<Index>(i)];

@@ -42,10 +42,10 @@ class LoadResponse {
   ///
   /// @param  solver         of the scene, which must outlive the response
   /// @param  configuration  where the components are
-  /// @param  references     of a solution there
+  /// @param  solution       there, whose system is solved for loads
   /// @param  earlier        loads that were answered in a configuration before
-  LoadResponse(const SuspensionSolver& solver, Configuration configuration, References references,
-               AnsweredLoads earlier = {});
+  LoadResponse(const SuspensionSolver& solver, Configuration configuration,
+               const Solution& solution, AnsweredLoads earlier = {});
 
   /// Solves for the motions under some loads.
   ///
@@ -57,7 +57,7 @@ class LoadResponse {
   ///                component do not balance
   /// @par Accuracy  residual of a thousandth of the load's own flow; after tighten() that of the
   ///                solver
-  /// @par Cost      a solve for each new load; the first call builds the system
+  /// @par Cost      a solve for each new load
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
   /// Makes the combination of the latest columns exact: its residual is that which the solver allows
@@ -68,7 +68,7 @@ class LoadResponse {
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
   /// @return              true when columns have changed; false when they did
   /// @throws NumericsRefused when GMRES does not converge
-  /// @par Cost      a solve; none after tighten()
+  /// @par Cost      a solve; none after tighten(), nor where multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
   /// Solves for columns as exactly as the solver does for everything else from now on, those answered
@@ -103,11 +103,14 @@ class LoadResponse {
     ComplexVector density;
     std::vector<RigidMotion> motions{};
     double tolerance = 1.0;  // of its residual
+    double flow = 0.0;       // norm of its right-hand side
   };
   /// @endcond
-  void build();
+  void begin();
   std::size_t answer(const Eigen::SparseVector<double>& load);
-  ComplexVector density(const Closure& closure, double tolerance, const ComplexVector& guess);
+  ComplexVector density(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
+  Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
+  double residual_since(const Eigen::VectorXd& weights) const;
   ComplexVector guess(const Eigen::SparseVector<double>& load) const;
   Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
@@ -116,13 +119,14 @@ class LoadResponse {
   Configuration configuration_;
   References references_;
   AnsweredLoads earlier_;
-  double tolerance_;                         // of columns
-  std::optional<DiscreteProblem> discrete_;  // built when it is first needed
-  double flow_ = 0.0;                        // norm of the scene's own right-hand side
-  std::vector<Answer> guesses_;              // earlier answers on the nodes of this configuration
-  std::vector<Answer> answers_;              // of all loads so far
-  std::vector<std::size_t> latest_;          // those of the latest call's columns
-  int refinements_ = 0;                      // since the latest new column
+  double tolerance_;  // of columns
+  std::shared_ptr<const DiscreteProblem> discrete_;
+  double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
+  std::vector<Answer> guesses_;      // earlier answers on the nodes of this configuration
+  std::vector<Answer> answers_;      // of all loads so far
+  std::vector<std::size_t> latest_;  // those of the latest call's columns
+  Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
+  int refinements_ = 0;              // since the latest new column
   SolveCost cost_;
   int solves_ = 0;
 };

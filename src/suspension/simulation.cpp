@@ -157,6 +157,7 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
     Solution solution = solve_by_guess(t, configuration, estimated);
     if (!estimated) solution.error_estimate = latest_.error_estimate;
     latest_.densities.add(t, configuration, solution.references, solution.density);
+    if (!contact_) solution.system.reset();  // its memory: nobody asks for it
     latest_.error_estimate = solution.error_estimate;
     latest_.since = estimated ? 0 : latest_.since + 1;
     note_resolution(solution);

@@ -54,7 +54,7 @@ double Simulation::planned_end() const {
 
 LoadResponse Simulation::load_response(const Configuration& configuration,
                                        const Solved& solved) const {
-  return {solver_, configuration, solved.solution.references, latest_.contacts};
+  return {solver_, configuration, solved.solution, latest_.contacts};
 }
 
 void Simulation::take_note(const LoadResponse& response) {

@@ -101,6 +101,30 @@ BOOST_AUTO_TEST_CASE(stacks_of_three_keep_both_separations) {
   }
 }
 
+// Columns are coarse, their sum is not: loads put on the bodies by hand move them alike.
+BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
+  std::vector<Body> bodies{body_at(Circle{1.0}, {0.02, -0.01}, automatic_nodes)};
+  for (int k = 0; k < 6; ++k) {
+    const Complex corner = std::polar(2.12, std::numbers::pi / 3.0 * k + 0.1);
+    bodies.push_back(body_at(Ellipse{1.0, 0.95}, corner, automatic_nodes));
+  }
+  Scene scene = over(with_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.4, 0.4);
+  const Frame frame = run_of(scene).frames.front();
+  BOOST_TEST(frame.contacts.size() >= 3);
+  double fastest = 0.0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    scene.bodies[k].force = frame.bodies[k].force;
+    scene.bodies[k].torque = frame.bodies[k].torque;
+    fastest = std::max(fastest, std::abs(frame.bodies[k].velocity));
+  }
+  const SuspensionSolver solver(scene);
+  const Solution loaded = solver.solve(solver.initial_configuration());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    BOOST_TEST(std::abs(loaded.motions[k].velocity - frame.bodies[k].velocity) < 1e-5 * fastest);
+    BOOST_TEST(std::abs(loaded.motions[k].omega - frame.bodies[k].omega) < 1e-5 * fastest);
+  }
+}
+
 // Radius 1/2 on the axis of u = (-x, y), held at a gap of so many h = pi / 32: forces by a prototype
 // of the specification, which tend to 3 pi with the gap.
 BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
