@@ -398,6 +398,15 @@ BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
   BOOST_TEST(error(scene) < 5e-3);
 }
 
+BOOST_AUTO_TEST_CASE(steps_with_contact_follow_the_effort) {
+  Scene scene = over(head_on(0.0), 0.07, 0.01);
+  scene.time->effort = EffortBounds{1000, 2000};
+  const Run run = run_of(scene);
+  BOOST_REQUIRE(run.steps.size() == 3);
+  BOOST_TEST(run.steps[1].dt == 0.02, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(run.steps[2].dt == 0.04, boost::test_tools::tolerance(1e-9));
+}
+
 // A pair that is driven together, turns round, and parts: the error follows the tolerance.
 BOOST_AUTO_TEST_CASE(errors_with_contact_follow_the_tolerance) {
   Scene scene = with_contact(ShearFlow{1.0},
