@@ -82,8 +82,8 @@ struct ContactResult {
   Eigen::VectorXd gaps{};   ///< at U: least gap of each row's contact; infinite where it is gone
   Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
   double power = 0.0;       ///< of these forces
-  /// Length: the largest violation, or \f$ \min(g_i, N_{ii}\lambda_i) \f$ where that is larger: the gap
-  /// across which a force acts, or what the force opens if that is less.
+  /// Length: the largest violation, or \f$ \min(g_i, N_{ii}\lambda_i) \f$ where that is larger: the
+  /// gap across which a force acts, or what the force opens if that is less.
   double kkt_residual = 0.0;
   int iterations = 0;  ///< linear problems
   int columns = 0;     ///< columns of response asked for
@@ -123,8 +123,8 @@ struct ContactResult {
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
 ///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
 ///                  and squares it where J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond; one more of both
-///                  each time that the response is refined
+/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond; one more
+///                  of both each time that the response is refined
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

@@ -106,8 +106,8 @@ class SuspensionContact {
   /// @param  start     where it begins
   /// @param  velocity  of the step, as to_rate() packs it
   /// @param  dt        its length
-  /// @return           largest way of a point of the one as the other sees it, over the ratio of area
-  ///                   and perimeter of the smaller: half the radius of a disk
+  /// @return           largest way of a point of the one as the other sees it, over the ratio of
+  ///                   area and perimeter of the smaller: half the radius of a disk
   double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
                                double dt) const;
 

@@ -21,7 +21,8 @@ constexpr double same_load = 1e-9;
 // Residual of columns that only weights are to follow from.
 constexpr double column_tolerance = 1e-3;
 
-// Each refinement leaves a few hundredths of what was missing; columns that need more are too coarse.
+// Each refinement leaves a few hundredths of what was missing; where more are needed, columns are too
+// coarse.
 constexpr int most_refinements = 6;
 
 // The same components at rest, under some loads and nothing else.

@@ -60,8 +60,8 @@ class LoadResponse {
   /// @par Cost      a solve for each new load
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
-  /// Makes the combination of the latest columns exact: its residual is that which the solver allows
-  /// of the scene's own flow, or of the flow of the loads where that is stronger.
+  /// Makes the combination of the latest columns exact: its residual is that which the solver
+  /// allows of the scene's own flow, or of the flow of the loads where that is stronger.
   ///
   /// What is missing is added to the columns in proportion to their weights, the least change that
   /// makes their combination right (Broyden's), so that they answer alike next time.
@@ -71,8 +71,8 @@ class LoadResponse {
   /// @par Cost      a solve; none after tighten(), nor where multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
-  /// Solves for columns as exactly as the solver does for everything else from now on, those answered
-  /// so far included.
+  /// Solves for columns as exactly as the solver does for everything else from now on, those
+  /// answered so far included.
   ///
   /// @return  false when that was so before
   bool tighten();

@@ -32,10 +32,10 @@ struct Observer {
 /// With [contact], a step's velocity is that which keeps the separation at its end; it acts from the
 /// step's beginning, and is what frames show. Steps that cannot be resolved are halved. With
 /// time.tolerance, steps by Heun's method are adapted: the error of a step is the largest distance
-/// of boundary points after its first half, by Euler's method, from where they are in the end, and the
-/// next one is \f$ 0.9\,(tol/err)^{1/2} \f$ times as long, at least 0.3 and at most 1.5 times. It is
-/// also no longer than lets bodies that come near each other move past each other by the ratio of the
-/// smaller one's area and perimeter.
+/// of boundary points after its first half, by Euler's method, from where they are in the end, and
+/// the next one is \f$ 0.9\,(tol/err)^{1/2} \f$ times as long, at least 0.3 and at most 1.5 times.
+/// It is also no longer than lets bodies that come near each other move past each other by the
+/// ratio of the smaller one's area and perimeter.
 ///
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
@@ -68,9 +68,9 @@ class Simulation {
 
   /// Writes the frame of the start and stops: one solve.
   ///
-  /// Contact is that of the first step. Without [time] it is that of an instant in which the fastest
-  /// boundary moves by a hundredth of the separation: forces keep those pairs apart whose gap is no
-  /// wider than the separation already, but for that hundredth, and would close.
+  /// Contact is that of the first step. Without [time] it is that of an instant in which the
+  /// fastest boundary moves by a hundredth of the separation: forces keep those pairs apart whose
+  /// gap is no wider than the separation already, but for that hundredth, and would close.
   /// @throws NumericsRefused with the time, when the configuration is refused
   void solve_once();
 

@@ -1,5 +1,5 @@
-// Steps of a simulation with contact: by Euler's method, or by Heun's with contact at both stages and,
-// where a tolerance is given, steps adapted to the error.
+// Steps of a simulation with contact: by Euler's method, or by Heun's with contact at both stages
+// and, where a tolerance is given, steps adapted to the error.
 #include <algorithm>
 #include <cmath>
 

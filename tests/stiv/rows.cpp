@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(a_separation_of_one_pair) {
   BOOST_TEST((violated_pairs({0.01, {{{1, 2}, 0.02}}}).empty()));
 }
 
-// Contacts of the polygon of a disk with a copy of it, from the gaps of its vertices from number 4 on.
+// Contacts of the polygon of a disk with a copy of it, by the gaps of vertices from number 4 on.
 std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
   const auto coarse = body(Circle{1.0}, 32);
   BOOST_TEST(coarse->sag > 4.0 * tolerance);
