@@ -155,8 +155,10 @@ class ContactLoop {
     bool ended = settled();
     while (!ended && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
-      const LinearProblem problem = linear_problem(next_cuts(), step_);
-      ended = !apply(problem) || settled();
+      const Cuts cuts = next_cuts();
+      do {
+        ended = !apply(linear_problem(cuts, step_)) || settled();
+      } while (ended && is_refined());
     }
     if (!ended) give_up_on_violation();
     return result_;
@@ -168,6 +170,12 @@ class ContactLoop {
     rows_ = rows_at(step_, velocity);
     result_.violations.push_back(violation(rows_));
     result_.gaps = gaps_now(result_.keys, rows_);
+  }
+
+  // Whether the response has become more exact for the forces that resolve contact.
+  bool is_refined() const {
+    return result_.status == ContactStatus::resolved && step_.refine &&
+           step_.refine(result_.multipliers);
   }
 
   // The rows as they are now, and later in the loop those that were violated before.
@@ -221,7 +229,7 @@ class ContactLoop {
   bool settled() {
     const Index widest = widest_with_force();
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
-    result_.kkt_residual = std::max(result_.violations.back(), open);
+    result_.kkt_residual = std::max(result_.violations.back(), uncomplementary_gap());
     if (result_.violations.back() > step_.tolerance) return false;
     const int last = std::min(options_.open_gap_after, options_.max_iterations);
     const bool closed = open <= step_.tolerance;
@@ -229,6 +237,13 @@ class ContactLoop {
     if (!closed && open > options_.open_gap * step_.separation) return give_up_on_open_gap(widest);
     result_.status = ContactStatus::resolved;
     return true;
+  }
+
+  // Of all rows the largest part of complementarity that is left, as a length.
+  double uncomplementary_gap() const {
+    if (result_.gaps.size() == 0) return 0.0;
+    const VectorXd opened = result_.response.cwiseProduct(result_.multipliers);
+    return std::max(0.0, result_.gaps.cwiseMin(opened).maxCoeff());
   }
 
   // Of the gaps across which a force acts, the widest; none: -1.

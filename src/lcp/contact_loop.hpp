@@ -43,8 +43,13 @@ struct ContactStep {
   double tolerance = 0.0;         ///< of gaps, a length > 0
   std::function<ContactRows(const Eigen::VectorXd&)> rows;  ///< U -> rows
   /// Forces, n x m, -> the velocities that they add, B times them. B must be the same in all calls
-  /// of a step, and symmetric; where discretisation leaves it not quite so, (B + B^T)/2.
+  /// of a step until it is refined, and symmetric; where discretisation leaves it not quite so,
+  /// (B + B^T)/2.
   std::function<Eigen::MatrixXd(const Eigen::SparseMatrix<double>&)> respond;
+  /// Where respond() is cheap and coarse: the multipliers of its latest columns, m numbers ->
+  /// whether it answers them more exactly from now on. Asked when all else is resolved; then the
+  /// latest linear problem is solved once more. Empty: never.
+  std::function<bool(const Eigen::VectorXd&)> refine{};
 };
 
 /// When the loop gives up, and with what it solves.
@@ -74,13 +79,15 @@ struct ContactResult {
   std::vector<ContactKey> keys{};  ///< of the rows
   GapGradient force_gradient{};    ///< J_f of the rows
   Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
-  Eigen::VectorXd gaps{};     ///< at U: least gap of each row's contact; infinite where it is gone
-  Eigen::VectorXd force{};    ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
-  double power = 0.0;         ///< of these forces
-  double kkt_residual = 0.0;  ///< length: largest violation, or gap across which a force acts
-  int iterations = 0;         ///< linear problems
-  int columns = 0;            ///< columns of response asked for
-  int rays = 0;               ///< linear problems that had no solution as they were
+  Eigen::VectorXd gaps{};   ///< at U: least gap of each row's contact; infinite where it is gone
+  Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
+  double power = 0.0;       ///< of these forces
+  /// Length: the largest violation, or \f$ \min(g_i, N_{ii}\lambda_i) \f$ where that is larger: the
+  /// gap across which a force acts, or what the force opens if that is less.
+  double kkt_residual = 0.0;
+  int iterations = 0;  ///< linear problems
+  int columns = 0;     ///< columns of response asked for
+  int rays = 0;        ///< linear problems that had no solution as they were
   std::vector<double>
       violations{};  ///< largest violation at U*, and after each iteration, lengths >= 0
 };
@@ -116,7 +123,8 @@ struct ContactResult {
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
 ///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
 ///                  and squares it where J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond
+/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond; one more
+///                  of both each time that the response is refined
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

@@ -25,7 +25,7 @@ inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n
 /// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,error_estimate,"
-    "seconds\n";
+    "seconds,kkt_residual,force_imbalance,torque_imbalance,contact_power,energy_injected\n";
 /// @}
 
 /// Writes the bodies of a frame.

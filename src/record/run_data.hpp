@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -44,6 +45,8 @@ struct Rheology {
 struct ContactParty {
   bool is_wall = false;    ///< a wall, not a body
   std::size_t number = 0;  ///< in the scene's list of bodies or walls
+  /// Compares kinds, then numbers.
+  friend auto operator<=>(const ContactParty&, const ContactParty&) = default;
 };
 
 /// A force between two components that are kept apart.
@@ -78,7 +81,14 @@ struct StepInfo {
   double residual = 0.0;     ///< largest relative residual of its linear solves
   double error_estimate =
       0.0;  ///< of its beginning, or the latest before: of velocities, relative to their scale
-  double seconds = 0.0;  ///< wall time of its solves
+  double seconds = 0.0;       ///< wall time of its solves
+  double kkt_residual = 0.0;  ///< of contact, in minimum separations: the largest violation of the
+                              ///< separation, or gap beyond it across which a force acts
+  double force_imbalance = 0.0;   ///< net contact force over the largest
+  double torque_imbalance = 0.0;  ///< net torque over the largest force and its distance
+  double contact_power = 0.0;     ///< of the forces of contact on all components at the end of the
+                                  ///< step, force / time; negative where they hold against motion
+  double energy_injected = 0.0;   ///< work of contact where it drives, force
 };
 
 /// @}

@@ -16,7 +16,7 @@ struct RunTotals {
   long long gmres_iterations = 0;         ///< of all solves
   long long matvecs = 0;                  ///< applications of the operator
   long long ncp_iterations = 0;           ///< of all contact solves
-  long long contact_solves = 0;           ///< of the complementarity problem of contact
+  long long contact_solves = 0;           ///< of the linear system, for forces of contact
   double contact_seconds = 0.0;           ///< wall time that contact took
   long long halved_by_contact = 0;        ///< rejected steps whose contact was not resolved
   double largest_force_imbalance = 0.0;   ///< net contact force over the largest, of any step

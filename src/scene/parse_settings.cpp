@@ -90,13 +90,20 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
     table.refuse({"effort"},
                  "belongs to methods of fixed steps: this one adapts them to the error");
     time.dt = table.get("dt", positive_number);
-    time.tolerance = table.get("tolerance", step_tolerance).value_or(time.tolerance);
+    time.tolerance = table.get("tolerance", step_tolerance).value_or(1e-6);
   } else {
-    table.refuse({"tolerance"},
-                 "belongs to " + adaptive_methods() + ": this method has fixed steps");
+    if (time.method == SteppingMethod::heun && root.find("contact") != nullptr) {
+      time.tolerance = table.get("tolerance", step_tolerance);
+    } else {
+      table.refuse({"tolerance"}, "belongs to " + adaptive_methods() +
+                                      ", and to heun with [contact]: this method has fixed steps");
+    }
     time.dt = table.require("dt", positive_number);
+    if (time.tolerance) {
+      table.refuse({"effort"}, "does not go with time.tolerance, which adapts steps to the error");
+    }
     time.effort = read_effort(table);
-    if (!time.effort) {
+    if (!adapts_steps(time) && !time.effort) {
       table.refuse({"dt_max"}, "belongs to " + adaptive_methods() + ", and to time.effort");
     }
   }

@@ -261,16 +261,26 @@ struct TimeSettings {
   std::optional<double> dt{};                     ///< longest step, > 0, time; of methods that
                                                   ///< adapt steps the first, none: chosen
   SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
-  double tolerance = 1e-6;         ///< of methods that adapt steps: error of positions in units of
-                                   ///< the largest body's radius, and of angles, radians
-  std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of dt, or of t_final
-                                   ///< where the method adapts steps
-  std::optional<double> dt_max{};  ///< longest step of methods that adapt, and by effort
+  std::optional<double> tolerance{};  ///< error of positions in units of the largest body's radius,
+                                      ///< and of angles, radians, to which steps are adapted; none:
+                                      ///< 1e-6 for methods that adapt them, and steps stay as they
+                                      ///< are for Heun's, which adapts them in scenes with contact
+  std::optional<double> dt_min{};     ///< least step, > 0; none: a millionth of dt, or of t_final
+                                      ///< where the method adapts steps
+  std::optional<double> dt_max{};     ///< longest step of methods that adapt, and by effort
   std::optional<EffortBounds> effort{};  ///< of methods of fixed steps; none: dt stays
 
   /// @return true when all members are equal
   bool operator==(const TimeSettings&) const = default;
 };
+
+/// Tells whether steps are adapted to their error.
+///
+/// @param  time  settings
+/// @return       whether the method is an embedded one, or there is a tolerance for Heun's
+constexpr bool adapts_steps(const TimeSettings& time) {
+  return adapts_steps(time.method) || time.tolerance.has_value();
+}
 
 /// How components are kept apart.
 struct ContactSettings {

@@ -92,7 +92,7 @@ std::string section(const SolverSettings& solver) {
 std::string section(const TimeSettings& time) {
   std::string text = "\n[time]\n" + lines({{"t_final", time.t_final},
                                            {"method", name_of(time.method, stepping_methods)}});
-  if (adapts_steps(time.method)) text += lines({{"tolerance", time.tolerance}});
+  if (time.tolerance) text += lines({{"tolerance", *time.tolerance}});
   if (time.dt) text += lines({{"dt", *time.dt}});
   if (time.dt_min) text += lines({{"dt_min", *time.dt_min}});
   if (time.dt_max) text += lines({{"dt_max", *time.dt_max}});

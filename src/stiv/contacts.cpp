@@ -283,9 +283,13 @@ std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance
       own.clear();
       for (const WeightedRow& violation : all) own.push_back(violation.row);
     } else if (own.empty()) {
-      // Less than a sag from a deeper one.
+      // Less than a sag from a deeper one, whose flat support may end here.
       const Run& run = deepest(violations[k]);
-      own = {row_of(pair, deepest(run), run.of_a)};
+      const ContactRow row = row_of(pair, deepest(run), run.of_a);
+      for (Contact& other : contacts) {
+        std::erase_if(other.rows, [&](const ContactRow& its) { return its.key == row.key; });
+      }
+      own = {row};
     }
   }
   for (Contact& contact : contacts) std::ranges::sort(contact.rows, {}, &ContactRow::key);

@@ -16,7 +16,8 @@ struct VertexEvent {
   Eigen::Index vertex;  ///< of A
   Eigen::Index edge;    ///< of B, that it comes closest to
   double weight;        ///< length of A's polygon that the vertex stands for
-  double time;          ///< tau_I, from 0 to 1: first contact; 1 where there is none before the end
+  double time;          ///< tau_I, from 0 to 1: when the contact began that the gap belongs to, the
+                        ///< last one where there are several; 1 where there is none before the end
   double measured;      ///< when gap, point and normal were taken: tau_I, or 1 for the end
   double gap;           ///< g, length, < 0 where the vertex ends too deep
   Complex point;        ///< y, closest of B's polygon, in B's frame, length

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -39,19 +40,36 @@ double separation_of(const SuspensionSolver& solver) {
   return unit * contact.minimum_separation;
 }
 
+// The numbers that tell shapes apart.
+struct ShapeNumbers {
+  using Numbers = std::vector<double>;
+  Numbers operator()(const Circle& circle) const { return {0.0, circle.radius}; }
+  Numbers operator()(const Ellipse& ellipse) const { return {1.0, ellipse.a, ellipse.b}; }
+  Numbers operator()(const Star& star) const {
+    return {2.0, star.radius, star.amplitude, static_cast<double>(star.arms)};
+  }
+  Numbers operator()(const Superellipse& shape) const {
+    return {3.0, shape.a, shape.b, static_cast<double>(shape.power)};
+  }
+  Numbers operator()(const NodalCurve& curve) const {
+    Numbers numbers{4.0};
+    for (const Complex x : curve.points) numbers.insert(numbers.end(), {x.real(), x.imag()});
+    return numbers;
+  }
+};
+
 // Components of one shape and side share their polygon.
 ContactShapes shapes_of(const References& references, double sag_limit) {
+  std::map<std::pair<Side, std::vector<double>>, std::shared_ptr<const ContactShape>> distinct;
   ContactShapes shapes;
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    const Reference& own = *references[k];
-    const auto same = std::find_if(
-        references.begin(), references.begin() + static_cast<Index>(k), [&](const auto& other) {
-          return other->shape == own.shape && other->curve.side == own.curve.side;
-        });
-    const auto place = static_cast<std::size_t>(same - references.begin());
-    shapes.push_back(place < k ? shapes[place]
-                               : std::make_shared<const ContactShape>(
-                                     contact_shape(own.shape, own.curve.side, sag_limit)));
+  for (const auto& reference : references) {
+    const Side side = reference->curve.side;
+    auto& shape = distinct[{side, std::visit(ShapeNumbers{}, reference->shape)}];
+    if (!shape) {
+      shape =
+          std::make_shared<const ContactShape>(contact_shape(reference->shape, side, sag_limit));
+    }
+    shapes.push_back(shape);
   }
   return shapes;
 }
@@ -62,6 +80,17 @@ std::vector<Pose> poses_of(const Configuration& configuration) {
     poses.push_back({position, orientation});
   }
   return poses;
+}
+
+double area_over_perimeter(const ContactShape& shape) {
+  double twice_the_area = 0.0;
+  Complex before = shape.polygon.vertex(shape.polygon.size() - 1);
+  for (Index i = 0; i < shape.polygon.size(); ++i) {
+    const Complex vertex = shape.polygon.vertex(i);
+    twice_the_area += cross(before, vertex);
+    before = vertex;
+  }
+  return 0.5 * std::abs(twice_the_area) / shape.weights.sum();
 }
 
 // Where a velocity that is packed as a rate leads to.
@@ -117,22 +146,32 @@ class StageRows {
         rules_(rules),
         concerns_(std::move(concerns)) {}
 
-  ContactResult resolved(ContactStep step, Linearisation linearisation) {
-    step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
-    return resolve_contact(step);
+  // By the exact derivative, or else by that of the forces.
+  ContactResult resolved(const ContactStep& step) {
+    const ContactResult first = resolved(step, Linearisation::exact);
+    if (first.status == ContactStatus::resolved) return first;
+    ContactResult second = resolved(step, Linearisation::symmetric);
+    second.iterations += first.iterations;
+    return second;
   }
 
   const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
 
  private:
+  ContactResult resolved(ContactStep step, Linearisation linearisation) {
+    step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
+    return resolve_contact(step);
+  }
+
   ContactRows rows(const VectorXd& velocity, Linearisation linearisation) {
     const Interferences found =
         interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
+    const Configuration end = moved(stage_.start, velocity, stage_.dt);
     std::vector<LoopRow> rows;
     for (const Contact& contact : found.contacts) {
       const auto& [a, b, volume, own] = contact;
       if (!concerns_(a, b)) continue;
-      if (contact.is_violated()) pressed_.emplace(a, b);
+      if (is_violated(contact, end)) pressed_.emplace(a, b);
       // Each row costs a solve: those that merely come near have none.
       if (!pressed_.contains({a, b})) continue;
       for (const ContactRow& row : own) rows.push_back({a, b, row});
@@ -140,20 +179,17 @@ class StageRows {
     const auto m = static_cast<Index>(rows.size());
     const GapGradient none(m, velocity.size());
     ContactRows result{VectorXd(m), none, none, {}};
-    const Configuration end = moved(stage_.start, velocity, stage_.dt);
     for (Index i = 0; i < m; ++i) {
       const LoopRow& row = rows[static_cast<std::size_t>(i)];
       const RowKey& key = row.row.key;
       // Forces act where their configuration has the closest points: those at the end of the step
       // would cost an order.
       add(result.force_gradient, i, key, closest(key, stage_.acting), stage_.acting);
-      // The curves' gap in place of the polygons' where it is the same one.
-      const ClosestPoints at_end = closest(key, end);
-      const double gap = at_end.gap - rules_.separation.between(row.a, row.b);
-      const bool same = at_end.gap > 0.0 && std::abs(gap - row.row.gap) < sags(row);
-      result.gap[i] = same ? gap : row.row.gap;
+      const auto [gap, points] = gap_at(end, row);
+      result.gap[i] = gap;
       if (linearisation == Linearisation::exact) {
-        same ? add(result.gradient, i, key, at_end, end) : add_derivative(result.gradient, i, row);
+        points ? add(result.gradient, i, key, *points, end)
+               : add_derivative(result.gradient, i, row);
       }
       result.keys.push_back(key_of(row, shapes_.size()));
       seen_.insert_or_assign(result.keys.back(), row);
@@ -167,6 +203,28 @@ class StageRows {
     gradient.insert(i, first) = wrench.force.real();
     gradient.insert(i, first + 1) = wrench.force.imag();
     gradient.insert(i, first + 2) = wrench.torque;
+  }
+
+  // Of the curves, with their closest points, where it is the same as that of the polygons.
+  struct Gap {
+    double gap;
+    std::optional<ClosestPoints> points;
+  };
+
+  Gap gap_at(const Configuration& end, const LoopRow& row) const {
+    const ClosestPoints points = closest(row.row.key, end);
+    const double gap = points.gap - rules_.separation.between(row.a, row.b);
+    const bool same = points.gap > 0.0 && std::abs(gap - row.row.gap) < sags(row);
+    return same ? Gap{gap, points} : Gap{row.row.gap, {}};
+  }
+
+  // By the polygons, or by the curves, which come closer: a pair that is kept apart by the one
+  // measure and let go by the other would jump to and fro.
+  bool is_violated(const Contact& contact, const Configuration& end) const {
+    return contact.is_violated() || std::ranges::any_of(contact.rows, [&](const ContactRow& own) {
+             const LoopRow row{contact.a, contact.b, own};
+             return own.gap < sags(row) && gap_at(end, row).gap < -rules_.tolerance;
+           });
   }
 
   // By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
@@ -272,6 +330,14 @@ std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configurati
   return gaps;
 }
 
+double SuspensionContact::curve_gap(const PolygonGap& found,
+                                    const Configuration& configuration) const {
+  const auto curve = [&](std::size_t k) {
+    return smooth_curve(*solver_.references()[k], configuration[k]);
+  };
+  return closest_points(curve(found.a), curve(found.b)).gap;
+}
+
 ContactParty SuspensionContact::party(std::size_t component) const {
   const std::size_t bodies = solver_.scene().bodies.size();
   return component < bodies ? ContactParty{false, component}
@@ -295,7 +361,7 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
     if (found.gap <= 0.0) {
       add(overlaps, " by " + short_number(-found.gap));
     } else {
-      closer[{found.a, found.b}] = found.gap;
+      closer[{found.a, found.b}] = curve_gap(found, configuration);
       // A gap of just the separation is wide enough, though polygons keep a little more.
       if (found.gap < (1.0 - relative_sag) * separation_) {
         add(narrow, " are " + short_number(found.gap) + " apart");
@@ -318,7 +384,7 @@ CloserPairs SuspensionContact::widened(const CloserPairs& closer,
   for (const PolygonGap& found : gaps(configuration)) {
     const auto earlier = closer.find({found.a, found.b});
     if (earlier == closer.end()) continue;
-    result[earlier->first] = std::max(earlier->second, found.gap);
+    result[earlier->first] = std::max(earlier->second, curve_gap(found, configuration));
   }
   return result;
 }
@@ -330,6 +396,21 @@ bool SuspensionContact::admits(const Configuration& configuration,
     return found.gap >= separation.between(found.a, found.b) -
                             (relative_tolerance + 2.0 * relative_sag) * separation_;
   });
+}
+
+double SuspensionContact::relative_displacement(const Configuration& start,
+                                                const VectorXd& velocity, double dt) const {
+  const std::vector<RigidPath> paths = stokesbook::paths(start, velocity, dt);
+  double largest = 0.0;
+  for (const Contact& contact : interferences(shapes_, paths, rules({})).contacts) {
+    const std::size_t a = contact.a, b = contact.b;
+    if (!is_free(a) && !is_free(b)) continue;
+    const double way = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
+    const double width =
+        std::min(area_over_perimeter(*shapes_[a]), area_over_perimeter(*shapes_[b]));
+    largest = std::max(largest, way / width);
+  }
+  return largest;
 }
 
 ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadResponse& response,
@@ -346,13 +427,12 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
       .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * response(forces);
-      }};
-  ContactOutcome outcome{rows.resolved(step, Linearisation::exact), {}, 0.0, 0.0, 0.0};
-  if (outcome.result.status != ContactStatus::resolved) {
-    const int iterations = outcome.result.iterations;
-    outcome.result = rows.resolved(step, Linearisation::symmetric);
-    outcome.result.iterations += iterations;
-  }
+      },
+      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); }};
+  ContactOutcome outcome{};
+  do {
+    outcome.result = rows.resolved(step);
+  } while (outcome.result.status != ContactStatus::resolved && response.tighten());
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];
@@ -364,6 +444,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   }
   std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
       imbalance(result.force, stage.acting);
+  outcome.kkt_residual = result.kkt_residual / separation_;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
   outcome.seconds = passed.count();
   return outcome;

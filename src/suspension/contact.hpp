@@ -46,6 +46,7 @@ struct ContactOutcome {
   std::vector<ContactForce> forces;  ///< of all rows that carry one
   double force_imbalance = 0.0;      ///< net force of all pairs over the largest force
   double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
+  double kkt_residual = 0.0;         ///< of the result, in separations
   double seconds = 0.0;              ///< wall time, those of the responses included
 };
 
@@ -100,6 +101,16 @@ class SuspensionContact {
   Solution with_forces(Solution free, const ContactOutcome& outcome,
                        const LoadResponse& response) const;
 
+  /// Measures how far a step moves components past each other that come near each other in it.
+  ///
+  /// @param  start     where it begins
+  /// @param  velocity  of the step, as to_rate() packs it
+  /// @param  dt        its length
+  /// @return           largest way of a point of the one as the other sees it, over the ratio of
+  ///                   area and perimeter of the smaller: half the radius of a disk
+  double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
+                               double dt) const;
+
   /// Tells whether a configuration keeps all separations, by the polygons at rest.
   ///
   /// @param  configuration  where the components are
@@ -110,6 +121,7 @@ class SuspensionContact {
  private:
   bool is_free(std::size_t component) const;
   std::vector<PolygonGap> gaps(const Configuration& configuration) const;
+  double curve_gap(const PolygonGap& found, const Configuration& configuration) const;
   ContactRules rules(const CloserPairs& closer) const;
   ContactParty party(std::size_t component) const;
 

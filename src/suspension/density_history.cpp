@@ -7,6 +7,7 @@
 namespace stokesbook {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
 using Eigen::VectorXd;
 
 namespace {
@@ -20,15 +21,21 @@ double lagrange_weight(const std::vector<double>& times, std::size_t k, double t
   return weight;
 }
 
-// Interpolates one component's density from some nodes to others.
-ComplexVector moved(const ComplexVector& density, const Resolution& from, const Resolution& to) {
-  if (from == to) return density;
-  if (!from.is_graded() && !to.is_graded()) return resample(density, to.n_nodes);
-  const TrigonometricPolynomial polynomial(density);
-  ComplexVector result(to.n_nodes);
-  Index j = 0;
-  for (const GradedParameter& node : graded_parameters(to.grading, to.n_nodes)) {
-    result[j++] = polynomial(graded_position(from.grading, node.t)).value;
+// Interpolates one component's densities to the nodes of a reference.
+MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Reference& to) {
+  if (from == to.resolution) return densities;
+  const Index n = to.resolution.n_nodes;
+  MatrixXcd result(n, densities.cols());
+  if (!from.is_graded() && !to.resolution.is_graded()) {
+    for (Index m = 0; m < densities.cols(); ++m) result.col(m) = resample(densities.col(m), n);
+    return result;
+  }
+  const std::vector<double> positions = graded_positions(from.grading, to.parameters);
+  for (Index m = 0; m < densities.cols(); ++m) {
+    const TrigonometricPolynomial polynomial(densities.col(m));
+    for (Index j = 0; j < n; ++j) {
+      result(j, m) = polynomial(positions[static_cast<std::size_t>(j)]).value;
+    }
   }
   return result;
 }
@@ -36,46 +43,48 @@ ComplexVector moved(const ComplexVector& density, const Resolution& from, const 
 }  // namespace
 
 void DensityHistory::add(double t, const Configuration& configuration, const References& references,
-                         const ComplexVector& density) {
-  Entry entry{t, resolutions_of(references), density};
+                         MatrixXcd densities) {
   Index first = 0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Index n = references[k]->curve.size();
-    entry.density.segment(first, n) *= std::polar(1.0, -configuration[k].orientation);
+    densities.middleRows(first, n) *= std::polar(1.0, -configuration[k].orientation);
     first += n;
   }
   std::erase_if(entries_, [t](const Entry& earlier) { return earlier.t == t; });
   if (entries_.size() == most_) entries_.pop_front();
-  entries_.push_back(std::move(entry));
+  entries_.push_back({t, resolutions_of(references), std::move(densities)});
 }
 
 void DensityHistory::reverse(double t) {
   for (Entry& entry : entries_) {
     entry.t = t + (t - entry.t);
-    entry.density = -entry.density;
+    entry.densities = -entry.densities;
   }
 }
 
-ComplexVector DensityHistory::guess(double t, const Configuration& configuration,
-                                    const References& references) const {
-  if (entries_.empty()) return {};
+MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
+                                const References& references) const {
+  if (entries_.empty()) return {0, 1};
   std::vector<double> times;
+  Index nodes = 0;
   for (const Entry& entry : entries_) times.push_back(entry.t);
-  std::vector<Complex> all;
+  for (const auto& reference : references) nodes += reference->resolution.n_nodes;
+  MatrixXcd result = MatrixXcd::Zero(nodes, entries_.front().densities.cols());
   std::vector<Index> first(entries_.size(), 0);
+  Index own = 0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Resolution& to = references[k]->resolution;
-    ComplexVector sum = ComplexVector::Zero(to.n_nodes);
+    const Reference& to = *references[k];
+    auto sum = result.middleRows(own, to.resolution.n_nodes);
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const Resolution& from = entries_[e].resolutions[k];
       sum += lagrange_weight(times, e, t) *
-             moved(entries_[e].density.segment(first[e], from.n_nodes), from, to);
+             moved(entries_[e].densities.middleRows(first[e], from.n_nodes), from, to);
       first[e] += from.n_nodes;
     }
     sum *= std::polar(1.0, configuration[k].orientation);
-    all.insert(all.end(), sum.begin(), sum.end());
+    own += to.resolution.n_nodes;
   }
-  return Eigen::Map<const ComplexVector>(all.data(), static_cast<Index>(all.size()));
+  return result;
 }
 
 std::vector<VectorXd> DensityHistory::packed() const {
@@ -89,7 +98,7 @@ std::vector<VectorXd> DensityHistory::packed() const {
         numbers.insert(numbers.end(), {cluster.parameter, cluster.width});
       }
     }
-    for (const Complex value : entry.density) {
+    for (const Complex value : entry.densities.reshaped()) {
       numbers.insert(numbers.end(), {value.real(), value.imag()});
     }
     packed.push_back(
@@ -114,8 +123,8 @@ void DensityHistory::unpack(const std::vector<VectorXd>& packed, std::size_t com
       }
       nodes += n_nodes;
     }
-    entry.density.resize(nodes);
-    for (Complex& value : entry.density) {
+    entry.densities.resize(nodes, (numbers.end() - next) / (2 * nodes));
+    for (Complex& value : entry.densities.reshaped()) {
       value = {*next, *(next + 1)};
       next += 2;
     }

@@ -13,7 +13,7 @@ namespace stokesbook {
 /// @{
 
 /// Densities of earlier solutions, in the frames of their components: from them the next one is
-/// guessed.
+/// guessed. There may be several of one time, a column each.
 ///
 /// A density in its body's own frame changes little while bodies move, and smoothly: its values at
 /// points of the body are extrapolated by the polynomial in time through all that are kept.
@@ -40,9 +40,9 @@ class DensityHistory {
   /// @param  t              time
   /// @param  configuration  where the components are
   /// @param  references     that the density lives on, one a component
-  /// @param  density        at all n nodes, length / time
+  /// @param  densities      at all n nodes, length / time; as many columns every time
   void add(double t, const Configuration& configuration, const References& references,
-           const ComplexVector& density);
+           Eigen::MatrixXcd densities);
 
   /// Reverses flow, walls and loads: what was done is then undone, with densities of the other sign.
   ///
@@ -54,11 +54,11 @@ class DensityHistory {
   /// @param  t              time
   /// @param  configuration  where the components are
   /// @param  references     of each component; nodes need not be those of earlier solutions
-  /// @return                at all n nodes, length / time; empty where nothing is kept
+  /// @return                at all n nodes, length / time; no rows where nothing is kept
   /// @par Cost              O(n) where nodes are the same, O(N^2) a component where they crowd
   ///                        elsewhere
-  ComplexVector guess(double t, const Configuration& configuration,
-                      const References& references) const;
+  Eigen::MatrixXcd guess(double t, const Configuration& configuration,
+                         const References& references) const;
 
   /// Packs what is kept into numbers.
   /// @return one vector a density, the oldest first
@@ -76,7 +76,7 @@ class DensityHistory {
   struct Entry {
     double t;
     Resolutions resolutions;
-    ComplexVector density;  // each component's in its own frame
+    Eigen::MatrixXcd densities;  // each component's in its own frame
   };
   /// @endcond
 

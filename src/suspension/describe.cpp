@@ -7,6 +7,7 @@
 
 #include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
+#include "suspension/stepping.hpp"
 
 namespace stokesbook {
 
@@ -109,12 +110,12 @@ std::string time_line(const Scene& scene) {
   const TimeSettings& time = *scene.time;
   const std::string method = names[static_cast<int>(time.method)];
   const std::string end = " to t = " + short_number(time.t_final, 6);
-  if (adapts_steps(time.method)) {
-    const double velocities = scene.solver.tolerance;
-    return method + ", steps for a tolerance of " + short_number(time.tolerance) + end +
-           (time.tolerance < velocities ? "; solver.tolerance = " + short_number(velocities) +
-                                              " is above it, and limits what is reached"
-                                        : "");
+  if (adapts_steps(time)) {
+    const double velocities = scene.solver.tolerance, positions = step_tolerance(time);
+    return method + ", steps for a tolerance of " + short_number(positions) + end +
+           (positions < velocities ? "; solver.tolerance = " + short_number(velocities) +
+                                         " is above it, and limits what is reached"
+                                   : "");
   }
   if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
   const double steps = std::ceil(time.t_final / *time.dt - 1e-9);

@@ -1,6 +1,7 @@
 #include "suspension/load_response.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "double_layer/double_layer.hpp"
@@ -16,6 +17,13 @@ namespace {
 
 // Relative difference of loads that count as one: what it changes is below the solver's tolerance.
 constexpr double same_load = 1e-9;
+
+// Residual of columns that only weights are to follow from.
+constexpr double column_tolerance = 1e-3;
+
+// Each refinement leaves a few hundredths of what was missing; where more are needed, columns are too
+// coarse.
+constexpr int most_refinements = 6;
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
@@ -33,28 +41,44 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
 }  // namespace
 
 LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-                           References references)
+                           const Solution& solution, AnsweredLoads earlier)
     : solver_(solver),
       configuration_(std::move(configuration)),
-      references_(std::move(references)) {}
+      references_(solution.references),
+      earlier_(std::move(earlier)),
+      tolerance_(std::max(column_tolerance, solver.plan().gmres_tolerance)),
+      discrete_(solution.system) {}
+
+void LoadResponse::begin() {
+  flow_ = discrete_->system.right_hand_side().norm();
+  const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
+  for (Index i = 0; i < earlier_.loads.cols(); ++i) {
+    guesses_.push_back({earlier_.loads.col(i).sparseView(), guesses.col(i)});
+  }
+}
+
+Closure LoadResponse::closure(const SparseVector<double>& load) const {
+  return Closure(under_loads(discrete_->problem, load));
+}
 
 ComplexVector LoadResponse::guess(const SparseVector<double>& load) const {
   const Answer* nearest = nullptr;
   double most = 0.0;
-  for (const Answer& answer : answers_) {
-    const double likeness = std::abs(load.dot(answer.load)) / answer.load.norm();
-    if (likeness <= most) continue;
-    most = likeness;
-    nearest = &answer;
+  for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
+    for (const Answer& answer : known) {
+      const double likeness = std::abs(load.dot(answer.load)) / answer.load.norm();
+      if (likeness <= most) continue;
+      most = likeness;
+      nearest = &answer;
+    }
   }
   if (nearest == nullptr) return {};
   return load.dot(nearest->load) / nearest->load.squaredNorm() * nearest->density;
 }
 
-ComplexVector LoadResponse::density(const Closure& closure, const ComplexVector& guess) {
-  const ComplexVector rhs = closure.right_hand_side();
-  const GmresOptions options{solver_.plan().gmres_tolerance,
-                             solver_.scene().solver.gmres_max_iterations};
+ComplexVector LoadResponse::density(const ComplexVector& rhs, double tolerance,
+                                    const ComplexVector& guess) {
+  const GmresOptions options{tolerance, solver_.scene().solver.gmres_max_iterations};
   const GmresResult result = solve(*discrete_, rhs, options, guess);
   if (!result.converged) {
     throw NumericsRefused("GMRES did not converge for a contact force in " +
@@ -68,19 +92,27 @@ ComplexVector LoadResponse::density(const Closure& closure, const ComplexVector&
 }
 
 std::size_t LoadResponse::answer(const SparseVector<double>& load) {
-  const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+  auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
     return (load - answer.load).norm() <= same_load * load.norm();
   });
-  if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
-  const Closure closure(under_loads(discrete_->problem, load));
-  ComplexVector found = density(closure, guess(load));
-  std::vector<RigidMotion> motions = closure.complete(found).motions;
-  answers_.push_back({load, std::move(found), std::move(motions)});
-  return answers_.size() - 1;
+  if (known == answers_.end()) {
+    answers_.push_back({load, guess(load)});
+    known = answers_.end() - 1;
+    refinements_ = 0;
+  }
+  if (known->tolerance > tolerance_) {
+    const Closure closure = this->closure(known->load);
+    const ComplexVector rhs = closure.right_hand_side();
+    known->density = density(rhs, tolerance_, known->density);
+    known->flow = rhs.norm();
+    known->motions = closure.complete(known->density).motions;
+    known->tolerance = tolerance_;
+  }
+  return static_cast<std::size_t>(known - answers_.begin());
 }
 
 MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
-  if (!discrete_) discrete_ = solver_.discretise(configuration_, references_);
+  if (answers_.empty() && guesses_.empty()) begin();
   MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
@@ -94,16 +126,88 @@ MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
   return velocities;
 }
 
-LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
+// The columns of the latest call that share an answer count together.
+VectorXd LoadResponse::weights(const VectorXd& multipliers) const {
+  VectorXd weights = VectorXd::Zero(static_cast<Index>(answers_.size()));
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
+    weights[static_cast<Index>(latest_[i])] += multipliers[static_cast<Index>(i)];
+  }
+  return weights;
+}
+
+// How much of a residual weights have brought in since the combination was exact, at most.
+double LoadResponse::residual_since(const VectorXd& weights) const {
+  double residual = 0.0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    const double before = i < refined_.size() ? refined_[i] : 0.0;
+    residual += std::abs(weights[i] - before) * answer.tolerance * answer.flow;
+  }
+  return residual;
+}
+
+bool LoadResponse::refine(const VectorXd& multipliers) {
+  const double exact = solver_.plan().gmres_tolerance;
+  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact) return false;
+  const VectorXd weights = this->weights(multipliers);
+  if (refined_.size() > 0 && residual_since(weights) <= 0.5 * exact * flow_) return false;
+  if (refinements_ == most_refinements) return tighten();
+  const LoadSolution sum = combined(multipliers);
+  const Closure closure = this->closure(combined_load(multipliers));
+  const ComplexVector rhs = closure.right_hand_side();
+  const int before = cost_.gmres_iterations;
+  const double tolerance = exact * std::max(1.0, flow_ / rhs.norm());
+  const ComplexVector found = density(rhs, tolerance, sum.density);
+  refined_ = weights;
+  if (cost_.gmres_iterations == before) return false;
+  ++refinements_;
+  const ComplexVector missing = (found - sum.density) / weights.squaredNorm();
+  for (std::size_t i = 0; i < answers_.size(); ++i) {
+    const double weight = weights[static_cast<Index>(i)];
+    if (weight == 0.0) continue;
+    Answer& answer = answers_[i];
+    answer.density += weight * missing;
+    answer.motions = closure.complete(answer.density).motions;
+  }
+  return true;
+}
+
+bool LoadResponse::tighten() {
+  const double exact = solver_.plan().gmres_tolerance;
+  if (tolerance_ <= exact) return false;
+  tolerance_ = exact;
+  return true;
+}
+
+SparseVector<double> LoadResponse::combined_load(const VectorXd& multipliers) const {
   SparseVector<double> load(answers_.front().load.size());
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
+    load += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].load;
+  }
+  return load;
+}
+
+LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
   ComplexVector density = ComplexVector::Zero(answers_.front().density.size());
   for (std::size_t i = 0; i < latest_.size(); ++i) {
-    const double factor = multipliers[static_cast<Index>(i)];
-    load += factor * answers_[latest_[i]].load;
-    density += factor * answers_[latest_[i]].density;
+    density += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].density;
   }
-  const Completion completion = Closure(under_loads(discrete_->problem, load)).complete(density);
+  const Completion completion = closure(combined_load(multipliers)).complete(density);
   return {std::move(density), completion};
+}
+
+AnsweredLoads LoadResponse::answered() const {
+  if (answers_.empty()) return {};
+  const auto m = static_cast<Index>(answers_.size());
+  Eigen::MatrixXcd densities(answers_.front().density.size(), m);
+  AnsweredLoads result{MatrixXd(answers_.front().load.size(), m)};
+  for (Index i = 0; i < m; ++i) {
+    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    result.loads.col(i) = answer.load;
+    densities.col(i) = answer.density;
+  }
+  result.densities.add(0.0, configuration_, references_, std::move(densities));
+  return result;
 }
 
 }  // namespace stokesbook

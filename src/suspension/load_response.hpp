@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 
+#include "suspension/density_history.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook {
@@ -17,31 +18,64 @@ struct LoadSolution {
   Completion completion;  ///< motions of free bodies, loads of all components on the fluid
 };
 
+/// Loads that were answered in an earlier configuration: where solves for similar ones begin.
+struct AnsweredLoads {
+  Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
+  DensityHistory densities{1};  ///< that answered them, a column each
+};
+
 /// Answers loads on free bodies of one configuration with the motions that they cause: the mobility
 /// B, a column a solve, with all prescribed components at rest and no background flow.
 ///
 /// Loads count in the order of to_state(), force and torque of every component; those on prescribed
 /// components go to their supports and move nothing.
+///
+/// What is wanted in the end is the answer to one combination of the loads, whose weights depend on
+/// the columns themselves. So each column is solved for to a residual of a thousandth only, from
+/// which weights follow to a few hundredths. refine() then solves for their combination as exactly
+/// as the solver does for everything else, and corrects the columns by what was missing. Weights by
+/// these change little, and after one or two times no more. Solves begin with the most similar
+/// answer, of this configuration or of an earlier one.
 class LoadResponse {
  public:
   /// Takes the configuration; nothing is solved yet.
   ///
   /// @param  solver         of the scene, which must outlive the response
   /// @param  configuration  where the components are
-  /// @param  references     of a solution there
-  LoadResponse(const SuspensionSolver& solver, Configuration configuration, References references);
+  /// @param  solution       there, whose system is solved for loads
+  /// @param  earlier        loads that were answered in a configuration before
+  LoadResponse(const SuspensionSolver& solver, Configuration configuration,
+               const Solution& solution, AnsweredLoads earlier = {});
 
   /// Solves for the motions under some loads.
   ///
-  /// A load that was answered before, in this or an earlier call, is not solved for again; others
-  /// begin with the solution for the most similar one.
+  /// A load that was answered before, in this or an earlier call, is not solved for again.
   /// @param  loads  3K x m, forces / length and torques
   /// @return        3K x m velocities of all components, zero for prescribed ones
   /// @throws NumericsRefused when GMRES does not converge
   /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
   ///                component do not balance
-  /// @par Cost      a solve for each new load; the first call builds the system
+  /// @par Accuracy  residual of a thousandth of the load's own flow; after tighten() that of the
+  ///                solver
+  /// @par Cost      a solve for each new load
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
+
+  /// Makes the combination of the latest columns exact: its residual is that which the solver
+  /// allows of the scene's own flow, or of the flow of the loads where that is stronger.
+  ///
+  /// What is missing is added to the columns in proportion to their weights, the least change that
+  /// makes their combination right (Broyden's), so that they answer alike next time.
+  /// @param  multipliers  m numbers, one a column of the latest loads; or none
+  /// @return              true when columns have changed; false when they did
+  /// @throws NumericsRefused when GMRES does not converge
+  /// @par Cost      a solve; none after tighten(), nor where multipliers have hardly changed
+  bool refine(const Eigen::VectorXd& multipliers);
+
+  /// Solves for columns as exactly as the solver does for everything else from now on, those
+  /// answered so far included.
+  ///
+  /// @return  false when that was so before
+  bool tighten();
 
   /// Adds up the solutions of the latest call.
   ///
@@ -49,12 +83,16 @@ class LoadResponse {
   /// @return              their combination
   LoadSolution combined(const Eigen::VectorXd& multipliers) const;
 
+  /// Returns all answers, for a configuration to come.
+  /// @return loads; none where nothing was asked
+  AnsweredLoads answered() const;
+
   /// Counts what was done so far.
   /// @return solves, iterations and applications
   const SolveCost& cost() const { return cost_; }
 
   /// Counts solves.
-  /// @return columns answered
+  /// @return columns and combinations solved for
   int solves() const { return solves_; }
 
  private:
@@ -63,19 +101,32 @@ class LoadResponse {
   struct Answer {
     Eigen::SparseVector<double> load;
     ComplexVector density;
-    std::vector<RigidMotion> motions;
+    std::vector<RigidMotion> motions{};
+    double tolerance = 1.0;  // of its residual
+    double flow = 0.0;       // norm of its right-hand side
   };
   /// @endcond
+  void begin();
   std::size_t answer(const Eigen::SparseVector<double>& load);
-  ComplexVector density(const Closure& closure, const ComplexVector& guess);
+  ComplexVector density(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
+  Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
+  double residual_since(const Eigen::VectorXd& weights) const;
   ComplexVector guess(const Eigen::SparseVector<double>& load) const;
+  Closure closure(const Eigen::SparseVector<double>& load) const;
+  Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
 
   const SuspensionSolver& solver_;
   Configuration configuration_;
   References references_;
-  std::optional<DiscreteProblem> discrete_;  // built when it is first needed
-  std::vector<Answer> answers_;              // of all loads so far
-  std::vector<std::size_t> latest_;          // those of the latest call's columns
+  AnsweredLoads earlier_;
+  double tolerance_;  // of columns
+  std::shared_ptr<const DiscreteProblem> discrete_;
+  double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
+  std::vector<Answer> guesses_;      // earlier answers on the nodes of this configuration
+  std::vector<Answer> answers_;      // of all loads so far
+  std::vector<std::size_t> latest_;  // those of the latest call's columns
+  Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
+  int refinements_ = 0;              // since the latest new column
   SolveCost cost_;
   int solves_ = 0;
 };

@@ -13,12 +13,12 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
                 const ReferenceNeeds& needs) {
   const Side side = side_of(kind);
   const Curve equidistant = sample(shape, resolution.n_nodes, side);
+  const auto parameters = graded_parameters(resolution.grading, resolution.n_nodes);
   Reference reference{shape,
                       resolution,
                       kind,
-                      resolution.is_graded()
-                          ? sample(shape, resolution.n_nodes, side, resolution.grading)
-                          : equidistant,
+                      parameters,
+                      resolution.is_graded() ? sample(shape, parameters, side) : equidistant,
                       std::make_shared<TrigonometricPolynomial>(equidistant.x),
                       0.0,
                       {},

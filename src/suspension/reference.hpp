@@ -36,10 +36,11 @@ using Resolutions = std::vector<Resolution>;
 
 /// What all components of one shape, resolution and kind share, in the shape's own frame.
 struct Reference {
-  Shape shape;            ///< what was sampled
-  Resolution resolution;  ///< how finely
-  ComponentKind kind;     ///< sets the side of the curve
-  Curve curve;            ///< nodes
+  Shape shape;                              ///< what was sampled
+  Resolution resolution;                    ///< how finely
+  ComponentKind kind;                       ///< sets the side of the curve
+  std::vector<GradedParameter> parameters;  ///< of the shape at the nodes
+  Curve curve;                              ///< nodes
   std::shared_ptr<const TrigonometricPolynomial>
       interpolant;  ///< of the shape over its own parameter, however the nodes are graded
   double rigid_motion_residual;               ///< of the curve, by the function of this name

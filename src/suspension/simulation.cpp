@@ -52,11 +52,26 @@ Rate shorter_where_refused(const Rate& rate) {
 // The polynomial through four: more amplify what GMRES leaves, and stages are not that smooth.
 constexpr std::size_t densities_kept = 4;
 
+// In units of it, where contact makes it shorter.
+constexpr double least_step_of_an_instant = 1e-6;
+
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
 
-std::string density_name(std::size_t k) {
-  return "density_" + std::to_string(k);
+// Vectors of any number in a checkpoint.
+void keep(History& history, const std::string& name, const std::vector<VectorXd>& vectors) {
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    history[name + "_" + std::to_string(k)] = vectors[k];
+  }
+}
+
+std::vector<VectorXd> kept(const History& history, const std::string& name) {
+  std::vector<VectorXd> vectors;
+  while (true) {
+    const auto found = history.find(name + "_" + std::to_string(vectors.size()));
+    if (found == history.end()) return vectors;
+    vectors.push_back(found->second);
+  }
 }
 
 }  // namespace
@@ -78,11 +93,11 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   totals_.steps = checkpoint.step;
   memory_ = to_memory(checkpoint.history);
   written_ = checkpoint.history.at("written")[0];
-  std::vector<VectorXd> packed;
-  while (checkpoint.history.contains(density_name(packed.size()))) {
-    packed.push_back(checkpoint.history.at(density_name(packed.size())));
-  }
-  latest_.densities.unpack(packed, to_configuration(now_.state).size());
+  const std::size_t components = to_configuration(now_.state).size();
+  latest_.densities.unpack(kept(checkpoint.history, "density"), components);
+  latest_.contacts.densities.unpack(kept(checkpoint.history, "contact_density"), components);
+  latest_.contacts.loads =
+      checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
   latest_.error_estimate = checkpoint.history.at("estimate")[0];
   latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
   if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
@@ -94,8 +109,9 @@ Checkpoint Simulation::checkpoint() const {
   checkpoint.history["written"] = VectorXd::Constant(1, written_);
   checkpoint.history["estimate"] =
       VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};
-  const std::vector<VectorXd> packed = begun_.densities.packed();
-  for (std::size_t k = 0; k < packed.size(); ++k) checkpoint.history[density_name(k)] = packed[k];
+  keep(checkpoint.history, "density", begun_.densities.packed());
+  keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
+  checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
   if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
   return checkpoint;
 }
@@ -122,6 +138,10 @@ void Simulation::solve_once() {
   const Solved now = solve(now_.t, now_.state, Role::step);
   if (!contact_) return write(now_.t, now_.state, now.solution);
   closer_ = contact_->admit_start(to_configuration(now_.state));
+  if (!solver_.scene().time) {
+    time_.dt = instant(now.solution);
+    stepping_.dt_min = least_step_of_an_instant * *time_.dt;
+  }
   const Begun begun = begin_in_contact(now, planned_end());
   write(now_.t, now_.state, begun.solution, begun.outcome.forces);
 }
@@ -137,6 +157,7 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
     Solution solution = solve_by_guess(t, configuration, estimated);
     if (!estimated) solution.error_estimate = latest_.error_estimate;
     latest_.densities.add(t, configuration, solution.references, solution.density);
+    if (!contact_) solution.system.reset();  // its memory: nobody asks for it
     latest_.error_estimate = solution.error_estimate;
     latest_.since = estimated ? 0 : latest_.since + 1;
     note_resolution(solution);

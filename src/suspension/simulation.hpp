@@ -30,7 +30,12 @@ struct Observer {
 /// overlap, or too close for the nodes, is halved, see Stepper. The order in time.dt is that of the method.
 ///
 /// With [contact], a step's velocity is that which keeps the separation at its end; it acts from the
-/// step's beginning, and is what frames show. Steps that cannot be resolved are halved.
+/// step's beginning, and is what frames show. Steps that cannot be resolved are halved. With
+/// time.tolerance, steps by Heun's method are adapted: the error of a step is the largest distance
+/// of boundary points after its first half, by Euler's method, from where they are in the end, and
+/// the next one is \f$ 0.9\,(tol/err)^{1/2} \f$ times as long, at least 0.3 and at most 1.5 times.
+/// It is also no longer than lets bodies that come near each other move past each other by the
+/// ratio of the smaller one's area and perimeter.
 ///
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
@@ -63,6 +68,9 @@ class Simulation {
 
   /// Writes the frame of the start and stops: one solve.
   ///
+  /// Contact is that of the first step. Without [time] it is that of an instant in which the
+  /// fastest boundary moves by a hundredth of the separation: forces keep those pairs apart whose
+  /// gap is no wider than the separation already, but for that hundredth, and would close.
   /// @throws NumericsRefused with the time, when the configuration is refused
   void solve_once();
 
@@ -85,6 +93,7 @@ class Simulation {
   // What solves take from those before.
   struct SolveMemory {
     DensityHistory densities;
+    AnsweredLoads contacts{};     // of the stage before
     double error_estimate = 0.0;  // the latest
     int since = 0;                // solves since then
   };
@@ -100,16 +109,29 @@ class Simulation {
     Solution solution;  // with the forces of contact
     SolveCost cost;     // of these
   };
+  // The second half of a step by Heun's method.
+  struct Corrected {
+    ContactOutcome outcome;  // with the mean velocity of the step
+    double error;            // of the first half, over that which is allowed
+  };
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
   Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
   Solved advance(const Solved& first);
   Begun begin_in_contact(const Solved& first, double t_end);
   Solved advance_in_contact(const Solved& first, Begun begun);
+  LoadResponse load_response(const Configuration& configuration, const Solved& solved) const;
+  void take_note(const LoadResponse& response);
+  void take_note(const StepInfo& step);
   ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
-  ContactOutcome corrected(const Begun& begun, StepInfo& info);
+  Corrected corrected(const Begun& begun, StepInfo& info);
+  double instant(const Solution& solution) const;
+  double planned_dt() const;
   double planned_end() const;
-  double halved(double t_end, const std::string& reason);
+  double end_within_reach(const Configuration& configuration, const Eigen::VectorXd& free_velocity,
+                          double t_end) const;
+  double shortened(double t_end, double factor, const std::string& reason);
+  void adapt_to_error(const StepInfo& step, double error, bool rejected);
   Advance take_step(const Rates& rates) const;
   Solved reverse();
   void note_resolution(const Solution& solution);

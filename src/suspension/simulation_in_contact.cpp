@@ -1,4 +1,5 @@
-// Steps of a simulation with contact: by Euler's method, or by Heun's with contact at both stages.
+// Steps of a simulation with contact: by Euler's method, or by Heun's with contact at both stages
+// and, where a tolerance is given, steps adapted to the error.
 #include <algorithm>
 #include <cmath>
 
@@ -12,51 +13,90 @@ using Eigen::VectorXd;
 
 namespace {
 
+// The error of a step grows with the square of its length, but not where contact begins or ends and
+// velocities jump: such steps are taken after two shorter tries, whatever their error.
+constexpr int most_rejections_at_a_jump = 2;
+
+// What a solve without a step of its own moves the fastest boundary by.
+constexpr double separations_in_an_instant = 0.01;
+
 std::string refusal_of(const ContactOutcome& outcome) {
   return "contact is not resolved: " + outcome.result.reason;
 }
 
+// By how much a step is to be longer, for an error in units of what is allowed.
+double contact_step_factor(double error) {
+  return std::clamp(0.9 / std::sqrt(std::max(error, 1e-12)), 0.3, 1.5);
+}
+
 }  // namespace
+
+// So short that only gaps as narrow as the separation close: all others stay open.
+double Simulation::instant(const Solution& solution) const {
+  double fastest = 0.0;
+  for (std::size_t k = 0; k < solution.motions.size(); ++k) {
+    const auto& [velocity, omega] = solution.motions[k];
+    const double radius = solution.references[k]->curve.x.cwiseAbs().maxCoeff();
+    fastest = std::max(fastest, std::abs(velocity) + std::abs(omega) * radius);
+  }
+  return fastest > 0.0 ? separations_in_an_instant * contact_->separation() / fastest : 1.0;
+}
+
+double Simulation::planned_dt() const {
+  return memory_.dt.value_or(*time_.dt);
+}
 
 double Simulation::planned_end() const {
   // At the end there is no step to come: what would hold then.
-  if (now_.t >= time_.t_final) return now_.t + time_.dt.value_or(1.0);
-  return evened_end(now_.t, next_event(), *time_.dt);
+  if (now_.t >= time_.t_final) return now_.t + planned_dt();
+  return evened_end(now_.t, next_event(), planned_dt());
+}
+
+LoadResponse Simulation::load_response(const Configuration& configuration,
+                                       const Solved& solved) const {
+  return {solver_, configuration, solved.solution, latest_.contacts};
+}
+
+void Simulation::take_note(const LoadResponse& response) {
+  totals_.contact_solves += response.solves();
+  latest_.contacts = response.answered();
 }
 
 ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& response) {
   ContactOutcome outcome = contact_->resolve(stage, response, closer_);
-  const ContactResult& result = outcome.result;
-  const bool resolved = result.status == ContactStatus::resolved;
-  totals_.ncp_iterations += result.iterations;
+  totals_.ncp_iterations += outcome.result.iterations;
   totals_.contact_seconds += outcome.seconds;
-  totals_.halved_by_contact += resolved ? 0 : 1;
-  if (!resolved) return outcome;
-  totals_.largest_force_imbalance =
-      std::max(totals_.largest_force_imbalance, outcome.force_imbalance);
-  totals_.largest_torque_imbalance =
-      std::max(totals_.largest_torque_imbalance, outcome.torque_imbalance);
-  totals_.energy_injected += stage.share * stage.dt * std::max(0.0, result.power);
+  totals_.halved_by_contact += outcome.result.status == ContactStatus::resolved ? 0 : 1;
   return outcome;
 }
 
 // Contact depends on the step that is to be taken: one that cannot be resolved is halved.
 Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end) {
   const Configuration configuration = to_configuration(now_.state);
-  LoadResponse response(solver_, configuration, first.solution.references);
+  const VectorXd free_velocity = to_rate(first.solution);
+  if (time_.tolerance) t_end = end_within_reach(configuration, free_velocity, t_end);
+  LoadResponse response = load_response(configuration, first);
   while (true) {
-    ContactOutcome outcome = resolve(
-        {configuration, to_rate(first.solution), t_end - now_.t, configuration, 1.0}, response);
+    ContactOutcome outcome =
+        resolve({configuration, free_velocity, t_end - now_.t, configuration, 1.0}, response);
     if (outcome.result.status == ContactStatus::resolved) {
-      totals_.contact_solves += response.solves();
+      take_note(response);
       Solution solution = contact_->with_forces(first.solution, outcome, response);
       return {t_end, std::move(outcome), std::move(solution), response.cost()};
     }
-    t_end = halved(t_end, refusal_of(outcome));
+    t_end = shortened(t_end, 0.5, refusal_of(outcome));
   }
 }
 
-double Simulation::halved(double t_end, const std::string& reason) {
+// Forces act where they are at the beginning: components must not move far past each other.
+double Simulation::end_within_reach(const Configuration& configuration,
+                                    const VectorXd& free_velocity, double t_end) const {
+  const double dt = t_end - now_.t;
+  const double way = contact_->relative_displacement(configuration, free_velocity, dt);
+  return way > 1.0 ? now_.t + std::max(dt / way, stepping_.dt_min) : t_end;
+}
+
+double Simulation::shortened(double t_end, double factor, const std::string& reason) {
   const double dt = t_end - now_.t;
   if (dt <= stepping_.dt_min) {
     throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + reason +
@@ -64,52 +104,93 @@ double Simulation::halved(double t_end, const std::string& reason) {
                           " do not help");
   }
   ++totals_.rejected_steps;
-  return now_.t + std::max(0.5 * dt, stepping_.dt_min);
+  return now_.t + std::max(factor * dt, stepping_.dt_min);
 }
 
 // The mean velocity of a step by Heun's method: in its second half forces act at the state that its
 // first half leads to.
-ContactOutcome Simulation::corrected(const Begun& begun, StepInfo& info) {
+Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) {
   const double dt = begun.t_end - now_.t;
   const VectorXd& first = begun.outcome.result.velocity;
   const VectorXd predicted = now_.state + dt * first;
   const Solved stage = solve(begun.t_end, predicted, Role::stage);
   info = with_solve(info, stage.solution, stage.seconds);
   const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
-  LoadResponse response(solver_, acting, stage.solution.references);
+  LoadResponse response = load_response(acting, stage);
   ContactOutcome outcome =
       resolve({start, 0.5 * (first + to_rate(stage.solution)), dt, acting, 0.5}, response);
-  totals_.contact_solves += response.solves();
+  take_note(response);
   info = with_contact(info, outcome, response.cost());
-  if (outcome.result.status == ContactStatus::resolved) return outcome;
-  throw ConfigurationRefused(refusal_of(outcome));
+  if (outcome.result.status != ContactStatus::resolved) {
+    throw ConfigurationRefused(refusal_of(outcome));
+  }
+  const Configuration end = to_configuration(now_.state + dt * outcome.result.velocity);
+  const double error = largest_distance(stage.solution.references, acting, end) /
+                       (stepping_.bound.tolerance * stepping_.bound.scale[0]);
+  return {std::move(outcome), error};
+}
+
+void Simulation::adapt_to_error(const StepInfo& step, double error, bool rejected) {
+  const double factor = contact_step_factor(error);
+  double dt = step.dt * (rejected ? std::min(1.0, factor) : factor);
+  // A step that was shorter than planned for another reason shortens no others.
+  if (factor >= 1.0 && !rejected) dt = std::max(dt, planned_dt());
+  memory_.dt = std::clamp(dt, stepping_.dt_min, stepping_.dt_max);
 }
 
 Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun begun) {
   StepInfo info = begun_step(first.solution, first.seconds);
+  int rejected = 0, rejected_at_a_jump = 0;
   while (true) {
     info = with_contact(info, begun.outcome, begun.cost);
     try {
-      const VectorXd velocity = stepping_.method == Method::heun
-                                    ? corrected(begun, info).result.velocity
-                                    : begun.outcome.result.velocity;
+      std::optional<Corrected> corrected;
+      if (stepping_.method == Method::heun) corrected = this->corrected(begun, info);
+      const ContactOutcome& outcome = corrected ? corrected->outcome : begun.outcome;
+      if (time_.tolerance && corrected->error > 1.0) {
+        const bool jumps =
+            pairs_in_contact(begun.outcome.forces) != pairs_in_contact(outcome.forces);
+        if (!jumps || rejected_at_a_jump < most_rejections_at_a_jump) {
+          rejected_at_a_jump += jumps ? 1 : 0;
+          ++rejected;
+          begun = begin_in_contact(
+              first, shortened(begun.t_end, contact_step_factor(corrected->error),
+                               "the error of a step is " + short_number(corrected->error) +
+                                   " times that which time.tolerance allows"));
+          continue;
+        }
+      }
       info.dt = begun.t_end - now_.t;
-      const VectorXd state = now_.state + info.dt * velocity;
+      const VectorXd state = now_.state + info.dt * outcome.result.velocity;
       const Configuration configuration = to_configuration(state);
       if (!contact_->admits(configuration, closer_)) {
         throw ConfigurationRefused("a step leads to gaps below contact.minimum_separation");
       }
       Solved last = solve(begun.t_end, state, Role::step);
       info.t = begun.t_end;
+      const double duration = corrected ? 0.5 * info.dt : info.dt;
+      info = with_forces(info, begun.outcome, duration);
+      if (corrected) info = with_forces(info, outcome, duration);
+      if (time_.tolerance) adapt_to_error(info, corrected->error, rejected > 0);
       now_ = {begun.t_end, state, {}};
       closer_ = contact_->widened(closer_, configuration);
-      ++totals_.steps;
-      if (observer_.step) observer_.step(info);
+      take_note(info);
       return is_reversal(now_.t) ? reverse() : std::move(last);
     } catch (const ConfigurationRefused& refusal) {
-      begun = begin_in_contact(first, halved(begun.t_end, refusal.what()));
+      ++rejected;
+      begun = begin_in_contact(first, shortened(begun.t_end, 0.5, refusal.what()));
     }
   }
+}
+
+void Simulation::take_note(const StepInfo& step) {
+  ++totals_.steps;
+  totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
+  totals_.largest_torque_imbalance =
+      std::max(totals_.largest_torque_imbalance, step.torque_imbalance);
+  totals_.energy_injected += step.energy_injected;
+  if (observer_.step) observer_.step(step);
+  adapt_to_effort(step);
 }
 
 }  // namespace stokesbook

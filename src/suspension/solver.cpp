@@ -216,9 +216,10 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
 Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
   Solution solution;
   solution.references = system.references;
+  solution.system = system.discrete;
   solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
-  const Completion completion = system.discrete.system.closure().complete(solution.density);
+  const Completion completion = system.discrete->system.closure().complete(solution.density);
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
@@ -242,19 +243,19 @@ SuspensionSolver::System SuspensionSolver::system(const Configuration& configura
   refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
   const StokesProblem problem = this->problem(configuration, references, drive);
   refuse(data_refusal(scene_, problem));
-  DiscreteProblem discrete = discretise(problem, configuration, references);
+  auto discrete =
+      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, references));
   return {std::move(references), std::move(discrete)};
 }
 
-SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configuration,
-                                                    const std::vector<Gap>& gaps,
-                                                    const Effort& effort, double drive) const {
-  System system = this->system(configuration, gaps, effort.resolutions, drive);
-  const ComplexVector rhs = system.discrete.system.right_hand_side();
+Solution SuspensionSolver::attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
+                                   const Effort& effort, double drive) const {
+  const System system = this->system(configuration, gaps, effort.resolutions, drive);
+  const ComplexVector rhs = system.discrete->system.right_hand_side();
   const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
   GmresResult gmres;
   try {
-    gmres = stokesbook::solve(system.discrete, rhs,
+    gmres = stokesbook::solve(*system.discrete, rhs,
                               {effort.gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
   } catch (const std::domain_error& error) {
     throw NumericsRefused(error.what());
@@ -269,7 +270,7 @@ SuspensionSolver::Attempt SuspensionSolver::attempt(const Configuration& configu
   Solution solution = completed(system, std::move(gmres), drive);
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   solution.gaps = gaps;
-  return {std::move(system.discrete), std::move(solution)};
+  return solution;
 }
 
 ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
@@ -288,14 +289,14 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
   Effort effort{first_resolutions(configuration, gaps), plan_.gmres_tolerance, guess};
   SolveCost cost;
   while (true) {
-    auto [discrete, solution] = attempt(configuration, gaps, effort, drive);
-    const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
+    Solution solution = attempt(configuration, gaps, effort, drive);
+    const ErrorEstimate estimate = this->estimate(*solution.system, configuration, solution, drive);
     cost.gmres_iterations += solution.gmres.iterations;
     cost.matvecs += solution.gmres.applications + estimate.matvecs;
     solution.error_estimate = estimate.error;
     solution.cost = cost;
     if (solution.error_estimate <= scene_.solver.tolerance) return solution;
-    const std::vector<TailEstimate> tails = tails_of(discrete, solution);
+    const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
     Effort next = greater(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
       throw ConfigurationRefused(
@@ -332,7 +333,7 @@ Solution SuspensionSolver::solve_nearby(const Configuration& configuration,
     nodes = std::max(nodes, earlier[k].n_nodes);
   }
   Solution solution =
-      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive).solution;
+      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive);
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;
@@ -343,7 +344,7 @@ Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
   const std::vector<Gap> gaps = open_gaps(configuration);
   const System system =
       this->system(configuration, gaps, first_resolutions(configuration, gaps), drive);
-  const auto& [problem, apply, precondition] = system.discrete;
+  const auto& [problem, apply, precondition] = *system.discrete;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
@@ -352,7 +353,7 @@ Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
   Solution solution = completed(system, std::move(sweep), drive);
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   solution.gaps = gaps;
-  const ErrorEstimate estimate = this->estimate(system.discrete, configuration, solution, drive);
+  const ErrorEstimate estimate = this->estimate(*system.discrete, configuration, solution, drive);
   solution.error_estimate = estimate.error;
   solution.cost = {0, 1 + estimate.matvecs};
   return solution;

@@ -34,7 +34,8 @@ struct SolveCost {
 
 /// One quasi-static solution.
 struct Solution {
-  References references;  ///< that the density lives on, one a component
+  References references;                          ///< that the density lives on, one a component
+  std::shared_ptr<const DiscreteProblem> system;  ///< that it solves, on the same nodes
   ComplexVector density;  ///< at all nodes, components in order, length / time
   std::vector<RigidMotion>
       motions;                  ///< of every component about its position: solved on free bodies,
@@ -242,15 +243,11 @@ class SuspensionSolver {
   };
   struct System {
     References references;
-    DiscreteProblem discrete;
-  };
-  struct Attempt {
-    DiscreteProblem discrete;
-    Solution solution;
+    std::shared_ptr<const DiscreteProblem> discrete;
   };
   /// @endcond
-  Attempt attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
-                  const Effort& effort, double drive) const;
+  Solution attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
+                   const Effort& effort, double drive) const;
   ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
                          const Solution& solution, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
-#include <tuple>
 
 namespace stokesbook {
 
@@ -28,17 +26,26 @@ StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveC
   step.gmres_iterations += cost.gmres_iterations;
   step.matvecs += cost.matvecs;
   step.ncp_iterations += outcome.result.iterations;
-  step.contacts = std::max(step.contacts, pairs_in_contact(outcome.forces));
+  step.contacts =
+      std::max(step.contacts, static_cast<int>(pairs_in_contact(outcome.forces).size()));
   step.seconds += outcome.seconds;
   return step;
 }
 
-int pairs_in_contact(const std::vector<ContactForce>& forces) {
-  std::set<std::tuple<bool, std::size_t, bool, std::size_t>> pairs;
-  for (const ContactForce& force : forces) {
-    pairs.emplace(force.a.is_wall, force.a.number, force.b.is_wall, force.b.number);
-  }
-  return static_cast<int>(pairs.size());
+StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration) {
+  step.kkt_residual = std::max(step.kkt_residual, outcome.kkt_residual);
+  step.force_imbalance = std::max(step.force_imbalance, outcome.force_imbalance);
+  step.torque_imbalance = std::max(step.torque_imbalance, outcome.torque_imbalance);
+  step.contact_power = outcome.result.power;
+  step.energy_injected += duration * std::max(0.0, outcome.result.power);
+  return step;
+}
+
+std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
+    const std::vector<ContactForce>& forces) {
+  std::set<std::pair<ContactParty, ContactParty>> pairs;
+  for (const ContactForce& force : forces) pairs.emplace(force.a, force.b);
+  return pairs;
 }
 
 }  // namespace stokesbook

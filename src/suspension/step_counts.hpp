@@ -1,5 +1,9 @@
 #pragma once
 
+#include <set>
+#include <utility>
+#include <vector>
+
 #include "record/run_data.hpp"
 #include "suspension/contact.hpp"
 #include "suspension/solver.hpp"
@@ -32,11 +36,20 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds);
 /// @return          counts with these
 StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost);
 
-/// Counts the pairs that are in contact.
+/// Adds what contact did in a stage of a step that is taken.
+///
+/// @param  step      so far
+/// @param  outcome   of the stage
+/// @param  duration  for which its forces act
+/// @return           with residual, imbalances, power and energy
+StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration);
+
+/// Lists the pairs that are in contact.
 ///
 /// @param  forces  of a stage
-/// @return         pairs with a force between them
-int pairs_in_contact(const std::vector<ContactForce>& forces);
+/// @return         pairs with a force between them, each once
+std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
+    const std::vector<ContactForce>& forces);
 
 /// @}
 

@@ -70,15 +70,33 @@ VectorXd to_rate(const Solution& solution) {
   return to_state(rate);
 }
 
+double step_tolerance(const TimeSettings& time) {
+  return time.tolerance.value_or(1e-6);
+}
+
+double largest_distance(const References& references, const Configuration& p,
+                        const Configuration& q) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const auto at = [&](const Placement& placement) {
+      return (placement.position +
+              std::polar(1.0, placement.orientation) * references[k]->curve.x.array())
+          .eval();
+    };
+    largest = std::max(largest, (at(p[k]) - at(q[k])).abs().maxCoeff());
+  }
+  return largest;
+}
+
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
   SteppingSettings settings{.method = to_method(time.method), .dt = time.dt};
-  const bool adapts = adapts_steps(time.method);
-  settings.dt_min = time.dt_min.value_or(1e-6 * (adapts ? time.t_final : time.dt.value_or(0.0)));
+  settings.dt_min =
+      time.dt_min.value_or(1e-6 * (adapts_steps(time) ? time.t_final : time.dt.value_or(0.0)));
   if (time.dt_max) settings.dt_max = *time.dt_max;
   Configuration scale(solver.references().size(),
                       {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
-  settings.bound = {error_of_a_step * time.tolerance, to_state(scale)};
+  settings.bound = {error_of_a_step * step_tolerance(time), to_state(scale)};
   return settings;
 }
 

@@ -27,6 +27,21 @@ Configuration to_configuration(const Eigen::VectorXd& state);
 /// @return           3K numbers: velocity and angular velocity of every component
 Eigen::VectorXd to_rate(const Solution& solution);
 
+/// Returns the error to which steps are adapted.
+///
+/// @param  time  settings of a method that adapts them
+/// @return       time.tolerance, or 1e-6 where it is not given
+double step_tolerance(const TimeSettings& time);
+
+/// Measures how far two configurations are apart.
+///
+/// @param  references  of each component
+/// @param  p           one configuration
+/// @param  q           the other one
+/// @return             largest distance between the two places of a node, length
+double largest_distance(const References& references, const Configuration& p,
+                        const Configuration& q);
+
 /// Says how the state of a scene is advanced.
 ///
 /// Errors of positions count in units of the largest body's radius, the largest distance of its

@@ -176,14 +176,23 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   return parameters;
 }
 
-double graded_position(const Grading& grading, double parameter) {
+std::vector<double> graded_positions(const Grading& grading,
+                                     const std::vector<GradedParameter>& parameters) {
   require_valid(grading);
-  double sum = 0.0;
-  for (const Cluster& cluster : grading.clusters) {
-    sum += integral(parameter - cluster.parameter, cluster.width) -
-           integral(-cluster.parameter, cluster.width);
+  const double mean = mean_density(grading);
+  double at_zero = 0.0;
+  for (const auto& [parameter, width] : grading.clusters) at_zero += integral(-parameter, width);
+  std::vector<double> positions;
+  for (const auto& [t, first, second] : parameters) {
+    double sum = -at_zero;
+    for (const auto& [parameter, width] : grading.clusters) sum += integral(t - parameter, width);
+    positions.push_back((t + grading.strength * sum) / mean);
   }
-  return (parameter + grading.strength * sum) / mean_density(grading);
+  return positions;
+}
+
+double graded_position(const Grading& grading, double parameter) {
+  return graded_positions(grading, {{parameter, 1.0, 0.0}}).front();
 }
 
 double graded_depth(const Grading& grading, double parameter, double depth) {

@@ -67,12 +67,30 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::In
 /// @par Cost        as graded_parameters(); for a NodalCurve with p points n p more
 Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
 
-/// Computes where a parameter lies among graded nodes: the inverse of graded_parameters(), with the
+/// Samples a shape as above where the parameters of its nodes are known.
+///
+/// @param  shape       closed curve
+/// @param  parameters  of the nodes, from graded_parameters()
+/// @param  side        where the fluid is
+/// @return             nodes
+Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side);
+
+/// Computes where parameters lie among graded nodes: the inverse of graded_parameters(), with the
 /// rounding of t stretched by dt/ds.
+///
+/// @param  grading     where nodes crowd
+/// @param  parameters  t, radians; their derivatives do not count
+/// @return             s(t), radians; t itself without clusters
+/// @throws std::invalid_argument as graded_parameters()
+/// @par Cost           an integral a parameter and cluster
+std::vector<double> graded_positions(const Grading& grading,
+                                     const std::vector<GradedParameter>& parameters);
+
+/// Computes where one parameter lies, as graded_positions() does.
 ///
 /// @param  grading    where nodes crowd
 /// @param  parameter  t, radians
-/// @return            s(t), radians; t itself without clusters
+/// @return            s(t), radians
 /// @throws std::invalid_argument as graded_parameters()
 double graded_position(const Grading& grading, double parameter);
 

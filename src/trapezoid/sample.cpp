@@ -51,6 +51,10 @@ Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
   return sample_at(parameters, shape, side);
 }
 
+Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side) {
+  return sample_at(parameters, shape, side);
+}
+
 Curve sample(const Shape& shape, Index n, Side side) {
   return sample(shape, n, side, Grading{});
 }

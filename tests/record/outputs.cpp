@@ -27,7 +27,12 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                     .min_gap = 1e-3 / 3.0,
                     .residual = 1e-9 / 3.0,
                     .error_estimate = 1e-7 / 3.0,
-                    .seconds = 0.1});
+                    .seconds = 0.1,
+                    .kkt_residual = 1e-6 / 3.0,
+                    .force_imbalance = 1e-15 / 3.0,
+                    .torque_imbalance = 1e-16 / 3.0,
+                    .contact_power = -k / 7.0,
+                    .energy_injected = 1e-4 / 3.0});
   }
   run.write_text("run.json",
                  to_json({.version = "0.1.0",

@@ -69,9 +69,11 @@ def check_tables(directory):
     assert table.tolist() == [(t, *row) for k, t in enumerate(times) for row in contacts(k)]
     names, rows = read_table(directory / "steps.csv")
     assert names == ("t", "dt", "gmres_iterations", "matvecs", "ncp_iterations", "contacts",
-                     "min_gap", "residual", "error_estimate", "seconds")
+                     "min_gap", "residual", "error_estimate", "seconds", "kkt_residual",
+                     "force_imbalance", "torque_imbalance", "contact_power", "energy_injected")
     assert np.array_equal(rows, [(t, 1 / 7, 10 + k, 11 + k, 12 + k, 13 + k, 1e-3 / 3, 1e-9 / 3,
-                                  1e-7 / 3, 0.1) for k, t in enumerate(times)])
+                                  1e-7 / 3, 0.1, 1e-6 / 3, 1e-15 / 3, 1e-16 / 3, -t, 1e-4 / 3)
+                                 for k, t in enumerate(times)])
 
 
 def area(points):

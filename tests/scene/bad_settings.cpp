@@ -108,7 +108,15 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:1:1: time.dt is missing: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = 0.1\ntolerance = 1e-6\n",
        "s.toml:4:1: time.tolerance = 1e-06: belongs to bogacki_shampine32, dormand_prince54, "
-       "prince_dormand87: this method has fixed steps"},
+       "prince_dormand87, and to heun with [contact]: this method has fixed steps"},
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'heun'\ntolerance = 1e-4\n",
+       "s.toml:5:1: time.tolerance = 1e-04: belongs to bogacki_shampine32, dormand_prince54, "
+       "prince_dormand87, and to heun with [contact]: this method has fixed steps"},
+      {"[contact]\nminimum_separation = 0.1\n[time]\nt_final = 1\ndt = 0.1\nmethod = 'heun'\n"
+       "tolerance = 1e-4\neffort = { few = 1, many = 2 }\n",
+       "s.toml:8:1: time.effort: does not go with time.tolerance, which adapts steps to "
+       "the "
+       "error"},
       {"[time]\nt_final = 1\ndt = 0.1\ndt_max = 1\n",
        "s.toml:4:1: time.dt_max = 1: belongs to bogacki_shampine32, dormand_prince54, "
        "prince_dormand87, and to time.effort"},

@@ -58,9 +58,11 @@ BOOST_AUTO_TEST_CASE(errors_name_the_setting) {
   BOOST_TEST(message("fill.0.count=5") ==
              "--set fill.0.count: fill: must be an array of tables: write [[fill]], not a table");
   // What was there before still has its own place.
-  BOOST_TEST(message("time.tolerance=1") ==
-             "--set time.tolerance: time.tolerance = 1: belongs to bogacki_shampine32, "
-             "dormand_prince54, prince_dormand87: this method has fixed steps");
+  BOOST_TEST(
+      message("time.tolerance=1") ==
+      "--set time.tolerance: time.tolerance = 1: belongs to bogacki_shampine32, "
+      "dormand_prince54, prince_dormand87, and to heun with [contact]: this method has fixed "
+      "steps");
   BOOST_TEST(error_of(disk("n_nodes = 31\n"), {"seed=1"}).starts_with("s.toml:3:11: "));
 }
 

@@ -133,6 +133,9 @@ void add_contact(Scene& scene, Dice& dice) {
   if (scene.time) {
     scene.time = fixed_steps(dice);
     scene.time->method = dice.one_of<SteppingMethod>({euler, heun});
+    if (scene.time->method == heun && !scene.time->effort && dice.coin()) {
+      scene.time->tolerance = dice.uniform(1e-13, 0.1);
+    }
   }
   if (!scene.contact->in_spacings) return;
   for (Body& body : scene.bodies) body.n_nodes = 2 * dice.integer(4, 200);

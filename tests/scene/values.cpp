@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(time_settings) {
   BOOST_TEST((time("method = 'dormand_prince54'\n").method == dormand_prince54));
   BOOST_TEST((time("method = 'prince_dormand87'\n").method == prince_dormand87));
   BOOST_TEST((time("dt_min = 0.1\neffort = { few = 10, many = 40 }\ndt_max = 2\n") ==
-              TimeSettings{4.0, 0.5, euler, 1e-6, 0.1, 2.0, EffortBounds{10, 40}}));
+              TimeSettings{4.0, 0.5, euler, {}, 0.1, 2.0, EffortBounds{10, 40}}));
   const auto adapting = [](const std::string& line) {
     return parse(disk() + "[time]\nt_final = 4\nmethod = 'dormand_prince54'\n" + line).time.value();
   };

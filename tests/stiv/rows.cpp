@@ -188,21 +188,39 @@ BOOST_AUTO_TEST_CASE(a_separation_of_one_pair) {
   BOOST_TEST((violated_pairs({0.01, {{{1, 2}, 0.02}}}).empty()));
 }
 
-// Two violations with less than a sag between their depths: one minimum, but a row for each.
-BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
+// Contacts of the polygon of a disk with a copy of it, by the gaps of vertices from number 4 on.
+std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
   const auto coarse = body(Circle{1.0}, 32);
   BOOST_TEST(coarse->sag > 4.0 * tolerance);
   std::vector<VertexEvent> events;
-  for (const auto& [vertex, gap] :
-       {std::pair{4, -3.0 * tolerance}, {5, 0.0}, {6, -2.0 * tolerance}}) {
+  for (const double gap : gaps) {
+    const Eigen::Index vertex = 4 + static_cast<Eigen::Index>(events.size());
     events.push_back({vertex, 20, 0.1, 0.5, 1.0, gap, {-1.0, 0.0}, {-1.0, 0.0}});
   }
   const PathPair paths{0, 1, {{{0.0, 0.0}, 0.0}, {}, 0.0}, {{{2.0, 0.0}, 0.0}, {}, 0.0}};
-  const std::vector<Contact> contacts =
-      connected_contacts({paths, *coarse, *coarse, events, {}, {}}, tolerance, RowChoice::deepest);
+  return connected_contacts({paths, *coarse, *coarse, events, {}, {}}, tolerance,
+                            RowChoice::deepest);
+}
+
+// Two violations with less than a sag between their depths: one minimum, but a row for each.
+BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
+  const std::vector<Contact> contacts = contacts_by_gaps({-3 * tolerance, 0.0, -2 * tolerance});
   BOOST_REQUIRE(contacts.size() == 2u);
   for (const Contact& contact : contacts) {
     BOOST_TEST(contact.is_violated());
     BOOST_TEST(contact.rows.size() == 1u);
   }
+}
+
+// The same where the first is flat: the end of its support is all that the second has.
+BOOST_AUTO_TEST_CASE(contacts_share_no_row) {
+  const double t = tolerance;
+  const std::vector<Contact> contacts =
+      contacts_by_gaps({-2 * t, -3 * t, -2 * t, -2 * t, 0.0, -2 * t});
+  BOOST_REQUIRE(contacts.size() == 2u);
+  BOOST_REQUIRE(contacts[0].rows.size() == 2u);
+  BOOST_TEST(contacts[0].rows[0].key.vertex == 4);
+  BOOST_TEST(contacts[0].rows[1].key.vertex == 5);
+  BOOST_REQUIRE(contacts[1].rows.size() == 1u);
+  BOOST_TEST(contacts[1].rows[0].key.vertex == 9);
 }
