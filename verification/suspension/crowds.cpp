@@ -144,7 +144,7 @@ Scene crowded_scene(const Family& family, unsigned seed, int steps) {
   scene.contact = ContactSettings{separation};
   const bool settles = family.drive == Drive::settling;
   const bool enclosed = settles || family.drive == Drive::rotating_container;
-  const std::size_t count = 5 + random() % (enclosed ? 5 : 11);
+  const std::size_t count = 5 + random() % (enclosed ? 2 : 11);
   const double stretch = settles ? uniform(random, 1.0, 1.15) : 1.0;
   const Press press = pressed(family.crowd, count, stretch, 1.05 * separation, random);
   for (const PlacedShape& body : press.bodies()) {
