@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct RecordedRun {
   std::string stopped;  ///< why it did not reach its end; empty where it did
 };
 
-/// Where the refusal of a run goes.
+/// Where goes what ends a run early, errors of the program included.
 enum class Refusals { thrown, recorded };
 
 /// Runs a scene in memory.
@@ -28,9 +29,9 @@ inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals
   Simulation simulation(solver, observer);
   try {
     simulation.run();
-  } catch (const NumericsRefused& refusal) {
+  } catch (const std::exception& error) {
     if (refusals == Refusals::thrown) throw;
-    run.stopped = refusal.what();
+    run.stopped = error.what();
   }
   run.totals = simulation.totals();
   return run;

@@ -122,7 +122,7 @@ Experiment holding_force() {
           .lines = {{.key = "known",
                      .label = "from a prototype's",
                      .measure = differences(stokesbook::automatic_nodes),
-                     .claim = Claim{.id = "12_9",
+                     .claim = Claim{.id = "12_10",
                                     .statement = "The force that holds two disks apart is right to "
                                                  "the digits known.",
                                     .law = Identity{2e-5},
@@ -140,7 +140,7 @@ Experiment holding_force_limit() {
       .lines = {{.key = "limit",
                  .label = "from 3 pi",
                  .measure = beyond(3.0 * std::numbers::pi),
-                 .claim = Claim{.id = "12_10",
+                 .claim = Claim{.id = "12_11",
                                 .statement = "As the gap closes the force tends to 6 pi mu e a = "
                                              "3 pi, with an error of order 1 in the gap.",
                                 .law = Algebraic{-1.0, 0.05},
@@ -161,7 +161,7 @@ Experiment holding_steps() {
       .lines = {{.key = "force",
                  .label = "of the force from that of dt = 0.1",
                  .measure = over_steps(spread),
-                 .claim = Claim{.id = "12_11",
+                 .claim = Claim{.id = "12_12",
                                 .statement = "The force that holds two disks apart does not "
                                              "depend on the time step.",
                                 .law = Identity{1e-5},
@@ -172,7 +172,7 @@ Experiment holding_steps() {
                 {.key = "gap",
                  .label = "of the gap from the separation",
                  .measure = over_steps(drift),
-                 .claim = Claim{.id = "12_12",
+                 .claim = Claim{.id = "12_13",
                                 .statement = "A gap that begins at the separation is kept.",
                                 .law = Identity{1e-5},
                                 .reason = "of gaps, 1e-5 of the separation is tolerated",

@@ -113,7 +113,7 @@ Experiment reversal_table() {
            .label = "largest difference from the published table, relative",
            .measure = differences(0.0),
            .claim =
-               Claim{.id = "12_8",
+               Claim{.id = "12_9",
                      .statement = "What contact leaves of a reversal agrees with the published "
                                   "table, 35 entries, to 6 %.",
                      .law = Identity{0.06},

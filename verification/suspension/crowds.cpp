@@ -108,7 +108,7 @@ Press pressed(Crowd crowd, std::size_t count, double stretch, double clearance,
   Press press(std::move(bodies), stretch, clearance);
   press.fill(random);
   const double fraction = uniform(random, 0.2, 0.6);
-  for (int k = 0; k < 400 && press.fraction() < fraction; ++k) press.shake(random);
+  for (int k = 0; k < 200 && press.fraction() < fraction; ++k) press.shake(random);
   return press;
 }
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "scene/scene.hpp"
 
 namespace stokesbook::verification::suspension {
@@ -27,8 +24,5 @@ struct Family {
 ///
 /// @return  the same scene on every machine
 Scene crowded_scene(const Family& family, unsigned seed, int steps);
-
-/// Part of the least ellipse about a crowd that its bodies fill; of its container where it has one.
-double area_fraction(const Scene& scene);
 
 }  // namespace stokesbook::verification::suspension

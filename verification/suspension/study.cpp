@@ -12,7 +12,9 @@ study::Study suspension_study() {
           .title = "The suspension solver: error estimates, automatic nodes, and contact",
           .experiments = {spread_of_estimates(), estimates(), automatic_nodes(), pair_speeds(),
                           lubrication(), many_bodies(), reversal_table(), holding_force(),
-                          holding_force_limit(), holding_steps(), contact_orders()},
+                          holding_force_limit(), holding_steps(), contact_orders(), resting(),
+                          cost_of_contact(), random_crowds(), taylor_green_in_contact(),
+                          lagged_contact()},
           .has_chapter = false};
 }
 
