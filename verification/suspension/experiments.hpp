@@ -12,6 +12,16 @@ study::Experiment automatic_nodes();
 study::Experiment pair_speeds();
 study::Experiment lubrication();
 study::Experiment many_bodies();
+study::Experiment reversal_table();
+study::Experiment holding_force();
+study::Experiment holding_force_limit();
+study::Experiment holding_steps();
+study::Experiment contact_orders();
+study::Experiment resting();
+study::Experiment cost_of_contact();
+study::Experiment random_crowds();
+study::Experiment taylor_green_in_contact();
+study::Experiment lagged_contact();
 /// @}
 
 }  // namespace stokesbook::verification::suspension

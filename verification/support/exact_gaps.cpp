@@ -1,0 +1,188 @@
+#include "support/exact_gaps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <variant>
+
+namespace stokesbook::test {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+struct Jet {
+  Complex x, dx, ddx;
+};
+
+Jet jet(const Circle& circle, double t) {
+  const Complex x = std::polar(circle.radius, t);
+  return {x, Complex(0.0, 1.0) * x, -x};
+}
+
+Jet jet(const Ellipse& ellipse, double t) {
+  const Complex x(ellipse.a * std::cos(t), ellipse.b * std::sin(t));
+  return {x, {-ellipse.a * std::sin(t), ellipse.b * std::cos(t)}, -x};
+}
+
+Jet jet(const Star& star, double t) {
+  const double k = star.arms, wave = star.radius * star.amplitude;
+  const double r = star.radius + wave * std::cos(k * t), dr = -k * wave * std::sin(k * t),
+               ddr = -k * k * wave * std::cos(k * t);
+  const Complex e = std::polar(1.0, t), i(0.0, 1.0);
+  return {r * e, (dr + i * r) * e, (ddr - r + 2.0 * i * dr) * e};
+}
+
+template <class Other>
+Jet jet(const Other&, double) {
+  throw std::invalid_argument("exact_gap: only circles, ellipses and stars");
+}
+
+Jet at(const PlacedShape& placed, double t) {
+  const auto [x, dx, ddx] =
+      std::visit([t](const auto& shape) { return jet(shape, t); }, placed.shape);
+  const Complex turned = std::polar(1.0, placed.orientation);
+  return {placed.position + turned * x, turned * dx, turned * ddx};
+}
+
+std::vector<Complex> sampled(const PlacedShape& placed, int samples) {
+  std::vector<Complex> points;
+  for (int i = 0; i < samples; ++i) points.push_back(at(placed, turn * i / samples).x);
+  return points;
+}
+
+double dot(Complex a, Complex b) {
+  return a.real() * b.real() + a.imag() * b.imag();
+}
+
+double distance(const PlacedShape& a, const PlacedShape& b, double s, double t) {
+  return std::abs(at(a, s).x - at(b, t).x);
+}
+
+// Minimises the distance from a pair of parameters: Newton's method, or Gauss's where the Hessian is
+// not positive, with steps halved until they go down.
+double descended(const PlacedShape& a, const PlacedShape& b, double s, double t) {
+  double found = distance(a, b, s, t);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const Jet p = at(a, s), q = at(b, t);
+    const Complex d = p.x - q.x;
+    const double gs = dot(d, p.dx), gt = -dot(d, q.dx), hst = -dot(p.dx, q.dx);
+    double hss = std::norm(p.dx) + dot(d, p.ddx), htt = std::norm(q.dx) - dot(d, q.ddx);
+    if (hss <= 0.0 || hss * htt - hst * hst <= 1e-12 * std::norm(p.dx) * std::norm(q.dx)) {
+      hss = 1.1 * std::norm(p.dx);
+      htt = 1.1 * std::norm(q.dx);
+    }
+    const double determinant = hss * htt - hst * hst;
+    const double ds = -(htt * gs - hst * gt) / determinant;
+    const double dt = -(hss * gt - hst * gs) / determinant;
+    double factor = 1.0;
+    while (factor > 1e-6 && distance(a, b, s + factor * ds, t + factor * dt) >= found) {
+      factor *= 0.5;
+    }
+    if (factor <= 1e-6) break;
+    s += factor * ds;
+    t += factor * dt;
+    found = distance(a, b, s, t);
+  }
+  return found;
+}
+
+// How often a polygon winds about a point.
+int winding_number(const std::vector<Complex>& polygon, Complex point) {
+  int winding = 0;
+  Complex from = polygon.back() - point;
+  for (const Complex& vertex : polygon) {
+    const Complex to = vertex - point;
+    const double side = from.real() * to.imag() - from.imag() * to.real();
+    if (from.imag() <= 0.0 && to.imag() > 0.0 && side > 0.0) ++winding;
+    if (from.imag() > 0.0 && to.imag() <= 0.0 && side < 0.0) --winding;
+    from = to;
+  }
+  return winding;
+}
+
+// Whether a curve that does not cross another one lies inside it; by some of its points, since one
+// alone may lie within rounding of the polygon.
+bool lies_inside(const std::vector<Complex>& curve, const std::vector<Complex>& polygon) {
+  int inside = 0;
+  constexpr int asked = 9;
+  for (int i = 0; i < asked; ++i) {
+    inside += winding_number(polygon, curve[i * curve.size() / asked]) != 0 ? 1 : 0;
+  }
+  return 2 * inside > asked;
+}
+
+double reach(const PlacedShape& placed) {
+  double radius = 0.0;
+  for (const Complex& x : sampled(placed, 64))
+    radius = std::max(radius, std::abs(x - placed.position));
+  return 1.01 * radius;
+}
+
+}  // namespace
+
+double exact_gap(const PlacedShape& a, const PlacedShape& b, int samples) {
+  const std::vector<Complex> on_a = sampled(a, samples), on_b = sampled(b, samples);
+  struct Nearest {
+    double distance2 = std::numeric_limits<double>::infinity();
+    int on_b = 0;
+  };
+  std::vector<Nearest> nearest(on_a.size());
+  double least2 = std::numeric_limits<double>::infinity(), longest = 0.0;
+  for (std::size_t i = 0; i < on_a.size(); ++i) {
+    for (std::size_t j = 0; j < on_b.size(); ++j) {
+      const double distance2 = std::norm(on_a[i] - on_b[j]);
+      if (distance2 < nearest[i].distance2) nearest[i] = {distance2, static_cast<int>(j)};
+    }
+    least2 = std::min(least2, nearest[i].distance2);
+    longest = std::max({longest, std::abs(on_a[i] - on_a[(i + 1) % on_a.size()]),
+                        std::abs(on_b[i] - on_b[(i + 1) % on_b.size()])});
+  }
+  // All local minima that may hide the global one between samples.
+  double gap = std::sqrt(least2);
+  const double bound = gap + longest;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const double before = nearest[(i + nearest.size() - 1) % nearest.size()].distance2,
+                 after = nearest[(i + 1) % nearest.size()].distance2, own = nearest[i].distance2;
+    if (own > before || own > after || own > bound * bound) continue;
+    gap = std::min(gap, descended(a, b, turn * static_cast<double>(i) / samples,
+                                  turn * nearest[i].on_b / samples));
+  }
+  const bool wrong_side = a.encloses   ? !lies_inside(on_b, on_a)
+                          : b.encloses ? !lies_inside(on_a, on_b)
+                                       : lies_inside(on_a, on_b) || lies_inside(on_b, on_a);
+  return wrong_side ? -gap : gap;
+}
+
+std::vector<PlacedShape> placed_shapes(const Scene& scene, const Frame& frame) {
+  std::vector<PlacedShape> placed;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    placed.push_back(
+        {scene.bodies[k].shape, frame.bodies[k].position, frame.bodies[k].orientation});
+  }
+  for (std::size_t k = 0; k < scene.walls.size(); ++k) {
+    placed.push_back({scene.walls[k].shape, frame.walls[k].position, frame.walls[k].orientation,
+                      scene.walls[k].role == WallRole::outer});
+  }
+  return placed;
+}
+
+double least_exact_gap(const std::vector<PlacedShape>& shapes, double limit, int samples) {
+  std::vector<double> radii;
+  for (const PlacedShape& placed : shapes) radii.push_back(reach(placed));
+  double least = limit;
+  for (std::size_t b = 0; b < shapes.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      const double apart = std::abs(shapes[a].position - shapes[b].position);
+      const bool enclosed = shapes[a].encloses || shapes[b].encloses;
+      if (!enclosed && apart > radii[a] + radii[b] + limit) continue;
+      least = std::min(least, exact_gap(shapes[a], shapes[b], samples));
+    }
+  }
+  return least;
+}
+
+}  // namespace stokesbook::test

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "suspension/simulation.hpp"
+
+namespace stokesbook::test {
+
+/// What a run has told, in memory.
+struct RecordedRun {
+  std::vector<Frame> frames;
+  std::vector<StepInfo> steps;
+  RunTotals totals;
+  std::string stopped;  ///< why it did not reach its end; empty where it did
+};
+
+/// Where goes what ends a run early, errors of the program included.
+enum class Refusals { thrown, recorded };
+
+/// Runs a scene in memory.
+inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals::thrown) {
+  RecordedRun run;
+  Observer observer;
+  observer.frame = [&](const Frame& frame) { run.frames.push_back(frame); };
+  observer.step = [&](const StepInfo& step) { run.steps.push_back(step); };
+  const SuspensionSolver solver(scene);
+  Simulation simulation(solver, observer);
+  try {
+    simulation.run();
+  } catch (const std::exception& error) {
+    if (refusals == Refusals::thrown) throw;
+    run.stopped = error.what();
+  }
+  run.totals = simulation.totals();
+  return run;
+}
+
+/// Bodies in a flow that keep a separation, with automatic nodes, solved to contact's needs.
+inline Scene in_contact(const BackgroundFlow& flow, const std::vector<Body>& bodies,
+                        double separation) {
+  Scene scene;
+  scene.flow = flow;
+  scene.bodies = bodies;
+  scene.solver.tolerance = 1e-5;
+  scene.contact = ContactSettings{separation};
+  return scene;
+}
+
+/// The same scene in time.
+inline Scene over(Scene scene, double t_final, double dt,
+                  SteppingMethod method = SteppingMethod::euler) {
+  scene.time = TimeSettings{t_final, dt, method};
+  return scene;
+}
+
+}  // namespace stokesbook::test

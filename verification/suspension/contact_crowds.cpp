@@ -1,0 +1,175 @@
+// Random dense crowds in steps that are far too long: what contact must hold in every one of them.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "crowds.hpp"
+#include "double_layer/double_layer.hpp"
+#include "experiments.hpp"
+#include "support/exact_gaps.hpp"
+#include "support/once.hpp"
+#include "support/recorded_run.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+/// What the scenes of a family have shown.
+struct Tally {
+  double scenes = 0.0, stopped = 0.0, steps = 0.0, halved = 0.0, iterations = 0.0;
+  double most_iterations = 0.0;  // in a step
+  double narrowest = 4.0;        // gap of any written state, in separations
+  double unbalanced = 0.0, unbalanced_but_one = 0.0;
+};
+
+/// Where no wall takes any: net force and torque of what contact adds to the loads of bodies, over
+/// the largest contact force and its distance.
+///
+/// @param  left_out  a body that is not counted, a planted defect; the number of bodies for none
+double imbalance(const Scene& scene, const Frame& frame, std::size_t left_out) {
+  if (frame.contacts.empty() || !scene.walls.empty()) return 0.0;
+  double largest = 0.0, farthest = 0.0, torque = 0.0;
+  for (const ContactForce& contact : frame.contacts) {
+    largest = std::max(largest, contact.force);
+    farthest = std::max(farthest, std::abs(contact.point));
+  }
+  Complex force{};
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    if (k == left_out) continue;
+    const BodyState& body = frame.bodies[k];
+    const Complex added = body.force - scene.bodies[k].force;
+    force += added;
+    torque += body.torque - scene.bodies[k].torque + cross(body.position, added);
+  }
+  return std::max(std::abs(force) / largest, std::abs(torque) / (largest * farthest));
+}
+
+void add(Tally& tally, const Scene& scene, double separation) {
+  const RecordedRun run = recorded_run(scene, Refusals::recorded);
+  tally.scenes += 1.0;
+  tally.stopped += run.stopped.empty() ? 0.0 : 1.0;
+  tally.steps += static_cast<double>(run.totals.steps);
+  tally.halved += static_cast<double>(run.totals.rejected_steps);
+  tally.iterations += static_cast<double>(run.totals.ncp_iterations);
+  for (const StepInfo& step : run.steps) {
+    tally.most_iterations = std::max<double>(tally.most_iterations, step.ncp_iterations);
+  }
+  for (const Frame& frame : run.frames) {
+    const double gap = least_exact_gap(placed_shapes(scene, frame), 4.0 * separation);
+    tally.narrowest = std::min(tally.narrowest, gap / separation);
+    tally.unbalanced = std::max(tally.unbalanced, imbalance(scene, frame, scene.bodies.size()));
+    if (frame.contacts.empty()) continue;
+    const double but_one = imbalance(scene, frame, frame.contacts[0].a.number);
+    tally.unbalanced_but_one = std::max(tally.unbalanced_but_one, but_one);
+  }
+}
+
+// Without contact an overlap halves steps, and stops the run: a planted defect, on few scenes.
+enum class Contact { resolved, left_out };
+
+using Tallies = std::map<int, Tally>;
+
+const Tallies& tallies(Size size, Contact contact) {
+  static Once<std::pair<Size, Contact>, Tallies> all;
+  return all({size, contact}, [&] {
+    const bool few = size == Size::quick || contact == Contact::left_out;
+    std::vector<unsigned> seeds{0, 2, 5, 6, 12};
+    if (contact == Contact::left_out) seeds = {0, 5, 6};
+    if (!few) {
+      seeds.resize(200);
+      std::iota(seeds.begin(), seeds.end(), 0U);
+    }
+    Tallies result;
+    for (const unsigned seed : seeds) {
+      const auto drive = static_cast<int>(seed / crowds) % drives,
+                 crowd = static_cast<int>(seed % crowds);
+      Scene scene = crowded_scene({static_cast<Drive>(drive), static_cast<Crowd>(crowd)}, seed,
+                                  few ? 20 : 200);
+      const double separation = scene.contact->minimum_separation;
+      if (contact == Contact::left_out) scene.contact.reset();
+      add(result[crowds * drive + crowd + 1], scene, separation);
+    }
+    return result;
+  });
+}
+
+Measure over_families(double (*quantity)(const Tally&), Contact contact = Contact::resolved) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (const auto& [family, tally] : tallies(size, contact)) {
+      measurements.push_back({.x = static_cast<double>(family), .error = quantity(tally)});
+    }
+    return measurements;
+  };
+}
+
+double lost(const Tally& tally) {
+  return std::max(0.0, 1.0 - tally.narrowest);
+}
+double stopped(const Tally& tally) {
+  return tally.stopped;
+}
+double mean_iterations(const Tally& tally) {
+  return tally.iterations / tally.steps;
+}
+
+Line counted(const std::string& key, const std::string& label, double (*quantity)(const Tally&)) {
+  return {.key = key, .label = label, .measure = over_families(quantity)};
+}
+
+}  // namespace
+
+Experiment random_crowds() {
+  return {
+      .key = "crowds",
+      .title =
+          "Random dense crowds, steps up to twenty times too long: in a rotating container (1 "
+          "to 3), shear (4 to 6), extension (7 to 9), vortices (10 to 12), settling (13 to "
+          "15); of each circles, ellipses to 10:1, stars",
+      .x = "family f",
+      .error = "number, or part of the separation",
+      .lines = {
+          {.key = "lost",
+           .label = "part of the separation that the narrowest gap lacks",
+           .measure = over_families(lost),
+           .claim = Claim{.id = "12_18",
+                          .statement = "No written state of a random crowd is closer than the "
+                                       "separation, less a thousandth.",
+                          .law = Identity{1e-3},
+                          .reason = "steps are accepted by polygons of all curves, whose sags are "
+                                    "counted; measured by formulas that share no code with them",
+                          .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"contact left out", over_families(lost, Contact::left_out)}},
+          {.key = "unbalanced",
+           .label = "net force or torque of contact, over the largest, where no wall takes it",
+           .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
+           .claim = Claim{.id = "12_19",
+                          .statement = "Forces of contact balance, and so do their torques.",
+                          .law = Identity{1e-12},
+                          .reason = "they act on both bodies at one point along one line",
+                          .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"one body left out", over_families([](const Tally& tally) {
+                                return tally.unbalanced_but_one;
+                              })}},
+          {.key = "stopped",
+           .label = "scenes that stopped",
+           .measure = over_families(stopped),
+           .claim = Claim{.id = "12_20",
+                          .statement = "Every run of a random crowd reaches its end.",
+                          .law = Identity{0.0},
+                          .reason = "a step that contact does not resolve is halved, and short "
+                                    "steps have linear problems with a solution",
+                          .api = {"stokesbook::Simulation"}},
+           .control = Control{"contact left out", over_families(stopped, Contact::left_out)}},
+          counted("scenes", "scenes", [](const Tally& tally) { return tally.scenes; }),
+          counted("steps", "steps", [](const Tally& tally) { return tally.steps; }),
+          counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
+          counted("iterations", "contact iterations a step", mean_iterations),
+          counted("most_iterations", "most in a step",
+                  [](const Tally& tally) { return tally.most_iterations; })}};
+}
+
+}  // namespace stokesbook::verification::suspension

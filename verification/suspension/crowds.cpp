@@ -1,0 +1,162 @@
+#include "crowds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "scenes.hpp"
+#include "support/exact_gaps.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double log_uniform(std::mt19937_64& random, double low, double high) {
+  return low * std::pow(high / low, uniform(random, 0.0, 1.0));
+}
+
+Shape random_shape(Crowd crowd, std::mt19937_64& random) {
+  const double size = uniform(random, 0.4, 0.6);
+  switch (crowd) {
+    case Crowd::circles:
+      return Circle{size};
+    case Crowd::ellipses: {
+      const double aspect = std::sqrt(log_uniform(random, 1.2, 10.0));
+      return Ellipse{size * aspect, size / aspect};
+    }
+    default:
+      return Star{size, uniform(random, 0.05, 0.2), 3 + static_cast<int>(random() % 3)};
+  }
+}
+
+double area(const Shape& shape) {
+  if (const auto* circle = std::get_if<Circle>(&shape)) return pi * circle->radius * circle->radius;
+  if (const auto* ellipse = std::get_if<Ellipse>(&shape)) return pi * ellipse->a * ellipse->b;
+  const Star& star = std::get<Star>(shape);
+  return pi * star.radius * star.radius * (1.0 + 0.5 * star.amplitude * star.amplitude);
+}
+
+/// Bodies that are pushed together by a container that shrinks.
+class Press {
+ public:
+  Press(std::vector<PlacedShape> bodies, double stretch, double clearance)
+      : bodies_(std::move(bodies)), stretch_(stretch), clearance_(clearance) {
+    for (const PlacedShape& body : bodies_) filled_ += area(body.shape);
+    radius_ = 3.0 * std::sqrt(filled_ / pi);
+  }
+
+  double fraction() const { return filled_ / (pi * radius_ * radius_); }
+  Ellipse container() const { return {stretch_ * radius_, radius_ / stretch_}; }
+  const std::vector<PlacedShape>& bodies() const { return bodies_; }
+
+  /// Places all bodies at random, one after another.
+  void fill(std::mt19937_64& random) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      do {
+        const double angle = uniform(random, 0.0, 2.0 * pi);
+        bodies_[k].position = std::polar(radius_ * uniform(random, 0.0, 1.0), angle);
+        bodies_[k].orientation = uniform(random, 0.0, 2.0 * pi);
+      } while (!has_room(bodies_[k], k, k));
+    }
+  }
+
+  /// Moves each body at random if there is room, then the container inwards.
+  void shake(std::mt19937_64& random) {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      PlacedShape moved = bodies_[k];
+      const double angle = uniform(random, 0.0, 2.0 * pi);
+      moved.position += std::polar(0.3 * uniform(random, 0.0, 1.0), angle);
+      moved.orientation += uniform(random, -0.5, 0.5);
+      if (has_room(moved, k, bodies_.size())) bodies_[k] = moved;
+    }
+    const double wide = radius_;
+    radius_ *= 0.97;
+    const bool all_fit =
+        std::ranges::all_of(bodies_, [&](const PlacedShape& body) { return is_within(body); });
+    if (!all_fit) radius_ = wide;
+  }
+
+ private:
+  static constexpr int samples = 64;
+
+  bool is_within(const PlacedShape& body) const {
+    return exact_gap(body, {container(), {}, 0.0, true}, samples) >= clearance_;
+  }
+
+  bool has_room(const PlacedShape& body, std::size_t own, std::size_t placed) const {
+    if (!is_within(body)) return false;
+    for (std::size_t k = 0; k < placed; ++k) {
+      if (k == own) continue;
+      if (least_exact_gap({body, bodies_[k]}, 2.0 * clearance_, samples) < clearance_) return false;
+    }
+    return true;
+  }
+
+  std::vector<PlacedShape> bodies_;
+  double stretch_, clearance_, radius_ = 0.0, filled_ = 0.0;
+};
+
+Press pressed(Crowd crowd, std::size_t count, double stretch, double clearance,
+              std::mt19937_64& random) {
+  std::vector<PlacedShape> bodies;
+  for (std::size_t k = 0; k < count; ++k) bodies.push_back({random_shape(crowd, random)});
+  Press press(std::move(bodies), stretch, clearance);
+  press.fill(random);
+  const double fraction = uniform(random, 0.2, 0.6);
+  for (int k = 0; k < 200 && press.fraction() < fraction; ++k) press.shake(random);
+  return press;
+}
+
+void add_drive(Scene& scene, Drive drive) {
+  switch (drive) {
+    case Drive::rotating_container:
+      scene.walls[0].motion = RotatingWall{1.0};
+      return;
+    case Drive::shear:
+      scene.flow = ShearFlow{1.0};
+      break;
+    case Drive::extension:
+      scene.flow = ExtensionalFlow{1.0};
+      break;
+    case Drive::vortices:
+      scene.flow = TaylorGreenFlow{1.0};
+      return;
+    case Drive::settling:
+      for (Body& body : scene.bodies) body.force = {0.0, -30.0};
+      return;
+  }
+  for (double t = 2.0; t < scene.time->t_final; t += 2.0) scene.reverse_at.push_back(t);
+}
+
+}  // namespace
+
+Scene crowded_scene(const Family& family, unsigned seed, int steps) {
+  std::mt19937_64 random(seed);
+  Scene scene;
+  scene.solver.tolerance = 1e-3;
+  scene.solver.gmres_max_iterations = 2000;
+  const double separation = log_uniform(random, 0.03, 0.06);
+  scene.contact = ContactSettings{separation};
+  const bool settles = family.drive == Drive::settling;
+  const bool enclosed = settles || family.drive == Drive::rotating_container;
+  const std::size_t count = 5 + random() % (enclosed ? 2 : 11);
+  const double stretch = settles ? uniform(random, 1.0, 1.15) : 1.0;
+  const Press press = pressed(family.crowd, count, stretch, 1.05 * separation, random);
+  for (const PlacedShape& body : press.bodies()) {
+    scene.bodies.push_back(
+        {.shape = body.shape, .position = body.position, .orientation = body.orientation});
+  }
+  if (enclosed) scene.walls.push_back({.role = WallRole::outer, .shape = press.container()});
+  const double dt = 0.02 * log_uniform(random, 1.0, 20.0);
+  const auto method = random() % 2 == 0 ? SteppingMethod::euler : SteppingMethod::heun;
+  scene.time = TimeSettings{steps * dt, dt, method};
+  add_drive(scene, family.drive);
+  return scene;
+}
+
+}  // namespace stokesbook::verification::suspension
