@@ -230,8 +230,9 @@ double iterations(std::size_t kept) {
   int solves = 0, iterations = 0;
   const Rate rate = [&](double t, const VectorXd& state) {
     const Configuration now = to_configuration(state);
-    const auto guess = [&](const References& references) {
-      return kept > 0 ? history.guess(t, now, references) : ComplexVector{};
+    const auto guess = [&](const References& references) -> ComplexVector {
+      if (kept == 0) return {};
+      return history.guess(t, now, references);
     };
     const Solution solution = solver.solve(now, 1.0, guess);
     history.add(t, now, solution.references, solution.density);

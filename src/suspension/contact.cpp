@@ -110,10 +110,16 @@ std::vector<RigidPath> paths(const Configuration& start, const VectorXd& velocit
   return paths;
 }
 
+// Where a force acts, and its direction on a component.
+struct ActingForce {
+  Complex point, normal;
+};
+
 // A row as the loop of the nonlinear problem names and weighs it.
 struct LoopRow {
   std::size_t a, b;
   ContactRow row;
+  ActingForce on_a{};
 };
 
 ContactKey key_of(const LoopRow& row, std::size_t components) {
@@ -139,11 +145,12 @@ class StageRows {
 
   // What does not concern contact is left out.
   StageRows(const ContactStage& stage, const References& references, const ContactShapes& shapes,
-            const ContactRules& rules, Concerns concerns)
+            const ContactRules& rules, const Separation& kept, Concerns concerns)
       : stage_(stage),
         references_(references),
         shapes_(shapes),
         rules_(rules),
+        kept_(kept),
         concerns_(std::move(concerns)) {}
 
   // By the exact derivative, or else by that of the forces.
@@ -180,11 +187,14 @@ class StageRows {
     const GapGradient none(m, velocity.size());
     ContactRows result{VectorXd(m), none, none, {}};
     for (Index i = 0; i < m; ++i) {
-      const LoopRow& row = rows[static_cast<std::size_t>(i)];
+      LoopRow& row = rows[static_cast<std::size_t>(i)];
       const RowKey& key = row.row.key;
       // Forces act where their configuration has the closest points: those at the end of the step
       // would cost an order.
-      add(result.force_gradient, i, key, closest(key, stage_.acting), stage_.acting);
+      const ClosestPoints acting = closest(key, stage_.acting);
+      add(result.force_gradient, i, key, acting, stage_.acting);
+      row.on_a = acting_force(acting);
+      if (key.vertex_of == row.b) row.on_a.normal = -row.on_a.normal;
       const auto [gap, points] = gap_at(end, row);
       result.gap[i] = gap;
       if (linearisation == Linearisation::exact) {
@@ -213,9 +223,10 @@ class StageRows {
 
   Gap gap_at(const Configuration& end, const LoopRow& row) const {
     const ClosestPoints points = closest(row.row.key, end);
-    const double gap = points.gap - rules_.separation.between(row.a, row.b);
-    const bool same = points.gap > 0.0 && std::abs(gap - row.row.gap) < sags(row);
-    return same ? Gap{gap, points} : Gap{row.row.gap, {}};
+    const double by_polygons = row.row.gap + rules_.separation.between(row.a, row.b);
+    const double kept = kept_.between(row.a, row.b);
+    const bool same = points.gap > 0.0 && std::abs(points.gap - by_polygons) < sags(row);
+    return same ? Gap{points.gap - kept, points} : Gap{by_polygons - kept, {}};
   }
 
   // By the polygons, or by the curves, which come closer: a pair that is kept apart by the one
@@ -249,22 +260,28 @@ class StageRows {
     return closest_points_near(a, b, s, parameter(polygon, edge));
   }
 
+  // On the first of two curves, half way between the closest points.
+  static ActingForce acting_force(const ClosestPoints& points) {
+    return {0.5 * (points.point_a + points.point_b),
+            (points.point_a - points.point_b) / points.gap};
+  }
+
   // Unit forces at the closest points, that push the two apart; torques about their centres.
   static void add(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
                   const Configuration& at) {
-    const Complex point = 0.5 * (points.point_a + points.point_b);
-    const Complex normal = (points.point_a - points.point_b) / points.gap;
+    const ActingForce unit = acting_force(points);
     const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
-      return {force, cross(point - at[k].position, force)};
+      return {force, cross(unit.point - at[k].position, force)};
     };
-    add(gradient, i, key.vertex_of, wrench(key.vertex_of, normal));
-    add(gradient, i, key.polygon_of, wrench(key.polygon_of, -normal));
+    add(gradient, i, key.vertex_of, wrench(key.vertex_of, unit.normal));
+    add(gradient, i, key.polygon_of, wrench(key.polygon_of, -unit.normal));
   }
 
   const ContactStage& stage_;
   const References& references_;
   const ContactShapes& shapes_;
-  const ContactRules& rules_;
+  const ContactRules& rules_;  // of the polygons
+  const Separation& kept_;     // by the curves
   Concerns concerns_;
   std::set<std::pair<std::size_t, std::size_t>> pressed_;  // violated at some velocity
   std::map<ContactKey, LoopRow> seen_;
@@ -391,10 +408,13 @@ CloserPairs SuspensionContact::widened(const CloserPairs& closer,
 
 bool SuspensionContact::admits(const Configuration& configuration,
                                const CloserPairs& closer) const {
-  const Separation separation{polygon_separation_, closer};
+  const Separation kept{separation_, closer};
   return std::ranges::all_of(gaps(configuration), [&](const PolygonGap& found) {
-    return found.gap >= separation.between(found.a, found.b) -
-                            (relative_tolerance + 2.0 * relative_sag) * separation_;
+    if (found.gap <= 0.0) return false;
+    // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points from
+    // elsewhere.
+    return curve_gap(found, configuration) >=
+           kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
   });
 }
 
@@ -417,7 +437,8 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
                                           const CloserPairs& closer) const {
   const auto begun = std::chrono::steady_clock::now();
   const ContactRules rules = this->rules(closer);
-  StageRows rows(stage, solver_.references(), shapes_, rules,
+  const Separation kept{separation_, closer};
+  StageRows rows(stage, solver_.references(), shapes_, rules, kept,
                  [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); });
   const ContactStep step{
       .free_velocity = stage.free_velocity,
@@ -438,9 +459,8 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
     const double force = result.multipliers[static_cast<Index>(i)];
     if (force <= 0.0) continue;
     const LoopRow& row = rows.seen(result.keys[i]);
-    const double kept = rules.separation.between(row.a, row.b);
-    outcome.forces.push_back({party(row.a), party(row.b), row.row.point, row.row.normal, force,
-                              kept + result.gaps[static_cast<Index>(i)]});
+    outcome.forces.push_back({party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
+                              kept.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
   std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
       imbalance(result.force, stage.acting);

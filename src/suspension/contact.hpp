@@ -54,8 +54,9 @@ struct ContactOutcome {
 ///
 /// Contact is seen ahead by interferences() of the polygons of all components, which lie within a
 /// thousandth of the separation of their curves, and resolved by resolve_contact() with the mobility
-/// of the whole suspension and the gaps of the curves. Where a force acts, these are from 1 to 1.003
-/// separations.
+/// of the whole suspension and the gaps of the curves. Where a force acts, these are one separation
+/// to a part in 1e5, or up to 1.004 separations where polygons and curves disagree on which points
+/// are the closest.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
@@ -111,11 +112,11 @@ class SuspensionContact {
   double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
                                double dt) const;
 
-  /// Tells whether a configuration keeps all separations, by the polygons at rest.
+  /// Tells whether a configuration keeps all separations, by the closest points of the curves.
   ///
   /// @param  configuration  where the components are
   /// @param  closer         pairs that may come closer
-  /// @return                true when no gap is narrower by more than the sags of both
+  /// @return                true when no gap is narrower by more than 2e-5 separations
   bool admits(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:
