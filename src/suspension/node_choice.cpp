@@ -46,6 +46,14 @@ Resolutions finer(Resolutions resolutions) {
   return resolutions;
 }
 
+Resolutions finer_automatic(const Scene& scene, Resolutions before) {
+  const Resolutions raised = finer(before);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (given_nodes(scene, k) == automatic_nodes) before[k] = raised[k];
+  }
+  return before;
+}
+
 double extrapolated_nodes(int n_nodes, double decay, double excess) {
   const double nodes = n_nodes, orders = std::log(excess);
   return nodes + std::min(orders / std::max(decay, 1e-300), 0.5 * nodes);

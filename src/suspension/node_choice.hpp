@@ -67,6 +67,13 @@ int rounded_nodes(double nodes);
 /// @return              even numbers of nodes for even ones
 Resolutions finer(Resolutions resolutions);
 
+/// Makes automatic resolutions finer, and leaves given ones.
+///
+/// @param  scene   that asks for them
+/// @param  before  of each component
+/// @return         as finer() where nodes are automatic
+Resolutions finer_automatic(const Scene& scene, Resolutions before);
+
 /// Extrapolates the nodes that a component needs from what its density's tail says.
 ///
 /// @param  n_nodes  those it has

@@ -57,6 +57,9 @@ void refuse(const std::string& message) {
   if (!message.empty()) throw Refused(message);
 }
 
+// Nodes are raised as often on the estimate's word alone.
+constexpr int most_suspicions = 3;
+
 // A hundredth of what is planned, as far as rounding allows.
 double least_gmres_tolerance(const Plan& plan) {
   return std::max(1e-14, 0.01 * plan.gmres_tolerance);
@@ -315,10 +318,19 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
                                                    const std::vector<TailEstimate>& tails,
                                                    double error) const {
   const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
-  Effort next{raised(scene_, effort.resolutions, tails, error), effort.gmres_tolerance, {}};
+  Effort next{raised(scene_, effort.resolutions, tails, error),
+              effort.gmres_tolerance,
+              {},
+              effort.suspicions};
   // The nodes do: the system is so ill-conditioned that its residual says little.
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
     next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
+  }
+  // Few nodes may hide what they leave: a tail that is small by chance, a point that is nearly near.
+  if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance &&
+      effort.suspicions < most_suspicions) {
+    next.resolutions = finer_automatic(scene_, effort.resolutions);
+    ++next.suspicions;
   }
   return next;
 }

@@ -240,6 +240,7 @@ class SuspensionSolver {
     Resolutions resolutions;
     double gmres_tolerance;
     DensityGuess guess;
+    int suspicions = 0;  // how often nodes were raised although tails say that they do
   };
   struct System {
     References references;
