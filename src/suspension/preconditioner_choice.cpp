@@ -9,10 +9,11 @@ namespace stokesbook {
 
 namespace {
 
-// In radii of gyration: gaps that slow GMRES down.
-constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
+// In radii of gyration: gaps that slow GMRES down, and those that may soon be contacts.
+constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005, soon = 0.2;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_clusters = 256;
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_contact = 400,
+                       most_nodes_in_clusters = 256;
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
   return reference->kind != ComponentKind::enclosing_wall;
@@ -38,11 +39,12 @@ std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& refe
 
 }  // namespace
 
-bool direct_pays(const std::vector<Gap>& gaps, const References& references) {
+bool direct_pays(const std::vector<Gap>& gaps, const References& references, bool contact) {
   Eigen::Index nodes = 0;
   for (const auto& reference : references) nodes += reference->curve.size();
   if (nodes > most_nodes_of_direct) return false;
-  return 3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
+  const double reach = contact && nodes <= most_nodes_in_contact ? soon : tight_for_direct;
+  return 3 * pairs_within(reach, gaps, references) >= references.size();
 }
 
 bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
@@ -61,7 +63,7 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const References& ref
                                          const std::function<std::vector<Gap>()>& find_gaps) {
   if (!plan.direct_at_tight_gaps && !plan.clusters_at_tight_gaps) return plan.preconditioner;
   const std::vector<Gap> gaps = find_gaps();
-  if (plan.direct_at_tight_gaps && direct_pays(gaps, references)) {
+  if (plan.direct_at_tight_gaps && direct_pays(gaps, references, plan.contact)) {
     return PreconditionerKind::direct;
   }
   if (plan.clusters_at_tight_gaps && clusters_pay(gaps, references)) {

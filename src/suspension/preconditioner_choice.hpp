@@ -14,12 +14,14 @@ namespace stokesbook {
 
 /// Tells whether a factorisation of the whole system takes less time than the iterations that it
 /// saves: for 1000 nodes or fewer, where a third as many pairs as there are components, or more,
-/// have gaps below 0.02 of the smaller radius of gyration.
+/// have gaps below 0.02 of the smaller radius of gyration; or for 400 nodes or fewer 0.2, where contact
+/// asks for the responses to many loads.
 ///
 /// @param  gaps        from find_gaps()
 /// @param  references  of each component
+/// @param  contact     in the scene
 /// @return             true where it pays
-bool direct_pays(const std::vector<Gap>& gaps, const References& references);
+bool direct_pays(const std::vector<Gap>& gaps, const References& references, bool contact);
 
 /// Tells whether clusters save more time than they take to set up: where a third as many pairs of
 /// inner components as there are components have gaps below 0.003 of the smaller radius of gyration,
