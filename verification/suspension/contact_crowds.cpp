@@ -123,53 +123,52 @@ Line counted(const std::string& key, const std::string& label, double (*quantity
 }  // namespace
 
 Experiment random_crowds() {
-  return {
-      .key = "crowds",
-      .title =
-          "Random dense crowds, steps up to twenty times too long: in a rotating container (1 "
-          "to 3), shear (4 to 6), extension (7 to 9), vortices (10 to 12), settling (13 to "
-          "15); of each circles, ellipses to 10:1, stars",
-      .x = "family f",
-      .error = "number, or part of the separation",
-      .lines = {
-          {.key = "lost",
-           .label = "part of the separation that the narrowest gap lacks",
-           .measure = over_families(lost),
-           .claim = Claim{.id = "12_18",
-                          .statement = "No written state of a random crowd is closer than the "
-                                       "separation, less a thousandth.",
-                          .law = Identity{1e-3},
-                          .reason = "steps are accepted by polygons of all curves, whose sags are "
-                                    "counted; measured by formulas that share no code with them",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"contact left out", over_families(lost, Contact::left_out)}},
-          {.key = "unbalanced",
-           .label = "net force or torque of contact, over the largest, where no wall takes it",
-           .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
-           .claim = Claim{.id = "12_19",
-                          .statement = "Forces of contact balance, and so do their torques.",
-                          .law = Identity{1e-12},
-                          .reason = "they act on both bodies at one point along one line",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"one body left out", over_families([](const Tally& tally) {
-                                return tally.unbalanced_but_one;
-                              })}},
-          {.key = "stopped",
-           .label = "scenes that stopped",
-           .measure = over_families(stopped),
-           .claim = Claim{.id = "12_20",
-                          .statement = "Every run of a random crowd reaches its end.",
-                          .law = Identity{0.0},
-                          .reason = "a step that contact does not resolve is halved, and short "
-                                    "steps have linear problems with a solution",
-                          .api = {"stokesbook::Simulation"}},
-           .control = Control{"contact left out", over_families(stopped, Contact::left_out)}},
-          counted("scenes", "scenes", [](const Tally& tally) { return tally.scenes; }),
-          counted("steps", "steps", [](const Tally& tally) { return tally.steps; }),
-          counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
-          counted("iterations", "contact iterations a step", mean_iterations),
-          counted("most_iterations", "most in a step",
-                  [](const Tally& tally) { return tally.most_iterations; })}};
+  return {.key = "crowds",
+          .title =
+              "Random dense crowds, steps up to twenty times too long: in a rotating container (1 "
+              "to 3), shear (4 to 6), extension (7 to 9), vortices (10 to 12), settling (13 to "
+              "15); of each circles, ellipses to 10:1, stars",
+          .x = "family f",
+          .error = "number, or part of the separation",
+          .lines = {
+              {.key = "lost",
+               .label = "part of the separation that the narrowest gap lacks",
+               .measure = over_families(lost),
+               .claim = Claim{.id = "12_18",
+                              .statement = "No written state of a random crowd is closer than the "
+                                           "separation, less a thousandth.",
+                              .law = Identity{1e-3},
+                              .reason = "steps are accepted by the closest points of the curves; "
+                                        "measured by formulas that share no code with them",
+                              .api = {"stokesbook::SuspensionContact"}},
+               .control = Control{"contact left out", over_families(lost, Contact::left_out)}},
+              {.key = "unbalanced",
+               .label = "net force or torque of contact, over the largest, where no wall takes it",
+               .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
+               .claim = Claim{.id = "12_19",
+                              .statement = "Forces of contact balance, and so do their torques.",
+                              .law = Identity{1e-12},
+                              .reason = "they act on both bodies at one point along one line",
+                              .api = {"stokesbook::SuspensionContact"}},
+               .control = Control{"one body left out", over_families([](const Tally& tally) {
+                                    return tally.unbalanced_but_one;
+                                  })}},
+              {.key = "stopped",
+               .label = "scenes that stopped",
+               .measure = over_families(stopped),
+               .claim = Claim{.id = "12_20",
+                              .statement = "Every run of a random crowd reaches its end.",
+                              .law = Identity{0.0},
+                              .reason = "a step that contact does not resolve is halved, and short "
+                                        "steps have linear problems with a solution",
+                              .api = {"stokesbook::Simulation"}},
+               .control = Control{"contact left out", over_families(stopped, Contact::left_out)}},
+              counted("scenes", "scenes", [](const Tally& tally) { return tally.scenes; }),
+              counted("steps", "steps", [](const Tally& tally) { return tally.steps; }),
+              counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
+              counted("iterations", "contact iterations a step", mean_iterations),
+              counted("most_iterations", "most in a step",
+                      [](const Tally& tally) { return tally.most_iterations; })}};
 }
 
 }  // namespace stokesbook::verification::suspension
