@@ -55,8 +55,8 @@ class LoadResponse {
   /// @throws NumericsRefused when GMRES does not converge
   /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
   ///                component do not balance
-  /// @par Accuracy  residual of a thousandth of the load's own flow; after tighten() that of the
-  ///                solver
+  /// @par Accuracy  residual of a thousandth of the load's own flow, after tighten() that of the
+  ///                solver; forces found with refine(), @ref claim_12_10
   /// @par Cost      a solve for each new load
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
