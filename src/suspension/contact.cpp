@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <set>
 #include <tuple>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
 #include "suspension/gaps.hpp"
-#include "suspension/stepping.hpp"
+#include "suspension/stage_rows.hpp"
 
 namespace stokesbook {
 
@@ -92,200 +87,6 @@ double area_over_perimeter(const ContactShape& shape) {
   }
   return 0.5 * std::abs(twice_the_area) / shape.weights.sum();
 }
-
-// Where a velocity that is packed as a rate leads to.
-Configuration moved(const Configuration& start, const VectorXd& velocity, double dt) {
-  return to_configuration(to_state(start) + dt * velocity);
-}
-
-// Straight paths there.
-std::vector<RigidPath> paths(const Configuration& start, const VectorXd& velocity, double dt) {
-  std::vector<RigidPath> paths;
-  for (std::size_t k = 0; k < start.size(); ++k) {
-    const auto first = static_cast<Index>(3 * k);
-    const Complex displacement = dt * Complex(velocity[first], velocity[first + 1]);
-    paths.push_back(
-        {{start[k].position, start[k].orientation}, displacement, dt * velocity[first + 2]});
-  }
-  return paths;
-}
-
-// Where a force acts, and its direction on a component.
-struct ActingForce {
-  Complex point, normal;
-};
-
-// A row as the loop of the nonlinear problem names and weighs it.
-struct LoopRow {
-  std::size_t a, b;
-  ContactRow row;
-  ActingForce on_a{};
-};
-
-ContactKey key_of(const LoopRow& row, std::size_t components) {
-  constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32;
-  const bool of_b = row.row.key.vertex_of == row.b;
-  return {static_cast<std::int64_t>(row.a * components + row.b),
-          (of_b ? more_than_vertices : 0) + row.row.key.vertex};
-}
-
-// Parameter of a point on a polygon whose vertices are equidistant in the shape's.
-double parameter(const Polygon& polygon, Index vertex) {
-  return 2.0 * std::numbers::pi * static_cast<double>(vertex) / static_cast<double>(polygon.size());
-}
-
-// By which derivative the loop linearises gaps: the exact one converges fast; that of the forces makes
-// its linear problems symmetric, hence solvable, however far a step goes astray.
-enum class Linearisation { exact, symmetric };
-
-// Geometry of a stage as the loop asks for it; remembers all rows that it has returned.
-class StageRows {
- public:
-  using Concerns = std::function<bool(std::size_t a, std::size_t b)>;
-
-  // What does not concern contact is left out.
-  StageRows(const ContactStage& stage, const References& references, const ContactShapes& shapes,
-            const ContactRules& rules, const Separation& kept, Concerns concerns)
-      : stage_(stage),
-        references_(references),
-        shapes_(shapes),
-        rules_(rules),
-        kept_(kept),
-        concerns_(std::move(concerns)) {}
-
-  // By the exact derivative, or else by that of the forces.
-  ContactResult resolved(const ContactStep& step) {
-    const ContactResult first = resolved(step, Linearisation::exact);
-    if (first.status == ContactStatus::resolved) return first;
-    ContactResult second = resolved(step, Linearisation::symmetric);
-    second.iterations += first.iterations;
-    return second;
-  }
-
-  const LoopRow& seen(const ContactKey& key) const { return seen_.at(key); }
-
- private:
-  ContactResult resolved(ContactStep step, Linearisation linearisation) {
-    step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
-    return resolve_contact(step);
-  }
-
-  ContactRows rows(const VectorXd& velocity, Linearisation linearisation) {
-    const Interferences found =
-        interferences(shapes_, paths(stage_.start, velocity, stage_.dt), rules_);
-    const Configuration end = moved(stage_.start, velocity, stage_.dt);
-    std::vector<LoopRow> rows;
-    for (const Contact& contact : found.contacts) {
-      const auto& [a, b, volume, own] = contact;
-      if (!concerns_(a, b)) continue;
-      if (is_violated(contact, end)) pressed_.emplace(a, b);
-      // Each row costs a solve: those that merely come near have none.
-      if (!pressed_.contains({a, b})) continue;
-      for (const ContactRow& row : own) rows.push_back({a, b, row});
-    }
-    const auto m = static_cast<Index>(rows.size());
-    const GapGradient none(m, velocity.size());
-    ContactRows result{VectorXd(m), none, none, {}};
-    for (Index i = 0; i < m; ++i) {
-      LoopRow& row = rows[static_cast<std::size_t>(i)];
-      const RowKey& key = row.row.key;
-      // Forces act where their configuration has the closest points: those at the end of the step
-      // would cost an order.
-      const ClosestPoints acting = closest(key, stage_.acting);
-      add(result.force_gradient, i, key, acting, stage_.acting);
-      row.on_a = acting_force(acting);
-      if (key.vertex_of == row.b) row.on_a.normal = -row.on_a.normal;
-      const auto [gap, points] = gap_at(end, row);
-      result.gap[i] = gap;
-      if (linearisation == Linearisation::exact) {
-        points ? add(result.gradient, i, key, *points, end)
-               : add_derivative(result.gradient, i, row);
-      }
-      result.keys.push_back(key_of(row, shapes_.size()));
-      seen_.insert_or_assign(result.keys.back(), row);
-    }
-    if (linearisation == Linearisation::symmetric) result.gradient = result.force_gradient;
-    return result;
-  }
-
-  static void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
-    const auto first = static_cast<Index>(3 * component);
-    gradient.insert(i, first) = wrench.force.real();
-    gradient.insert(i, first + 1) = wrench.force.imag();
-    gradient.insert(i, first + 2) = wrench.torque;
-  }
-
-  // Of the curves, with their closest points, where it is the same as that of the polygons.
-  struct Gap {
-    double gap;
-    std::optional<ClosestPoints> points;
-  };
-
-  Gap gap_at(const Configuration& end, const LoopRow& row) const {
-    const ClosestPoints points = closest(row.row.key, end);
-    const double by_polygons = row.row.gap + rules_.separation.between(row.a, row.b);
-    const double kept = kept_.between(row.a, row.b);
-    const bool same = points.gap > 0.0 && std::abs(points.gap - by_polygons) < sags(row);
-    return same ? Gap{points.gap - kept, points} : Gap{by_polygons - kept, {}};
-  }
-
-  // By the polygons, or by the curves, which come closer: a pair that is kept apart by the one
-  // measure and let go by the other would jump to and fro.
-  bool is_violated(const Contact& contact, const Configuration& end) const {
-    return contact.is_violated() || std::ranges::any_of(contact.rows, [&](const ContactRow& own) {
-             const LoopRow row{contact.a, contact.b, own};
-             return own.gap < sags(row) && gap_at(end, row).gap < -rules_.tolerance;
-           });
-  }
-
-  // By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
-  // closest point.
-  double sags(const LoopRow& row) const {
-    return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
-  }
-
-  static void add_derivative(GapGradient& gradient, Index i, const LoopRow& row) {
-    add(gradient, i, row.a, row.row.derivative.on_a);
-    add(gradient, i, row.b, row.row.derivative.on_b);
-  }
-
-  // Where the curves are closest, at a configuration.
-  ClosestPoints closest(const RowKey& key, const Configuration& at) const {
-    const SmoothCurve a = smooth_curve(*references_[key.vertex_of], at[key.vertex_of]);
-    const SmoothCurve b = smooth_curve(*references_[key.polygon_of], at[key.polygon_of]);
-    const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
-    const Polygon& polygon = shapes_[key.polygon_of]->polygon;
-    const Complex seen = std::polar(1.0, -b.orientation) * (a.at(s).value - b.position);
-    const Index edge = polygon.closest(seen, std::numeric_limits<double>::infinity()).edge;
-    return closest_points_near(a, b, s, parameter(polygon, edge));
-  }
-
-  // On the first of two curves, half way between the closest points.
-  static ActingForce acting_force(const ClosestPoints& points) {
-    return {0.5 * (points.point_a + points.point_b),
-            (points.point_a - points.point_b) / points.gap};
-  }
-
-  // Unit forces at the closest points, that push the two apart; torques about their centres.
-  static void add(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
-                  const Configuration& at) {
-    const ActingForce unit = acting_force(points);
-    const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
-      return {force, cross(unit.point - at[k].position, force)};
-    };
-    add(gradient, i, key.vertex_of, wrench(key.vertex_of, unit.normal));
-    add(gradient, i, key.polygon_of, wrench(key.polygon_of, -unit.normal));
-  }
-
-  const ContactStage& stage_;
-  const References& references_;
-  const ContactShapes& shapes_;
-  const ContactRules& rules_;  // of the polygons
-  const Separation& kept_;     // by the curves
-  Concerns concerns_;
-  std::set<std::pair<std::size_t, std::size_t>> pressed_;  // violated at some velocity
-  std::map<ContactKey, LoopRow> seen_;
-};
 
 // Net force and torque of forces on all components, over the largest force and its distance.
 std::pair<double, double> imbalance(const VectorXd& force, const Configuration& acting) {
@@ -420,7 +221,7 @@ bool SuspensionContact::admits(const Configuration& configuration,
 
 double SuspensionContact::relative_displacement(const Configuration& start,
                                                 const VectorXd& velocity, double dt) const {
-  const std::vector<RigidPath> paths = stokesbook::paths(start, velocity, dt);
+  const std::vector<RigidPath> paths = straight_paths(start, velocity, dt);
   double largest = 0.0;
   for (const Contact& contact : interferences(shapes_, paths, rules({})).contacts) {
     const std::size_t a = contact.a, b = contact.b;
@@ -436,15 +237,15 @@ double SuspensionContact::relative_displacement(const Configuration& start,
 ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadResponse& response,
                                           const CloserPairs& closer) const {
   const auto begun = std::chrono::steady_clock::now();
-  const ContactRules rules = this->rules(closer);
-  const Separation kept{separation_, closer};
-  StageRows rows(stage, solver_.references(), shapes_, rules, kept,
-                 [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); });
+  const StageRules rules{this->rules(closer),
+                         {separation_, closer},
+                         [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); }};
+  StageRows rows(stage, solver_.references(), shapes_, rules);
   const ContactStep step{
       .free_velocity = stage.free_velocity,
       .dt = stage.dt,
       .separation = separation_,
-      .tolerance = rules.tolerance,
+      .tolerance = rules.polygons.tolerance,
       .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * response(forces);
@@ -458,9 +259,10 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];
     if (force <= 0.0) continue;
-    const LoopRow& row = rows.seen(result.keys[i]);
-    outcome.forces.push_back({party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
-                              kept.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
+    const StageRow& row = rows.seen(result.keys[i]);
+    outcome.forces.push_back(
+        {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
+         rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
   std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
       imbalance(result.force, stage.acting);

@@ -1,0 +1,160 @@
+#include "suspension/stage_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "suspension/gaps.hpp"
+#include "suspension/stepping.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+ContactKey key_of(const StageRow& row, std::size_t components) {
+  constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32;
+  const bool of_b = row.row.key.vertex_of == row.b;
+  return {static_cast<std::int64_t>(row.a * components + row.b),
+          (of_b ? more_than_vertices : 0) + row.row.key.vertex};
+}
+
+// Parameter of a point on a polygon whose vertices are equidistant in the shape's.
+double parameter(const Polygon& polygon, Index vertex) {
+  return 2.0 * std::numbers::pi * static_cast<double>(vertex) / static_cast<double>(polygon.size());
+}
+
+void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
+  const auto first = static_cast<Index>(3 * component);
+  gradient.insert(i, first) = wrench.force.real();
+  gradient.insert(i, first + 1) = wrench.force.imag();
+  gradient.insert(i, first + 2) = wrench.torque;
+}
+
+// On the first of two curves, half way between the closest points.
+ActingForce acting_force(const ClosestPoints& points) {
+  return {0.5 * (points.point_a + points.point_b), (points.point_a - points.point_b) / points.gap};
+}
+
+// Unit forces at the closest points, that push the two apart; torques about their centres.
+void add(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
+         const Configuration& at) {
+  const ActingForce unit = acting_force(points);
+  const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
+    return {force, cross(unit.point - at[k].position, force)};
+  };
+  add(gradient, i, key.vertex_of, wrench(key.vertex_of, unit.normal));
+  add(gradient, i, key.polygon_of, wrench(key.polygon_of, -unit.normal));
+}
+
+}  // namespace
+
+std::vector<RigidPath> straight_paths(const Configuration& start, const VectorXd& velocity,
+                                      double dt) {
+  std::vector<RigidPath> paths;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex displacement = dt * Complex(velocity[first], velocity[first + 1]);
+    paths.push_back(
+        {{start[k].position, start[k].orientation}, displacement, dt * velocity[first + 2]});
+  }
+  return paths;
+}
+
+StageRows::StageRows(const ContactStage& stage, const References& references,
+                     const ContactShapes& shapes, const StageRules& rules)
+    : stage_(stage), references_(references), shapes_(shapes), rules_(rules) {}
+
+ContactResult StageRows::resolved(const ContactStep& step) {
+  const ContactResult first = resolved(step, Linearisation::exact);
+  if (first.status == ContactStatus::resolved) return first;
+  ContactResult second = resolved(step, Linearisation::symmetric);
+  second.iterations += first.iterations;
+  return second;
+}
+
+ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation) {
+  step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
+  return resolve_contact(step);
+}
+
+// Each row costs a solve: pairs that merely come near have none.
+std::vector<StageRow> StageRows::pressed_rows(const VectorXd& velocity, const Configuration& end) {
+  const Interferences found =
+      interferences(shapes_, straight_paths(stage_.start, velocity, stage_.dt), rules_.polygons);
+  std::vector<StageRow> rows;
+  for (const Contact& contact : found.contacts) {
+    if (!rules_.concerns(contact.a, contact.b)) continue;
+    if (is_violated(contact, end)) pressed_.emplace(contact.a, contact.b);
+    if (!pressed_.contains({contact.a, contact.b})) continue;
+    for (const ContactRow& row : contact.rows) rows.push_back({contact.a, contact.b, row});
+  }
+  return rows;
+}
+
+ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisation) {
+  const Configuration end = to_configuration(to_state(stage_.start) + stage_.dt * velocity);
+  std::vector<StageRow> rows = pressed_rows(velocity, end);
+  const auto m = static_cast<Index>(rows.size());
+  const GapGradient none(m, velocity.size());
+  ContactRows result{VectorXd(m), none, none, {}};
+  for (Index i = 0; i < m; ++i) {
+    StageRow& row = rows[static_cast<std::size_t>(i)];
+    const RowKey& key = row.row.key;
+    const ClosestPoints acting = closest(key, stage_.acting);
+    add(result.force_gradient, i, key, acting, stage_.acting);
+    row.on_a = acting_force(acting);
+    if (key.vertex_of == row.b) row.on_a.normal = -row.on_a.normal;
+    const auto [gap, points] = gap_at(end, row);
+    result.gap[i] = gap;
+    if (linearisation == Linearisation::exact && points) {
+      add(result.gradient, i, key, *points, end);
+    } else if (linearisation == Linearisation::exact) {
+      add(result.gradient, i, row.a, row.row.derivative.on_a);
+      add(result.gradient, i, row.b, row.row.derivative.on_b);
+    }
+    result.keys.push_back(key_of(row, shapes_.size()));
+    seen_.insert_or_assign(result.keys.back(), row);
+  }
+  if (linearisation == Linearisation::symmetric) result.gradient = result.force_gradient;
+  return result;
+}
+
+StageRows::Gap StageRows::gap_at(const Configuration& end, const StageRow& row) const {
+  const ClosestPoints points = closest(row.row.key, end);
+  const double by_polygons = row.row.gap + rules_.polygons.separation.between(row.a, row.b);
+  const double kept = rules_.curves.between(row.a, row.b);
+  const bool same = points.gap > 0.0 && std::abs(points.gap - by_polygons) < sags(row);
+  return same ? Gap{points.gap - kept, points} : Gap{by_polygons - kept, {}};
+}
+
+// By the polygons, or by the curves, which come closer: a pair that is kept apart by the one measure
+// and let go by the other would jump to and fro.
+bool StageRows::is_violated(const Contact& contact, const Configuration& end) const {
+  return contact.is_violated() || std::ranges::any_of(contact.rows, [&](const ContactRow& own) {
+           const StageRow row{contact.a, contact.b, own};
+           return own.gap < sags(row) && gap_at(end, row).gap < -rules_.polygons.tolerance;
+         });
+}
+
+// By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the closest
+// point.
+double StageRows::sags(const StageRow& row) const {
+  return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
+}
+
+// Where the curves are closest, at a configuration.
+ClosestPoints StageRows::closest(const RowKey& key, const Configuration& at) const {
+  const SmoothCurve a = smooth_curve(*references_[key.vertex_of], at[key.vertex_of]);
+  const SmoothCurve b = smooth_curve(*references_[key.polygon_of], at[key.polygon_of]);
+  const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
+  const Polygon& polygon = shapes_[key.polygon_of]->polygon;
+  const Complex seen = std::polar(1.0, -b.orientation) * (a.at(s).value - b.position);
+  const Index edge = polygon.closest(seen, std::numeric_limits<double>::infinity()).edge;
+  return closest_points_near(a, b, s, parameter(polygon, edge));
+}
+
+}  // namespace stokesbook
