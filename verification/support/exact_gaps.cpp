@@ -108,11 +108,11 @@ int winding_number(const std::vector<Complex>& polygon, Complex point) {
 // alone may lie within rounding of the polygon.
 bool lies_inside(const std::vector<Complex>& curve, const std::vector<Complex>& polygon) {
   int inside = 0;
-  constexpr int asked = 9;
-  for (int i = 0; i < asked; ++i) {
+  constexpr std::size_t asked = 9;
+  for (std::size_t i = 0; i < asked; ++i) {
     inside += winding_number(polygon, curve[i * curve.size() / asked]) != 0 ? 1 : 0;
   }
-  return 2 * inside > asked;
+  return 2 * inside > static_cast<int>(asked);
 }
 
 double reach(const PlacedShape& placed) {
