@@ -248,7 +248,7 @@ double iterations(std::size_t kept) {
 void print_iterations() {
   std::puts(
       "\nSeven ellipses: iterations of GMRES a solve, with guesses from k earlier densities\n");
-  for (const std::size_t kept : {0, 1, 2, 3, 4, 6}) {
+  for (const std::size_t kept : {0U, 1U, 2U, 3U, 4U, 6U}) {
     std::printf("  k = %zu%8.1f\n", kept, iterations(kept));
   }
 }
