@@ -90,7 +90,7 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
     table.refuse({"effort"},
                  "belongs to methods of fixed steps: this one adapts them to the error");
     time.dt = table.get("dt", positive_number);
-    time.tolerance = table.get("tolerance", step_tolerance).value_or(1e-6);
+    time.tolerance = table.get("tolerance", step_tolerance).value_or(default_step_tolerance);
   } else {
     if (time.method == SteppingMethod::heun && root.find("contact") != nullptr) {
       time.tolerance = table.get("tolerance", step_tolerance);

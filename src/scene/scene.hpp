@@ -255,6 +255,9 @@ struct EffortBounds {
   bool operator==(const EffortBounds&) const = default;
 };
 
+/// The error to which steps are adapted where none is given.
+inline constexpr double default_step_tolerance = 1e-6;
+
 /// How a run advances in time.
 struct TimeSettings {
   double t_final = 0.0;                           ///< end of the run, > 0; it starts at 0
@@ -263,11 +266,11 @@ struct TimeSettings {
   SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
   std::optional<double> tolerance{};  ///< error of positions in units of the largest body's radius,
                                       ///< and of angles, radians, to which steps are adapted; none:
-                                      ///< 1e-6 for methods that adapt them, and steps stay as they
-                                      ///< are for Heun's, which adapts them in scenes with contact
-  std::optional<double> dt_min{};     ///< least step, > 0; none: a millionth of dt, or of t_final
-                                      ///< where the method adapts steps
-  std::optional<double> dt_max{};     ///< longest step of methods that adapt, and by effort
+      ///< the default for methods that adapt them, and steps stay as they
+      ///< are for Heun's, which adapts them in scenes with contact
+  std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of dt, or of t_final
+                                   ///< where the method adapts steps
+  std::optional<double> dt_max{};  ///< longest step of methods that adapt, and by effort
   std::optional<EffortBounds> effort{};  ///< of methods of fixed steps; none: dt stays
 
   /// @return true when all members are equal

@@ -23,7 +23,7 @@ constexpr double relative_sag = 1e-3, relative_tolerance = 1e-5;
 double mean_spacing(const Scene& scene, const References& references) {
   double length = 0.0, nodes = 0.0;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    length += weights(references[k]->curve).sum();
+    length += perimeter(references[k]->curve);
     nodes += static_cast<double>(references[k]->curve.size());
   }
   return length / nodes;
@@ -35,36 +35,19 @@ double separation_of(const SuspensionSolver& solver) {
   return unit * contact.minimum_separation;
 }
 
-// The numbers that tell shapes apart.
-struct ShapeNumbers {
-  using Numbers = std::vector<double>;
-  Numbers operator()(const Circle& circle) const { return {0.0, circle.radius}; }
-  Numbers operator()(const Ellipse& ellipse) const { return {1.0, ellipse.a, ellipse.b}; }
-  Numbers operator()(const Star& star) const {
-    return {2.0, star.radius, star.amplitude, static_cast<double>(star.arms)};
-  }
-  Numbers operator()(const Superellipse& shape) const {
-    return {3.0, shape.a, shape.b, static_cast<double>(shape.power)};
-  }
-  Numbers operator()(const NodalCurve& curve) const {
-    Numbers numbers{4.0};
-    for (const Complex x : curve.points) numbers.insert(numbers.end(), {x.real(), x.imag()});
-    return numbers;
-  }
-};
-
 // Components of one shape and side share their polygon.
 ContactShapes shapes_of(const References& references, double sag_limit) {
-  std::map<std::pair<Side, std::vector<double>>, std::shared_ptr<const ContactShape>> distinct;
   ContactShapes shapes;
   for (const auto& reference : references) {
-    const Side side = reference->curve.side;
-    auto& shape = distinct[{side, std::visit(ShapeNumbers{}, reference->shape)}];
-    if (!shape) {
-      shape =
-          std::make_shared<const ContactShape>(contact_shape(reference->shape, side, sag_limit));
-    }
-    shapes.push_back(shape);
+    const auto is_equal = [&](const std::shared_ptr<const Reference>& earlier) {
+      return earlier->shape == reference->shape && earlier->curve.side == reference->curve.side;
+    };
+    const auto known =
+        static_cast<std::size_t>(std::ranges::find_if(references, is_equal) - references.begin());
+    shapes.push_back(known < shapes.size()
+                         ? shapes[known]
+                         : std::make_shared<const ContactShape>(
+                               contact_shape(reference->shape, reference->curve.side, sag_limit)));
   }
   return shapes;
 }
@@ -75,17 +58,6 @@ std::vector<Pose> poses_of(const Configuration& configuration) {
     poses.push_back({position, orientation});
   }
   return poses;
-}
-
-double area_over_perimeter(const ContactShape& shape) {
-  double twice_the_area = 0.0;
-  Complex before = shape.polygon.vertex(shape.polygon.size() - 1);
-  for (Index i = 0; i < shape.polygon.size(); ++i) {
-    const Complex vertex = shape.polygon.vertex(i);
-    twice_the_area += cross(before, vertex);
-    before = vertex;
-  }
-  return 0.5 * std::abs(twice_the_area) / shape.weights.sum();
 }
 
 // Net force and torque of forces on all components, over the largest force and its distance.
@@ -222,13 +194,16 @@ bool SuspensionContact::admits(const Configuration& configuration,
 double SuspensionContact::relative_displacement(const Configuration& start,
                                                 const VectorXd& velocity, double dt) const {
   const std::vector<RigidPath> paths = straight_paths(start, velocity, dt);
+  const auto area_over_perimeter = [this](std::size_t k) {
+    const Curve& curve = solver_.references()[k]->curve;
+    return area(curve) / perimeter(curve);
+  };
   double largest = 0.0;
   for (const Contact& contact : interferences(shapes_, paths, rules({})).contacts) {
     const std::size_t a = contact.a, b = contact.b;
     if (!is_free(a) && !is_free(b)) continue;
     const double way = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
-    const double width =
-        std::min(area_over_perimeter(*shapes_[a]), area_over_perimeter(*shapes_[b]));
+    const double width = std::min(area_over_perimeter(a), area_over_perimeter(b));
     largest = std::max(largest, way / width);
   }
   return largest;

@@ -59,10 +59,8 @@ bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
   return 3 * pairs_within(tight, inner, references) >= count;
 }
 
-PreconditionerKind chosen_preconditioner(const Plan& plan, const References& references,
-                                         const std::function<std::vector<Gap>()>& find_gaps) {
-  if (!plan.direct_at_tight_gaps && !plan.clusters_at_tight_gaps) return plan.preconditioner;
-  const std::vector<Gap> gaps = find_gaps();
+PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
+                                         const References& references) {
   if (plan.direct_at_tight_gaps && direct_pays(gaps, references, plan.contact)) {
     return PreconditionerKind::direct;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "suspension/plan.hpp"
@@ -37,11 +36,11 @@ bool clusters_pay(const std::vector<Gap>& gaps, const References& references);
 /// Chooses the preconditioner of a configuration.
 ///
 /// @param  plan        what the scene needs
+/// @param  gaps        from find_gaps()
 /// @param  references  of each component
-/// @param  gaps        finds the gaps of the configuration, where the plan asks for them
 /// @return             none, block_diagonal, clusters or direct
-PreconditionerKind chosen_preconditioner(const Plan& plan, const References& references,
-                                         const std::function<std::vector<Gap>()>& gaps);
+PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
+                                         const References& references);
 
 /// @}
 

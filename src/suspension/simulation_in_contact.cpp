@@ -147,18 +147,16 @@ Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun beg
       std::optional<Corrected> corrected;
       if (stepping_.method == Method::heun) corrected = this->corrected(begun, info);
       const ContactOutcome& outcome = corrected ? corrected->outcome : begun.outcome;
-      if (time_.tolerance && corrected->error > 1.0) {
-        const bool jumps =
-            pairs_in_contact(begun.outcome.forces) != pairs_in_contact(outcome.forces);
-        if (!jumps || rejected_at_a_jump < most_rejections_at_a_jump) {
-          rejected_at_a_jump += jumps ? 1 : 0;
-          ++rejected;
-          begun = begin_in_contact(
-              first, shortened(begun.t_end, contact_step_factor(corrected->error),
-                               "the error of a step is " + short_number(corrected->error) +
-                                   " times that which time.tolerance allows"));
-          continue;
-        }
+      const bool jumps = pairs_in_contact(begun.outcome.forces) != pairs_in_contact(outcome.forces);
+      const bool too_long = time_.tolerance && corrected->error > 1.0;
+      if (too_long && !(jumps && rejected_at_a_jump == most_rejections_at_a_jump)) {
+        rejected_at_a_jump += jumps ? 1 : 0;
+        ++rejected;
+        begun = begin_in_contact(
+            first, shortened(begun.t_end, contact_step_factor(corrected->error),
+                             "the error of a step is " + short_number(corrected->error) +
+                                 " times that which time.tolerance allows"));
+        continue;
       }
       info.dt = begun.t_end - now_.t;
       const VectorXd state = now_.state + info.dt * outcome.result.velocity;

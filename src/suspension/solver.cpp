@@ -166,7 +166,8 @@ std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configura
 
 DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
                                              const References& references, double drive) const {
-  return discretise(problem(configuration, references, drive), configuration, references);
+  return discretise(problem(configuration, references, drive), configuration, gaps(configuration),
+                    references);
 }
 
 std::vector<PlacedCurve> SuspensionSolver::near_curves(const Configuration& configuration,
@@ -182,10 +183,11 @@ DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
 
 DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
                                              const Configuration& configuration,
+                                             const std::vector<Gap>& gaps,
                                              const References& references) const {
   DiscreteProblem discrete = unpreconditioned(problem, configuration, references);
   const std::vector<PlacedCurve> near = near_curves(configuration, references);
-  switch (chosen_preconditioner(plan_, references, [&] { return gaps(configuration); })) {
+  switch (chosen_preconditioner(plan_, gaps, references)) {
     case PreconditionerKind::direct:
       discrete.precondition =
           DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
@@ -247,7 +249,7 @@ SuspensionSolver::System SuspensionSolver::system(const Configuration& configura
   const StokesProblem problem = this->problem(configuration, references, drive);
   refuse(data_refusal(scene_, problem));
   auto discrete =
-      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, references));
+      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
   return {std::move(references), std::move(discrete)};
 }
 

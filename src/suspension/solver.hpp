@@ -255,7 +255,7 @@ class SuspensionSolver {
   DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
                                    const References& references) const;
   DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
-                             const References& references) const;
+                             const std::vector<Gap>& gaps, const References& references) const;
   std::vector<PlacedCurve> near_curves(const Configuration& configuration,
                                        const References& references) const;
   System system(const Configuration& configuration, const std::vector<Gap>& gaps,

@@ -71,7 +71,7 @@ VectorXd to_rate(const Solution& solution) {
 }
 
 double step_tolerance(const TimeSettings& time) {
-  return time.tolerance.value_or(1e-6);
+  return time.tolerance.value_or(default_step_tolerance);
 }
 
 double largest_distance(const References& references, const Configuration& p,

@@ -30,7 +30,7 @@ Eigen::VectorXd to_rate(const Solution& solution);
 /// Returns the error to which steps are adapted.
 ///
 /// @param  time  settings of a method that adapts them
-/// @return       time.tolerance, or 1e-6 where it is not given
+/// @return       time.tolerance, or the default where it is not given
 double step_tolerance(const TimeSettings& time);
 
 /// Measures how far two configurations are apart.

@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   using enum PreconditionerKind;
   const auto chosen = [](const Scene& scene) {
     const Discretised start(with_preconditioner(scene, none));
-    return chosen_preconditioner(make_plan(scene), start.references,
-                                 [&] { return start.solver.gaps(start.configuration); });
+    return chosen_preconditioner(make_plan(scene), start.solver.gaps(start.configuration),
+                                 start.references);
   };
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == direct));

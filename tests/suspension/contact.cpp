@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/closed_forms.hpp"
+#include "support/recorded_run.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -13,38 +14,6 @@ namespace {
 
 using enum SteppingMethod;
 
-struct Run {
-  std::vector<Frame> frames;
-  std::vector<StepInfo> steps;
-  RunTotals totals;
-};
-
-Run run_of(const Scene& scene) {
-  Run run;
-  Observer observer;
-  observer.frame = [&](const Frame& frame) { run.frames.push_back(frame); };
-  observer.step = [&](const StepInfo& step) { run.steps.push_back(step); };
-  const SuspensionSolver solver(scene);
-  Simulation simulation(solver, observer);
-  simulation.run();
-  run.totals = simulation.totals();
-  return run;
-}
-
-Scene with_contact(const BackgroundFlow& flow, const std::vector<Body>& bodies, double separation) {
-  Scene scene;
-  scene.flow = flow;
-  scene.bodies = bodies;
-  scene.solver.tolerance = 1e-5;
-  scene.contact = ContactSettings{separation};
-  return scene;
-}
-
-Scene over(Scene scene, double t_final, double dt, SteppingMethod method = euler) {
-  scene.time = TimeSettings{t_final, dt, method};
-  return scene;
-}
-
 double distance(const Frame& frame, std::size_t a, std::size_t b) {
   return std::abs(frame.bodies[a].position - frame.bodies[b].position);
 }
@@ -52,17 +21,17 @@ double distance(const Frame& frame, std::size_t a, std::size_t b) {
 // Unit disks that a flow of rate 30 drives together: the free ends of a step overlap, or are past
 // each other.
 Scene head_on(double offset) {
-  return with_contact(ExtensionalFlow{-30.0},
-                      {body_at(Circle{1.0}, {-1.4, offset}, automatic_nodes),
-                       body_at(Circle{1.0}, {1.4, -offset}, automatic_nodes)},
-                      0.1);
+  return in_contact(ExtensionalFlow{-30.0},
+                    {body_at(Circle{1.0}, {-1.4, offset}, automatic_nodes),
+                     body_at(Circle{1.0}, {1.4, -offset}, automatic_nodes)},
+                    0.1);
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(disks_driven_through_each_other_stop_at_the_separation) {
   for (const double dt : {0.1, 0.3, 1.0}) {
-    const Run run = run_of(over(head_on(0.0), dt, dt));
+    const RecordedRun run = recorded_run(over(head_on(0.0), dt, dt));
     const double gap = distance(run.frames.back(), 0, 1) - 2.0;
     BOOST_TEST(gap >= 0.1 * (1 - 1e-3));
     BOOST_TEST(gap <= 0.1 * (1 + 4e-3));
@@ -72,7 +41,7 @@ BOOST_AUTO_TEST_CASE(disks_driven_through_each_other_stop_at_the_separation) {
 }
 
 BOOST_AUTO_TEST_CASE(forces_of_contact_balance) {
-  const Run run = run_of(over(head_on(0.0), 0.1, 0.1));
+  const RecordedRun run = recorded_run(over(head_on(0.0), 0.1, 0.1));
   const Frame& start = run.frames.front();
   BOOST_REQUIRE(start.contacts.size() == 1);
   BOOST_TEST(start.contacts[0].force > 0.0);
@@ -83,13 +52,13 @@ BOOST_AUTO_TEST_CASE(forces_of_contact_balance) {
 
 BOOST_AUTO_TEST_CASE(stacks_of_three_keep_both_separations) {
   for (const SteppingMethod method : {euler, heun}) {
-    const Scene scene = over(with_contact(ExtensionalFlow{-1.0},
-                                          {body_at(Circle{1.0}, {-2.3, 0.0}, automatic_nodes),
-                                           body_at(Circle{1.0}, {0.0, 0.0}, automatic_nodes),
-                                           body_at(Circle{1.0}, {2.3, 0.0}, automatic_nodes)},
-                                          0.1),
+    const Scene scene = over(in_contact(ExtensionalFlow{-1.0},
+                                        {body_at(Circle{1.0}, {-2.3, 0.0}, automatic_nodes),
+                                         body_at(Circle{1.0}, {0.0, 0.0}, automatic_nodes),
+                                         body_at(Circle{1.0}, {2.3, 0.0}, automatic_nodes)},
+                                        0.1),
                              1.0, 0.1, method);
-    const Run run = run_of(scene);
+    const RecordedRun run = recorded_run(scene);
     for (const std::size_t k : {0U, 1U}) {
       const double gap = distance(run.frames.back(), k, k + 1) - 2.0;
       BOOST_TEST(gap >= 0.1 * (1 - 1e-3));
@@ -108,8 +77,8 @@ BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
     const Complex corner = std::polar(2.12, std::numbers::pi / 3.0 * k + 0.1);
     bodies.push_back(body_at(Ellipse{1.0, 0.95}, corner, automatic_nodes));
   }
-  Scene scene = over(with_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.4, 0.4);
-  const Frame frame = run_of(scene).frames.front();
+  Scene scene = over(in_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.4, 0.4);
+  const Frame frame = recorded_run(scene).frames.front();
   BOOST_TEST(frame.contacts.size() >= 3);
   double fastest = 0.0;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -134,11 +103,11 @@ BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
                                                      {0.25, 9.4711}};
   for (const auto& [gap, force] : known) {
     const double x = 0.5 + 0.5 * gap * h;
-    Scene scene = with_contact(ExtensionalFlow{-1.0},
-                               {body_at(Circle{0.5}, {-x, 0.0}, automatic_nodes),
-                                body_at(Circle{0.5}, {x, 0.0}, automatic_nodes)},
-                               gap * h);
-    const Run run = run_of(over(scene, 0.4, 0.1));
+    Scene scene = in_contact(ExtensionalFlow{-1.0},
+                             {body_at(Circle{0.5}, {-x, 0.0}, automatic_nodes),
+                              body_at(Circle{0.5}, {x, 0.0}, automatic_nodes)},
+                             gap * h);
+    const RecordedRun run = recorded_run(over(scene, 0.4, 0.1));
     BOOST_REQUIRE(run.frames.back().contacts.size() == 1);
     BOOST_TEST(run.frames.back().contacts[0].force == force, boost::test_tools::tolerance(1e-3));
   }
@@ -153,12 +122,13 @@ BOOST_AUTO_TEST_CASE(starts_that_overlap_or_are_close_are_refused) {
       return std::string(refusal.what()).find(text) != std::string::npos;
     };
   };
-  BOOST_CHECK_EXCEPTION(run_of(scene), ConfigurationRefused, mentions("body 0 and body 1 by 0.2"));
+  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused,
+                        mentions("body 0 and body 1 by 0.2"));
   scene.bodies[0].position = {-1.03, 0.0};
   scene.bodies[1].position = {1.03, 0.0};
-  BOOST_CHECK_EXCEPTION(run_of(scene), ConfigurationRefused, mentions("allow_close"));
+  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused, mentions("allow_close"));
   scene.contact->allow_close = true;
-  const Run run = run_of(scene);
+  const RecordedRun run = recorded_run(scene);
   BOOST_TEST(distance(run.frames.back(), 0, 1) - 2.0 >= 0.06 - 2e-4);
 }
 
@@ -167,13 +137,13 @@ BOOST_AUTO_TEST_CASE(starts_that_overlap_or_are_close_are_refused) {
 BOOST_AUTO_TEST_CASE(reversed_shear_leaves_what_contact_has_moved) {
   const double h = std::numbers::pi / 32;
   const auto returned = [&](double gaps, double dt) {
-    Scene scene = with_contact(ShearFlow{1.0},
-                               {body_at(Circle{0.5}, {-8.0, 0.5}, automatic_nodes),
-                                body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                               gaps * h);
+    Scene scene = in_contact(ShearFlow{1.0},
+                             {body_at(Circle{0.5}, {-8.0, 0.5}, automatic_nodes),
+                              body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                             gaps * h);
     scene.reverse_at = {20.0};
     scene.output.dt_write = 40.0;
-    const Run run = run_of(over(scene, 40.0, dt));
+    const RecordedRun run = recorded_run(over(scene, 40.0, dt));
     const auto& start = run.frames.front().bodies;
     const auto& end = run.frames.back().bodies;
     double change = 0.0, size = 0.0;
@@ -195,9 +165,9 @@ BOOST_AUTO_TEST_CASE(held_disks_carry_what_is_pressed_on_them) {
   std::vector<Body> bodies{pressed, body_at(Circle{1.0}, {-1.2, 0.0}, automatic_nodes),
                            body_at(Circle{1.0}, {1.2, 0.0}, automatic_nodes)};
   bodies[1].held = bodies[2].held = true;
-  Scene scene = with_contact(QuiescentFlow{}, bodies, 0.09);
+  Scene scene = in_contact(QuiescentFlow{}, bodies, 0.09);
   scene.gauge_length = 100.0;
-  const Run run = run_of(over(scene, 4.0, 0.1));
+  const RecordedRun run = recorded_run(over(scene, 4.0, 0.1));
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(end.contacts.size() == 2);
   Complex reaction{};
@@ -216,9 +186,9 @@ BOOST_AUTO_TEST_CASE(bodies_rest_on_the_walls_of_a_container) {
   Body heavy = body_at(Ellipse{0.6, 0.3}, {0.4, -1.0}, automatic_nodes);
   heavy.force = {0.0, -50.0};
   heavy.orientation = 0.3;
-  Scene scene = with_contact(QuiescentFlow{}, {heavy}, 0.05);
+  Scene scene = in_contact(QuiescentFlow{}, {heavy}, 0.05);
   scene.walls = {{WallRole::outer, Circle{2.0}, {}, 0.0, automatic_nodes, {}}};
-  const Run run = run_of(over(scene, 8.0, 0.1));
+  const RecordedRun run = recorded_run(over(scene, 8.0, 0.1));
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(!end.contacts.empty());
   double reaction = 0.0;
@@ -238,8 +208,8 @@ BOOST_AUTO_TEST_CASE(contact_is_the_same_for_every_observer) {
     Body ahead = body_at(Ellipse{1.0, 0.6}, {1.1, 0.0}, automatic_nodes);
     chaser.force = 40.0;
     ahead.force = -40.0;
-    Scene scene = with_contact(UniformFlow{boost}, {chaser, ahead}, 0.1);
-    return run_of(over(scene, 0.5, 0.05));
+    Scene scene = in_contact(UniformFlow{boost}, {chaser, ahead}, 0.1);
+    return recorded_run(over(scene, 0.5, 0.05));
   };
   const Complex boost(7.0, -3.0);
   const Frame still = run({}).frames.back(), moving = run(boost).frames.back();
@@ -254,13 +224,13 @@ BOOST_AUTO_TEST_CASE(contact_is_the_same_for_every_observer) {
 // Order of Euler and of Heun with contact: a pair that is driven together, turns round, and parts.
 BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
   const auto end = [](double dt, SteppingMethod method) {
-    Scene scene = with_contact(ShearFlow{1.0},
-                               {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                                body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                               0.25);
+    Scene scene = in_contact(ShearFlow{1.0},
+                             {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                              body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                             0.25);
     scene.output.dt_write = 6.0;
     scene.solver.tolerance = 1e-7;
-    const Frame frame = run_of(over(scene, 6.0, dt, method)).frames.back();
+    const Frame frame = recorded_run(over(scene, 6.0, dt, method)).frames.back();
     return frame.bodies[0].position - frame.bodies[1].position;
   };
   const Complex reference = end(0.0025, heun);
@@ -280,9 +250,9 @@ BOOST_AUTO_TEST_CASE(a_hexagon_under_compression_is_resolved_at_any_step) {
     bodies.push_back(body_at(Circle{1.0}, corner, automatic_nodes));
   }
   for (const double dt : {0.4, 0.1}) {
-    Scene scene = over(with_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.8, dt);
+    Scene scene = over(in_contact(ExtensionalFlow{-1.0}, bodies, 0.1), 0.8, dt);
     scene.solver.tolerance = 1e-3;
-    const Run run = run_of(scene);
+    const RecordedRun run = recorded_run(scene);
     for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 9);
     for (std::size_t a = 0; a < 7; ++a) {
       for (std::size_t b = a + 1; b < 7; ++b) {
@@ -301,10 +271,10 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   Body star = body_at(Star{1.0, 0.45, 3}, {0.0, 0.0}, automatic_nodes);
   star.held = true;
   star.orientation = std::numbers::pi / 6;  // a valley above
-  Scene scene = over(with_contact(QuiescentFlow{}, {disk, star}, 0.09), 4.0, 0.05);
+  Scene scene = over(in_contact(QuiescentFlow{}, {disk, star}, 0.09), 4.0, 0.05);
   scene.gauge_length = 100.0;
   scene.solver.tolerance = 1e-3;
-  const Run run = run_of(scene);
+  const RecordedRun run = recorded_run(scene);
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(end.contacts.size() == 2);
   Complex reaction{};
@@ -319,9 +289,9 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
                            body_at(Ellipse{1.0, 0.1}, {0.0, 0.0}, automatic_nodes)};
   bodies[0].force = {0.0, -10.0};
   bodies[1].force = {0.0, 10.0};
-  Scene scene = over(with_contact(QuiescentFlow{}, bodies, 0.09), 4.0, 0.1);
+  Scene scene = over(in_contact(QuiescentFlow{}, bodies, 0.09), 4.0, 0.1);
   scene.solver.tolerance = 1e-3;
-  const Run run = run_of(scene);
+  const RecordedRun run = recorded_run(scene);
   const Frame& end = run.frames.back();
   BOOST_TEST(std::abs(end.bodies[0].orientation) < 0.01);
   BOOST_TEST(!end.contacts.empty());
@@ -332,11 +302,11 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
 BOOST_AUTO_TEST_CASE(lengths_have_no_meaning) {
   const auto end = [](double unit) {
     Scene scene =
-        with_contact(ShearFlow{1.0},
-                     {body_at(Circle{0.5 * unit}, {-1.5 * unit, 0.2 * unit}, automatic_nodes),
-                      body_at(Circle{0.5 * unit}, {0.0, 0.0}, automatic_nodes)},
-                     0.25 * unit);
-    return run_of(over(scene, 3.0, 0.1, heun)).frames.back().bodies[0].position / unit;
+        in_contact(ShearFlow{1.0},
+                   {body_at(Circle{0.5 * unit}, {-1.5 * unit, 0.2 * unit}, automatic_nodes),
+                    body_at(Circle{0.5 * unit}, {0.0, 0.0}, automatic_nodes)},
+                   0.25 * unit);
+    return recorded_run(over(scene, 3.0, 0.1, heun)).frames.back().bodies[0].position / unit;
   };
   for (const double unit : {10.0, 1e-3}) BOOST_TEST(std::abs(end(unit) - end(1.0)) < 1e-5);
 }
@@ -345,11 +315,11 @@ BOOST_AUTO_TEST_CASE(lengths_have_no_meaning) {
 BOOST_AUTO_TEST_CASE(resting_contact_does_not_drift) {
   Body heavy = body_at(Circle{0.5}, {0.3, -1.3}, automatic_nodes);
   heavy.force = {0.0, -20.0};
-  Scene scene = with_contact(QuiescentFlow{}, {heavy}, 0.05);
+  Scene scene = in_contact(QuiescentFlow{}, {heavy}, 0.05);
   scene.walls = {{WallRole::outer, Circle{2.0}, {}, 0.0, automatic_nodes, {}}};
   scene.solver.tolerance = 1e-4;
   scene.output.dt_write = 10.0;
-  const Run run = run_of(over(scene, 40.0, 0.1));
+  const RecordedRun run = recorded_run(over(scene, 40.0, 0.1));
   BOOST_REQUIRE(run.steps.size() == 400);
   for (std::size_t k = 200; k < run.steps.size(); ++k) {
     BOOST_TEST(run.steps[k].min_gap == run.steps[199].min_gap, boost::test_tools::tolerance(1e-3));
@@ -359,7 +329,7 @@ BOOST_AUTO_TEST_CASE(resting_contact_does_not_drift) {
 // The first step takes both from a gap of 0.8 to one of 0.1, against the force; later ones hold it.
 BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
   const double dt = 0.1;
-  const Run run = run_of(over(head_on(0.0), 3 * dt, dt));
+  const RecordedRun run = recorded_run(over(head_on(0.0), 3 * dt, dt));
   const double force = run.frames.front().contacts.at(0).force;
   BOOST_TEST(run.steps[0].contact_power == -force * 0.7 / dt, boost::test_tools::tolerance(1e-3));
   BOOST_TEST(run.steps[0].energy_injected == 0.0);
@@ -373,11 +343,12 @@ BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
-  const Run run = run_of(over(with_contact(ShearFlow{1.0},
-                                           {body_at(Circle{0.5}, {-3.0, 0.5}, automatic_nodes),
-                                            body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                                           0.05),
-                              0.4, 0.2, heun));
+  const RecordedRun run =
+      recorded_run(over(in_contact(ShearFlow{1.0},
+                                   {body_at(Circle{0.5}, {-3.0, 0.5}, automatic_nodes),
+                                    body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                                   0.05),
+                        0.4, 0.2, heun));
   for (const StepInfo& step : run.steps) {
     BOOST_TEST(step.kkt_residual == 0.0);
     BOOST_TEST(step.contact_power == 0.0);
@@ -387,7 +358,7 @@ BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
 
 // Disks driven at each other, a little off their line, slide past each other.
 BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
-  const auto end = [](const Scene& scene) { return run_of(scene).frames.back().bodies; };
+  const auto end = [](const Scene& scene) { return recorded_run(scene).frames.back().bodies; };
   const auto reference = end(over(head_on(0.05), 0.1, 1e-4, heun));
   const auto error = [&](const Scene& scene) {
     return std::abs(end(scene)[0].position - reference[0].position);
@@ -401,7 +372,7 @@ BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
 BOOST_AUTO_TEST_CASE(steps_with_contact_follow_the_effort) {
   Scene scene = over(head_on(0.0), 0.07, 0.01);
   scene.time->effort = EffortBounds{1000, 2000};
-  const Run run = run_of(scene);
+  const RecordedRun run = recorded_run(scene);
   BOOST_REQUIRE(run.steps.size() == 3);
   BOOST_TEST(run.steps[1].dt == 0.02, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(run.steps[2].dt == 0.04, boost::test_tools::tolerance(1e-9));
@@ -409,21 +380,21 @@ BOOST_AUTO_TEST_CASE(steps_with_contact_follow_the_effort) {
 
 // A pair that is driven together, turns round, and parts: the error follows the tolerance.
 BOOST_AUTO_TEST_CASE(errors_with_contact_follow_the_tolerance) {
-  Scene scene = with_contact(ShearFlow{1.0},
-                             {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                              body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                             0.25);
+  Scene scene = in_contact(ShearFlow{1.0},
+                           {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                            body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                           0.25);
   scene.output.dt_write = 6.0;
   scene.solver.tolerance = 1e-6;
-  const auto distance = [](const Run& run) {
+  const auto distance = [](const RecordedRun& run) {
     return run.frames.back().bodies[0].position - run.frames.back().bodies[1].position;
   };
-  const Complex reference = distance(run_of(over(scene, 6.0, 0.0025, heun)));
+  const Complex reference = distance(recorded_run(over(scene, 6.0, 0.0025, heun)));
   long long steps = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     Scene controlled = over(scene, 6.0, 0.5, heun);
     controlled.time->tolerance = tolerance;
-    const Run run = run_of(controlled);
+    const RecordedRun run = recorded_run(controlled);
     const double error = std::abs(distance(run) - reference) / 0.5;
     BOOST_TEST_MESSAGE("tolerance " << tolerance << " error " << error << " steps "
                                     << run.totals.steps << " rejected "
@@ -439,10 +410,10 @@ namespace {
 
 // Disks in shear meet, and slide past each other; by steps of a fixed length, or adapted ones.
 Scene sliding_past(bool adapted) {
-  Scene scene = over(with_contact(ShearFlow{1.0},
-                                  {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                                   body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                                  0.25),
+  Scene scene = over(in_contact(ShearFlow{1.0},
+                                {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                                 body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                                0.25),
                      4.0, 0.2, heun);
   if (adapted) scene.time->tolerance = 1e-2;
   return scene;
@@ -483,10 +454,10 @@ BOOST_AUTO_TEST_CASE(runs_with_contact_resume_bit_for_bit) {
 BOOST_AUTO_TEST_CASE(one_solve_holds_apart_what_is_at_the_separation_and_closing) {
   const auto solved = [](double gap, double rate) {
     const double x = 1.0 + 0.5 * gap;
-    const Scene scene = with_contact(ExtensionalFlow{rate},
-                                     {body_at(Circle{1.0}, {-x, 0.0}, automatic_nodes),
-                                      body_at(Circle{1.0}, {x, 0.0}, automatic_nodes)},
-                                     0.1);
+    const Scene scene = in_contact(ExtensionalFlow{rate},
+                                   {body_at(Circle{1.0}, {-x, 0.0}, automatic_nodes),
+                                    body_at(Circle{1.0}, {x, 0.0}, automatic_nodes)},
+                                   0.1);
     Frame frame;
     Observer observer;
     observer.frame = [&](const Frame& only) { frame = only; };

@@ -34,19 +34,13 @@ Shape random_shape(Crowd crowd, std::mt19937_64& random) {
   }
 }
 
-double area(const Shape& shape) {
-  if (const auto* circle = std::get_if<Circle>(&shape)) return pi * circle->radius * circle->radius;
-  if (const auto* ellipse = std::get_if<Ellipse>(&shape)) return pi * ellipse->a * ellipse->b;
-  const Star& star = std::get<Star>(shape);
-  return pi * star.radius * star.radius * (1.0 + 0.5 * star.amplitude * star.amplitude);
-}
-
 /// Bodies that are pushed together by a container that shrinks.
 class Press {
  public:
   Press(std::vector<PlacedShape> bodies, double stretch, double clearance)
       : bodies_(std::move(bodies)), stretch_(stretch), clearance_(clearance) {
-    for (const PlacedShape& body : bodies_) filled_ += area(body.shape);
+    for (const PlacedShape& body : bodies_)
+      filled_ += area(sample(body.shape, samples, Side::fluid_outside));
     radius_ = 3.0 * std::sqrt(filled_ / pi);
   }
 
