@@ -153,6 +153,7 @@ class ContactLoop {
 
   ContactResult run() {
     bool ended = settled();
+    if (!ended && step_.guess.size() > 0) rows_ = rows_at(step_, result_.velocity = step_.guess);
     while (!ended && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const Cuts cuts = next_cuts();

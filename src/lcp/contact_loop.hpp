@@ -50,6 +50,9 @@ struct ContactStep {
   /// whether it answers them more exactly from now on. Asked when all else is resolved; then the
   /// latest linear problem is solved once more. Empty: never.
   std::function<bool(const Eigen::VectorXd&)> refine{};
+  /// Velocity at which gaps are linearised first where U* violates some, such as that of the step
+  /// before; empty: U*.
+  Eigen::VectorXd guess{};
 };
 
 /// When the loop gives up, and with what it solves.

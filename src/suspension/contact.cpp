@@ -225,7 +225,9 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * response(forces);
       },
-      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); }};
+      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); },
+      .guess =
+          stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{}};
   ContactOutcome outcome{};
   do {
     outcome.result = rows.resolved(step);

@@ -38,6 +38,9 @@ struct ContactStage {
   double dt;          ///< length of the step
   const Configuration& acting;  ///< where forces act, and the response is taken
   double share;                 ///< of the step for which they act, 1 or 1/2
+  /// What contact added to velocities where forces acted before, as to_rate() packs them; empty at
+  /// first.
+  const Eigen::VectorXd& added;
 };
 
 /// What contact made of a step.

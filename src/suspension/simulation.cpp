@@ -98,6 +98,7 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   latest_.contacts.densities.unpack(kept(checkpoint.history, "contact_density"), components);
   latest_.contacts.loads =
       checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
+  latest_.added = checkpoint.history.at("contact_velocity");
   latest_.error_estimate = checkpoint.history.at("estimate")[0];
   latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
   if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
@@ -112,6 +113,7 @@ Checkpoint Simulation::checkpoint() const {
   keep(checkpoint.history, "density", begun_.densities.packed());
   keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
   checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
+  checkpoint.history["contact_velocity"] = begun_.added;
   if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
   return checkpoint;
 }
@@ -297,6 +299,7 @@ Simulation::Solved Simulation::reverse() {
   drive_ = drive_at(solver_.scene().reverse_at, now_.t);
   memory_.previous.reset();  // an earlier rate says nothing about what comes after
   latest_.densities.reverse(now_.t);
+  latest_.added.resize(0);
   return solve(now_.t, now_.state, Role::step);
 }
 

@@ -94,6 +94,7 @@ class Simulation {
   struct SolveMemory {
     DensityHistory densities;
     AnsweredLoads contacts{};     // of the stage before
+    Eigen::VectorXd added{};      // by contact to the velocities of that stage
     double error_estimate = 0.0;  // the latest
     int since = 0;                // solves since then
   };

@@ -78,8 +78,10 @@ Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end
   LoadResponse response = load_response(configuration, first);
   while (true) {
     ContactOutcome outcome =
-        resolve({configuration, free_velocity, t_end - now_.t, configuration, 1.0}, response);
+        resolve({configuration, free_velocity, t_end - now_.t, configuration, 1.0, latest_.added},
+                response);
     if (outcome.result.status == ContactStatus::resolved) {
+      latest_.added = outcome.result.velocity - free_velocity;
       take_note(response);
       Solution solution = contact_->with_forces(first.solution, outcome, response);
       return {t_end, std::move(outcome), std::move(solution), response.cost()};
@@ -117,8 +119,10 @@ Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) 
   info = with_solve(info, stage.solution, stage.seconds);
   const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
   LoadResponse response = load_response(acting, stage);
+  const VectorXd free_velocity = 0.5 * (first + to_rate(stage.solution));
   ContactOutcome outcome =
-      resolve({start, 0.5 * (first + to_rate(stage.solution)), dt, acting, 0.5}, response);
+      resolve({start, free_velocity, dt, acting, 0.5, latest_.added}, response);
+  latest_.added = (outcome.result.velocity - free_velocity) / 0.5;
   take_note(response);
   info = with_contact(info, outcome, response.cost());
   if (outcome.result.status != ContactStatus::resolved) {

@@ -19,6 +19,17 @@ double energy(const VectorXd& velocity, const MatrixXd& mobility) {
   return velocity.dot(mobility.ldlt().solve(velocity));
 }
 
+// A point whose free motion ends within the unit disk, and forces along x wherever it is.
+ContactStep pushed_along_x() {
+  ContactStep step = point_and_disk(vector2(1.5, 0.0), vector2(-1.0, 0.4), 1.0);
+  step.rows = [rows = step.rows](const VectorXd& velocity) {
+    ContactRows result = rows(velocity);
+    result.force_gradient = MatrixXd(vector2(1.0, 0.0).transpose()).sparseView();
+    return result;
+  };
+  return step;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(without_contact_nothing_is_asked_for) {
@@ -57,12 +68,7 @@ BOOST_AUTO_TEST_CASE(a_point_against_a_disk_ends_at_the_nearest_point) {
 // Forces act along x wherever the point is: from (1/2, 2/5) to the circle, Newton's method for
 // g(f) = |(1/2 + f, 2/5)| - 1, whose errors are e -> g'' e^2 / (2 g').
 BOOST_AUTO_TEST_CASE(convergence_is_quadratic) {
-  ContactStep step = point_and_disk(vector2(1.5, 0.0), vector2(-1.0, 0.4), 1.0);
-  step.rows = [rows = step.rows](const VectorXd& velocity) {
-    ContactRows result = rows(velocity);
-    result.force_gradient = MatrixXd(vector2(1.0, 0.0).transpose()).sparseView();
-    return result;
-  };
+  ContactStep step = pushed_along_x();
   step.tolerance = 1e-15;
   const double x = std::sqrt(1.0 - 0.16), factor = 0.16 / (2.0 * x);
   const auto error_after = [&](int iterations) {
@@ -78,14 +84,26 @@ BOOST_AUTO_TEST_CASE(convergence_is_quadratic) {
   BOOST_TEST(std::abs(error_after(4)) < 1e-15);
 }
 
+BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_solution) {
+  ContactStep step = pushed_along_x();
+  step.tolerance = 1e-12;
+  const ContactResult from_free = resolve_contact(step);
+  step.guess = from_free.velocity + vector2(1e-7, -1e-7);
+  const ContactResult from_near = resolve_contact(step);
+  BOOST_TEST(from_free.iterations >= 3);
+  BOOST_TEST(from_near.iterations == 1);
+  BOOST_TEST(largest(from_near.velocity - from_free.velocity) < 1e-11);
+  BOOST_TEST(from_near.violations.front() == from_free.violations.front());
+  // Where no contact is, a guess of one brings none.
+  step.free_velocity = vector2(1.0, 0.0);
+  const ContactResult open = resolve_contact(step);
+  BOOST_TEST(open.iterations == 0);
+  BOOST_TEST((open.velocity == step.free_velocity));
+}
+
 BOOST_AUTO_TEST_CASE(forces_along_another_direction_than_the_gradient) {
   // Forces act along x: the end is on the circle, straight across from the free end.
-  ContactStep step = point_and_disk(vector2(1.5, 0.0), vector2(-1.0, 0.4), 1.0);
-  step.rows = [rows = step.rows](const VectorXd& velocity) {
-    ContactRows result = rows(velocity);
-    result.force_gradient = MatrixXd(vector2(1.0, 0.0).transpose()).sparseView();
-    return result;
-  };
+  ContactStep step = pushed_along_x();
   step.tolerance = 1e-13;
   const ContactResult result = resolve_contact(step, {.open_gap = 1e-9});
   BOOST_TEST(resolved(result));
