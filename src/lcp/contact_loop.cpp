@@ -154,7 +154,7 @@ class ContactLoop {
   ContactResult run() {
     bool ended = settled();
     if (!ended && step_.guess.size() > 0) rows_ = rows_at(step_, result_.velocity = step_.guess);
-    while (!ended && result_.iterations < options_.max_iterations) {
+    while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const Cuts cuts = next_cuts();
       do {
@@ -171,6 +171,13 @@ class ContactLoop {
     rows_ = rows_at(step_, velocity);
     result_.violations.push_back(violation(rows_));
     result_.gaps = gaps_now(result_.keys, rows_);
+  }
+
+  // Whether an iterate is farther off than the free motion ever was: the next would be farther still,
+  // and its long paths take long to follow.
+  bool diverges() const {
+    const double allowed = std::max(result_.violations.front(), step_.separation);
+    return result_.violations.back() > options_.divergence * allowed;
   }
 
   // Whether the response has become more exact for the forces that resolve contact.

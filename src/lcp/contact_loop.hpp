@@ -60,6 +60,8 @@ struct ContactLoopOptions {
   int max_iterations = 8;    ///< linear problems
   int open_gap_after = 6;    ///< iterations after which a force across an open gap is given up
   double open_gap = 0.1;     ///< in units of the separation: a gap that is open
+  double divergence = 10.0;  ///< in units of the separation, or of the violation at U* if that is
+                             ///< larger: a violation after which the loop gives up
   int cuts_after = 4;        ///< iterations after which rows violated earlier come back
   LcpSolver solver = lemke;  ///< of the linear problems; where it fails, fischer_newton()
 };

@@ -241,6 +241,11 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
         {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    if (result.response[static_cast<Index>(i)] > 0.0) continue;
+    const StageRow& row = rows.seen(result.keys[i]);
+    outcome.unseen.emplace_back(row.a, row.b);
+  }
   std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
       imbalance(result.force, stage.acting);
   outcome.kkt_residual = result.kkt_residual / separation_;

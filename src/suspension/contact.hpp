@@ -51,6 +51,8 @@ struct ContactOutcome {
   double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
   double kkt_residual = 0.0;         ///< of the result, in separations
   double seconds = 0.0;              ///< wall time, those of the responses included
+  /// Pairs that do not open under their own force, which is what too few nodes do.
+  std::vector<std::pair<std::size_t, std::size_t>> unseen{};
 };
 
 /// Keeps the components of a scene at their minimum separation.

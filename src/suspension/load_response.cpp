@@ -41,12 +41,14 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
 }  // namespace
 
 LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-                           const Solution& solution, AnsweredLoads earlier)
+                           const Solution& solution, AnsweredLoads earlier,
+                           std::optional<double> exact)
     : solver_(solver),
       configuration_(std::move(configuration)),
       references_(solution.references),
       earlier_(std::move(earlier)),
-      tolerance_(std::max(column_tolerance, solver.plan().gmres_tolerance)),
+      exact_(exact.value_or(solver.plan().gmres_tolerance)),
+      tolerance_(std::max(column_tolerance, exact_)),
       discrete_(solution.system) {}
 
 void LoadResponse::begin() {
@@ -147,16 +149,15 @@ double LoadResponse::residual_since(const VectorXd& weights) const {
 }
 
 bool LoadResponse::refine(const VectorXd& multipliers) {
-  const double exact = solver_.plan().gmres_tolerance;
-  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact) return false;
+  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact_) return false;
   const VectorXd weights = this->weights(multipliers);
-  if (refined_.size() > 0 && residual_since(weights) <= 0.5 * exact * flow_) return false;
+  if (refined_.size() > 0 && residual_since(weights) <= 0.5 * exact_ * flow_) return false;
   if (refinements_ == most_refinements) return tighten();
   const LoadSolution sum = combined(multipliers);
   const Closure closure = this->closure(combined_load(multipliers));
   const ComplexVector rhs = closure.right_hand_side();
   const int before = cost_.gmres_iterations;
-  const double tolerance = exact * std::max(1.0, flow_ / rhs.norm());
+  const double tolerance = exact_ * std::max(1.0, flow_ / rhs.norm());
   const ComplexVector found = density(rhs, tolerance, sum.density);
   refined_ = weights;
   if (cost_.gmres_iterations == before) return false;
@@ -173,9 +174,8 @@ bool LoadResponse::refine(const VectorXd& multipliers) {
 }
 
 bool LoadResponse::tighten() {
-  const double exact = solver_.plan().gmres_tolerance;
-  if (tolerance_ <= exact) return false;
-  tolerance_ = exact;
+  if (tolerance_ <= exact_) return false;
+  tolerance_ = exact_;
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -44,8 +45,10 @@ class LoadResponse {
   /// @param  configuration  where the components are
   /// @param  solution       there, whose system is solved for loads
   /// @param  earlier        loads that were answered in a configuration before
+  /// @param  exact          relative residual of what is solved exactly; none: the plan's
   LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-               const Solution& solution, AnsweredLoads earlier = {});
+               const Solution& solution, AnsweredLoads earlier = {},
+               std::optional<double> exact = {});
 
   /// Solves for the motions under some loads.
   ///
@@ -119,6 +122,7 @@ class LoadResponse {
   Configuration configuration_;
   References references_;
   AnsweredLoads earlier_;
+  double exact_;      // relative residual
   double tolerance_;  // of columns
   std::shared_ptr<const DiscreteProblem> discrete_;
   double flow_ = 0.0;                // norm of its own right-hand side, when it is needed

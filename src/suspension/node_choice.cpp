@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
@@ -50,6 +51,18 @@ Resolutions finer_automatic(const Scene& scene, Resolutions before) {
   const Resolutions raised = finer(before);
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (given_nodes(scene, k) == automatic_nodes) before[k] = raised[k];
+  }
+  return before;
+}
+
+Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
+                           const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+  std::set<std::size_t> components;
+  for (const auto& [a, b] : pairs) components.insert({a, b});
+  for (const std::size_t k : components) {
+    int& nodes = before[k].n_nodes;
+    if (given_nodes(scene, k) != automatic_nodes) continue;
+    nodes = std::min(rounded_nodes(1.5 * nodes), std::max(nodes, most_nodes_of_a_component));
   }
   return before;
 }

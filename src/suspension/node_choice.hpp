@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "suspension/gaps.hpp"
@@ -73,6 +74,15 @@ Resolutions finer(Resolutions resolutions);
 /// @param  before  of each component
 /// @return         as finer() where nodes are automatic
 Resolutions finer_automatic(const Scene& scene, Resolutions before);
+
+/// Makes automatic resolutions of some pairs finer by half, and leaves all else.
+///
+/// @param  scene   that asks for them
+/// @param  before  of each component
+/// @param  pairs   of components
+/// @return         half as many nodes again where they are automatic
+Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
+                           const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
 /// Extrapolates the nodes that a component needs from what its density's tail says.
 ///

@@ -85,6 +85,7 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       latest_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
       begun_(latest_) {
+  latest_.gmres_tolerance = solver.plan().gmres_tolerance;
   if (solver.scene().contact) contact_.emplace(solver);
 }
 
@@ -99,6 +100,10 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   latest_.contacts.loads =
       checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
   latest_.added = checkpoint.history.at("contact_velocity");
+  for (const double nodes : checkpoint.history.at("nodes_in_contact")) {
+    latest_.in_contact.push_back({static_cast<int>(nodes), {}});
+  }
+  latest_.gmres_tolerance = checkpoint.history.at("contact_gmres_tolerance")[0];
   latest_.error_estimate = checkpoint.history.at("estimate")[0];
   latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
   if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
@@ -114,6 +119,10 @@ Checkpoint Simulation::checkpoint() const {
   keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
   checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
   checkpoint.history["contact_velocity"] = begun_.added;
+  VectorXd nodes(static_cast<Eigen::Index>(begun_.in_contact.size()));
+  std::ranges::transform(begun_.in_contact, nodes.begin(), &Resolution::n_nodes);
+  checkpoint.history["nodes_in_contact"] = nodes;
+  checkpoint.history["contact_gmres_tolerance"] = VectorXd::Constant(1, begun_.gmres_tolerance);
   if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
   return checkpoint;
 }
@@ -126,26 +135,26 @@ void Simulation::run() {
     begun_ = now.before;
     const bool ends = now_.t >= time_.t_final;
     std::optional<Begun> begun;
-    if (contact_) begun = begin_in_contact(now, planned_end());
+    if (contact_) begun = begin_in_contact(std::move(now), planned_end());
     if (is_written_time(now_.t)) {
-      begun ? write(now_.t, now_.state, begun->solution, begun->outcome.forces)
+      begun ? write(now_.t, now_.state, begun->stage.solution, begun->stage.outcome.forces)
             : write(now_.t, now_.state, now.solution);
     }
     if (ends) return;
-    now = begun ? advance_in_contact(now, std::move(*begun)) : advance(now);
+    now = begun ? advance_in_contact(std::move(*begun)) : advance(now);
   }
 }
 
 void Simulation::solve_once() {
-  const Solved now = solve(now_.t, now_.state, Role::step);
+  Solved now = solve(now_.t, now_.state, Role::step);
   if (!contact_) return write(now_.t, now_.state, now.solution);
   closer_ = contact_->admit_start(to_configuration(now_.state));
   if (!solver_.scene().time) {
     time_.dt = instant(now.solution);
     stepping_.dt_min = least_step_of_an_instant * *time_.dt;
   }
-  const Begun begun = begin_in_contact(now, planned_end());
-  write(now_.t, now_.state, begun.solution, begun.outcome.forces);
+  const Begun begun = begin_in_contact(std::move(now), planned_end());
+  write(now_.t, now_.state, begun.stage.solution, begun.stage.outcome.forces);
 }
 
 Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role) {
@@ -163,11 +172,9 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
     latest_.error_estimate = solution.error_estimate;
     latest_.since = estimated ? 0 : latest_.since + 1;
     note_resolution(solution);
-    ++totals_.solves;
-    totals_.gmres_iterations += solution.cost.gmres_iterations;
-    totals_.matvecs += solution.cost.matvecs;
+    note_solve(solution);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return {std::move(solution), std::move(before), passed.count()};
+    return {std::move(solution), std::move(before), passed.count(), estimated};
   } catch (const ConfigurationRefused& refusal) {
     throw ConfigurationRefused(when + refusal.what());
   } catch (const NumericsRefused& refusal) {
@@ -184,8 +191,14 @@ Solution Simulation::solve_by_guess(double t, const Configuration& configuration
   const bool local = solver_.scene().solver.coupling == Coupling::local;
   if (local && !densities.empty()) return solver_.solve_lagged(configuration, guess, drive_);
   return estimated
-             ? solver_.solve(configuration, drive_, guess)
+             ? solver_.solve(configuration, drive_, guess, latest_.in_contact)
              : solver_.solve_nearby(configuration, densities.latest_resolutions(), drive_, guess);
+}
+
+void Simulation::note_solve(const Solution& solution) {
+  ++totals_.solves;
+  totals_.gmres_iterations += solution.cost.gmres_iterations;
+  totals_.matvecs += solution.cost.matvecs;
 }
 
 void Simulation::note_resolution(const Solution& solution) {

@@ -93,22 +93,40 @@ class Simulation {
   // What solves take from those before.
   struct SolveMemory {
     DensityHistory densities;
-    AnsweredLoads contacts{};     // of the stage before
-    Eigen::VectorXd added{};      // by contact to the velocities of that stage
-    double error_estimate = 0.0;  // the latest
-    int since = 0;                // solves since then
+    AnsweredLoads contacts{};      // of the stage before
+    Eigen::VectorXd added{};       // by contact to the velocities of that stage
+    Resolutions in_contact{};      // that its forces asked for
+    double gmres_tolerance = 0.0;  // of these forces
+    double error_estimate = 0.0;   // the latest
+    int since = 0;                 // solves since then
   };
   struct Solved {
     Solution solution;
     SolveMemory before;
     double seconds = 0.0;
+    bool estimated = false;
+    int raised = 0;  // times that contact asked for more nodes
+  };
+  // Where a stage of a step with contact begins and where its forces act: its mean velocity is the
+  // share of the flow's there, beside what is known before.
+  struct Stage {
+    double t;  // where its forces act
+    double dt;
+    Configuration start, acting;
+    double share;
+    Eigen::VectorXd known;
+  };
+  // A stage, resolved or not.
+  struct InContact {
+    Solved free;
+    ContactOutcome outcome;
+    Solution solution;  // with the forces of contact
+    SolveCost cost;     // of these
   };
   // The beginning of a step with contact: its end, and what holds where it begins.
   struct Begun {
     double t_end;
-    ContactOutcome outcome;
-    Solution solution;  // with the forces of contact
-    SolveCost cost;     // of these
+    InContact stage;
   };
   // The second half of a step by Heun's method.
   struct Corrected {
@@ -119,12 +137,14 @@ class Simulation {
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
   Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
   Solved advance(const Solved& first);
-  Begun begin_in_contact(const Solved& first, double t_end);
-  Solved advance_in_contact(const Solved& first, Begun begun);
-  LoadResponse load_response(const Configuration& configuration, const Solved& solved) const;
-  void take_note(const LoadResponse& response);
+  Begun begin_in_contact(Solved first, double t_end);
+  Solved advance_in_contact(Begun begun);
+  InContact in_contact(const Stage& stage, Solved free);
+  LoadedCheck check(const Stage& stage, const InContact& found) const;
+  Solved on_more_nodes(const Stage& stage, Solved free);
   void take_note(const StepInfo& step);
   ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
+  void take_note(const LoadResponse& response);
   Corrected corrected(const Begun& begun, StepInfo& info);
   double instant(const Solution& solution) const;
   double planned_dt() const;
@@ -135,6 +155,7 @@ class Simulation {
   void adapt_to_error(const StepInfo& step, double error, bool rejected);
   Advance take_step(const Rates& rates) const;
   Solved reverse();
+  void note_solve(const Solution& solution);
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);

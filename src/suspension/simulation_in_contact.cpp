@@ -1,9 +1,11 @@
 // Steps of a simulation with contact: by Euler's method, or by Heun's with contact at both stages
 // and, where a tolerance is given, steps adapted to the error.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "record/number_text.hpp"
+#include "suspension/node_choice.hpp"
 #include "suspension/simulation.hpp"
 #include "suspension/step_counts.hpp"
 
@@ -16,6 +18,9 @@ namespace {
 // The error of a step grows with the square of its length, but not where contact begins or ends and
 // velocities jump: such steps are taken after two shorter tries, whatever their error.
 constexpr int most_rejections_at_a_jump = 2;
+
+// How often a stage is solved again on more nodes for the forces of contact.
+constexpr int most_raised = 4;
 
 // What a solve without a step of its own moves the fastest boundary by.
 constexpr double separations_in_an_instant = 0.01;
@@ -52,11 +57,6 @@ double Simulation::planned_end() const {
   return evened_end(now_.t, next_event(), planned_dt());
 }
 
-LoadResponse Simulation::load_response(const Configuration& configuration,
-                                       const Solved& solved) const {
-  return {solver_, configuration, solved.solution, latest_.contacts};
-}
-
 void Simulation::take_note(const LoadResponse& response) {
   totals_.contact_solves += response.solves();
   latest_.contacts = response.answered();
@@ -70,23 +70,84 @@ ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& resp
   return outcome;
 }
 
-// Contact depends on the step that is to be taken: one that cannot be resolved is halved.
-Simulation::Begun Simulation::begin_in_contact(const Solved& first, double t_end) {
-  const Configuration configuration = to_configuration(now_.state);
-  const VectorXd free_velocity = to_rate(first.solution);
-  if (time_.tolerance) t_end = end_within_reach(configuration, free_velocity, t_end);
-  LoadResponse response = load_response(configuration, first);
+// Contact of a stage, on as many nodes as its forces ask for.
+Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
+  SolveCost cost;
   while (true) {
-    ContactOutcome outcome =
-        resolve({configuration, free_velocity, t_end - now_.t, configuration, 1.0, latest_.added},
-                response);
-    if (outcome.result.status == ContactStatus::resolved) {
-      latest_.added = outcome.result.velocity - free_velocity;
-      take_note(response);
-      Solution solution = contact_->with_forces(first.solution, outcome, response);
-      return {t_end, std::move(outcome), std::move(solution), response.cost()};
+    LoadResponse response(solver_, stage.acting, free.solution, latest_.contacts,
+                          latest_.gmres_tolerance);
+    const VectorXd free_velocity = stage.known + stage.share * to_rate(free.solution);
+    InContact found{std::move(free), {}, {}, {}};
+    found.outcome = resolve(
+        {stage.start, free_velocity, stage.dt, stage.acting, stage.share, latest_.added}, response);
+    take_note(response);
+    cost += response.cost();
+    if (found.outcome.result.status == ContactStatus::resolved) {
+      latest_.added = (found.outcome.result.velocity - free_velocity) / stage.share;
+      found.solution = contact_->with_forces(found.free.solution, found.outcome, response);
     }
-    t_end = shortened(t_end, 0.5, refusal_of(outcome));
+    const LoadedCheck check = this->check(stage, found);
+    cost.matvecs += check.estimate.matvecs;
+    found.solution.error_estimate =
+        std::max(found.free.solution.error_estimate, check.estimate.error);
+    found.cost = cost;
+    const bool enough = check.needed == resolutions_of(found.free.solution.references) &&
+                        check.gmres_tolerance == latest_.gmres_tolerance;
+    if (enough || found.free.raised == most_raised) return found;
+    latest_.in_contact = check.needed;
+    latest_.gmres_tolerance = check.gmres_tolerance;
+    free = on_more_nodes(stage, std::move(found.free));
+  }
+}
+
+// Nodes do not where forces of contact are not seen, nor where the estimate of a solution with them
+// exceeds the tolerance.
+LoadedCheck Simulation::check(const Stage& stage, const InContact& found) const {
+  const double gmres_tolerance = latest_.gmres_tolerance;
+  const Resolutions resolutions = resolutions_of(found.free.solution.references);
+  const auto& unseen = found.outcome.unseen;
+  if (!unseen.empty()) {
+    return {{}, finer_in_pairs(solver_.scene(), resolutions, unseen), gmres_tolerance};
+  }
+  const bool resolved = found.outcome.result.status == ContactStatus::resolved;
+  if (!resolved || !found.free.estimated || found.outcome.forces.empty()) {
+    return {{}, resolutions, gmres_tolerance};
+  }
+  return solver_.check_loaded(stage.acting, found.solution, gmres_tolerance, drive_);
+}
+
+Simulation::Solved Simulation::on_more_nodes(const Stage& stage, Solved free) {
+  const auto start = std::chrono::steady_clock::now();
+  const DensityGuess guess = [&](const References& references) {
+    return latest_.densities.guess(stage.t, stage.acting, references);
+  };
+  const SolveCost before = free.solution.cost;
+  const double estimate = free.solution.error_estimate;
+  free.solution = solver_.solve_nearby(stage.acting, latest_.in_contact, drive_, guess);
+  free.solution.error_estimate = estimate;
+  note_solve(free.solution);
+  free.solution.cost += before;
+  ++free.raised;
+  latest_.densities.add(stage.t, stage.acting, free.solution.references, free.solution.density);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  free.seconds += passed.count();
+  return free;
+}
+
+// Contact depends on the step that is to be taken: one that cannot be resolved is halved.
+Simulation::Begun Simulation::begin_in_contact(Solved first, double t_end) {
+  const Configuration configuration = to_configuration(now_.state);
+  const VectorXd at_rest = VectorXd::Zero(now_.state.size());
+  if (time_.tolerance) t_end = end_within_reach(configuration, to_rate(first.solution), t_end);
+  while (true) {
+    InContact stage = in_contact(
+        {now_.t, t_end - now_.t, configuration, configuration, 1.0, at_rest}, std::move(first));
+    if (stage.outcome.result.status == ContactStatus::resolved) {
+      note_resolution(stage.solution);
+      return {t_end, std::move(stage)};
+    }
+    first = std::move(stage.free);
+    t_end = shortened(t_end, 0.5, refusal_of(stage.outcome));
   }
 }
 
@@ -113,25 +174,20 @@ double Simulation::shortened(double t_end, double factor, const std::string& rea
 // first half leads to.
 Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) {
   const double dt = begun.t_end - now_.t;
-  const VectorXd& first = begun.outcome.result.velocity;
+  const VectorXd& first = begun.stage.outcome.result.velocity;
   const VectorXd predicted = now_.state + dt * first;
-  const Solved stage = solve(begun.t_end, predicted, Role::stage);
-  info = with_solve(info, stage.solution, stage.seconds);
   const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
-  LoadResponse response = load_response(acting, stage);
-  const VectorXd free_velocity = 0.5 * (first + to_rate(stage.solution));
-  ContactOutcome outcome =
-      resolve({start, free_velocity, dt, acting, 0.5, latest_.added}, response);
-  latest_.added = (outcome.result.velocity - free_velocity) / 0.5;
-  take_note(response);
-  info = with_contact(info, outcome, response.cost());
-  if (outcome.result.status != ContactStatus::resolved) {
-    throw ConfigurationRefused(refusal_of(outcome));
+  Solved free = solve(begun.t_end, predicted, Role::stage);
+  InContact stage = in_contact({begun.t_end, dt, start, acting, 0.5, 0.5 * first}, std::move(free));
+  info = with_solve(info, stage.free.solution, stage.free.seconds);
+  info = with_contact(info, stage.outcome, stage.cost);
+  if (stage.outcome.result.status != ContactStatus::resolved) {
+    throw ConfigurationRefused(refusal_of(stage.outcome));
   }
-  const Configuration end = to_configuration(now_.state + dt * outcome.result.velocity);
-  const double error = largest_distance(stage.solution.references, acting, end) /
+  const Configuration end = to_configuration(now_.state + dt * stage.outcome.result.velocity);
+  const double error = largest_distance(stage.free.solution.references, acting, end) /
                        (stepping_.bound.tolerance * stepping_.bound.scale[0]);
-  return {std::move(outcome), error};
+  return {std::move(stage.outcome), error};
 }
 
 void Simulation::adapt_to_error(const StepInfo& step, double error, bool rejected) {
@@ -142,24 +198,27 @@ void Simulation::adapt_to_error(const StepInfo& step, double error, bool rejecte
   memory_.dt = std::clamp(dt, stepping_.dt_min, stepping_.dt_max);
 }
 
-Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun begun) {
-  StepInfo info = begun_step(first.solution, first.seconds);
+Simulation::Solved Simulation::advance_in_contact(Begun begun) {
+  StepInfo info = begun_step(begun.stage.free.solution, begun.stage.free.seconds);
+  info.error_estimate = begun.stage.solution.error_estimate;
   int rejected = 0, rejected_at_a_jump = 0;
   while (true) {
-    info = with_contact(info, begun.outcome, begun.cost);
+    info = with_contact(info, begun.stage.outcome, begun.stage.cost);
     try {
       std::optional<Corrected> corrected;
       if (stepping_.method == Method::heun) corrected = this->corrected(begun, info);
-      const ContactOutcome& outcome = corrected ? corrected->outcome : begun.outcome;
-      const bool jumps = pairs_in_contact(begun.outcome.forces) != pairs_in_contact(outcome.forces);
+      const ContactOutcome& outcome = corrected ? corrected->outcome : begun.stage.outcome;
+      const bool jumps =
+          pairs_in_contact(begun.stage.outcome.forces) != pairs_in_contact(outcome.forces);
       const bool too_long = time_.tolerance && corrected->error > 1.0;
       if (too_long && !(jumps && rejected_at_a_jump == most_rejections_at_a_jump)) {
         rejected_at_a_jump += jumps ? 1 : 0;
         ++rejected;
-        begun = begin_in_contact(
-            first, shortened(begun.t_end, contact_step_factor(corrected->error),
-                             "the error of a step is " + short_number(corrected->error) +
-                                 " times that which time.tolerance allows"));
+        begun =
+            begin_in_contact(std::move(begun.stage.free),
+                             shortened(begun.t_end, contact_step_factor(corrected->error),
+                                       "the error of a step is " + short_number(corrected->error) +
+                                           " times that which time.tolerance allows"));
         continue;
       }
       info.dt = begun.t_end - now_.t;
@@ -171,7 +230,7 @@ Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun beg
       Solved last = solve(begun.t_end, state, Role::step);
       info.t = begun.t_end;
       const double duration = corrected ? 0.5 * info.dt : info.dt;
-      info = with_forces(info, begun.outcome, duration);
+      info = with_forces(info, begun.stage.outcome, duration);
       if (corrected) info = with_forces(info, outcome, duration);
       if (time_.tolerance) adapt_to_error(info, corrected->error, rejected > 0);
       now_ = {begun.t_end, state, {}};
@@ -180,12 +239,17 @@ Simulation::Solved Simulation::advance_in_contact(const Solved& first, Begun beg
       return is_reversal(now_.t) ? reverse() : std::move(last);
     } catch (const ConfigurationRefused& refusal) {
       ++rejected;
-      begun = begin_in_contact(first, shortened(begun.t_end, 0.5, refusal.what()));
+      begun = begin_in_contact(std::move(begun.stage.free),
+                               shortened(begun.t_end, 0.5, refusal.what()));
     }
   }
 }
 
 void Simulation::take_note(const StepInfo& step) {
+  if (step.contacts == 0) {
+    latest_.in_contact.clear();
+    latest_.gmres_tolerance = solver_.plan().gmres_tolerance;
+  }
   ++totals_.steps;
   totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
   totals_.largest_torque_imbalance =

@@ -65,6 +65,15 @@ double least_gmres_tolerance(const Plan& plan) {
   return std::max(1e-14, 0.01 * plan.gmres_tolerance);
 }
 
+// No fewer nodes than others; they were automatic.
+Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    int& nodes = resolutions[k].n_nodes;
+    nodes = std::max(nodes, least[k].n_nodes);
+  }
+  return resolutions;
+}
+
 std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
   const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
   const std::vector<Index>& offsets = discrete.system.offsets();
@@ -284,14 +293,47 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
   if (solution.velocity_scale == 0.0) return {};
   const References finer = references(stokesbook::finer(resolutions_of(solution.references)));
   const DiscreteProblem fine =
-      unpreconditioned(problem(configuration, finer, drive), configuration, finer);
+      unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
   return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
 }
 
+// Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
+StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuration,
+                                               const References& references,
+                                               const Solution& solution, double drive) const {
+  StokesProblem problem = this->problem(configuration, references, drive);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    Component& component = problem.components[k];
+    if (component.kind != ComponentKind::free_body) continue;
+    component.force = solution.loads[k].force;
+    component.torque = solution.loads[k].torque;
+  }
+  return problem;
+}
+
+LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
+                                           const Solution& loaded, double gmres_tolerance,
+                                           double drive) const {
+  const Resolutions resolutions = resolutions_of(loaded.references);
+  DiscreteProblem discrete =
+      unpreconditioned(loaded_problem(configuration, loaded.references, loaded, drive),
+                       configuration, loaded.references);
+  discrete.precondition = loaded.system->precondition;
+  Solution solution = loaded;
+  solution.gmres.solution = interleaved(loaded.density);
+  const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
+  if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
+  const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
+  const Effort next = greater(effort, tails_of(discrete, solution), estimate.error);
+  const bool too_many = !limit_refusal(scene_, next.resolutions, loaded.gaps).empty();
+  return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
+}
+
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
-                                 const DensityGuess& guess) const {
+                                 const DensityGuess& guess, const Resolutions& least) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
-  Effort effort{first_resolutions(configuration, gaps), plan_.gmres_tolerance, guess};
+  Effort effort{at_least(least, first_resolutions(configuration, gaps)), plan_.gmres_tolerance,
+                guess};
   SolveCost cost;
   while (true) {
     Solution solution = attempt(configuration, gaps, effort, drive);
@@ -341,11 +383,7 @@ Solution SuspensionSolver::solve_nearby(const Configuration& configuration,
                                         const Resolutions& earlier, double drive,
                                         const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
-  Resolutions resolutions = first_resolutions(configuration, gaps);
-  for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    int& nodes = resolutions[k].n_nodes;
-    nodes = std::max(nodes, earlier[k].n_nodes);
-  }
+  const Resolutions resolutions = at_least(earlier, first_resolutions(configuration, gaps));
   Solution solution =
       attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive);
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};

@@ -30,6 +30,14 @@ using DensityGuess = std::function<ComplexVector(const References&)>;
 struct SolveCost {
   int gmres_iterations = 0;  ///< of all solves for motions and loads
   int matvecs = 0;           ///< applications of the operator, those of error estimates included
+  /// Adds what was done elsewhere.
+  /// @param  other  counts
+  /// @return        the sum
+  SolveCost& operator+=(const SolveCost& other) {
+    gmres_iterations += other.gmres_iterations;
+    matvecs += other.matvecs;
+    return *this;
+  }
 };
 
 /// One quasi-static solution.
@@ -48,6 +56,14 @@ struct Solution {
                                 ///< a number where none was asked for
   std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
   SolveCost cost;               ///< in counts
+};
+
+/// What is known of a solution with the forces of contact.
+struct LoadedCheck {
+  ErrorEstimate estimate;  ///< of its motions and loads
+  Resolutions needed;      ///< the solution's own where they do
+  double
+      gmres_tolerance;  ///< that the solution was solved to, or less where nodes do and it does not
 };
 
 /// Solves a scene for any configuration of its components.
@@ -77,6 +93,7 @@ class SuspensionSolver {
   /// @param  configuration  where the components are
   /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
   /// @param  guess          of the density, where GMRES begins
+  /// @param  least          resolutions that automatic nodes do not fall below; empty: none
   /// @return                density, motions and loads of all components, and the error estimate
   /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
   ///                tolerance that no node count within the limits of node_choice.hpp brings down
@@ -85,7 +102,20 @@ class SuspensionSolver {
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
   Solution solve(const Configuration& configuration, double drive = 1.0,
-                 const DensityGuess& guess = {}) const;
+                 const DensityGuess& guess = {}, const Resolutions& least = {}) const;
+
+  /// Estimates the error of a solution to which the forces of contact were added.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  loaded         solution whose density and loads include them
+  /// @param  gmres_tolerance  that they were solved to
+  /// @param  drive          as in solve()
+  /// @return                the estimate, and with what to solve again where it exceeds the
+  ///                        tolerance: the same where that would not help
+  /// @throws std::domain_error as gmres() does
+  /// @par Cost      that of discretise() and of estimate_error()
+  LoadedCheck check_loaded(const Configuration& configuration, const Solution& loaded,
+                           double gmres_tolerance, double drive = 1.0) const;
 
   /// Solves a configuration near one that was solved before, without an estimate: for the stages
   /// of a time step, and for steps between those that estimate their error.
@@ -251,6 +281,8 @@ class SuspensionSolver {
                    const Effort& effort, double drive) const;
   ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
                          const Solution& solution, double drive) const;
+  StokesProblem loaded_problem(const Configuration& configuration, const References& references,
+                               const Solution& solution, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
                                    const References& references) const;

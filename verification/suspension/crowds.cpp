@@ -59,24 +59,36 @@ class Press {
     }
   }
 
-  /// Moves each body at random if there is room, then the container inwards.
+  /// Moves each body at random if there is room, then the container inwards, and all with it.
   void shake(std::mt19937_64& random) {
+    std::size_t moved_on = 0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
       PlacedShape moved = bodies_[k];
       const double angle = uniform(random, 0.0, 2.0 * pi);
-      moved.position += std::polar(0.3 * uniform(random, 0.0, 1.0), angle);
-      moved.orientation += uniform(random, -0.5, 0.5);
-      if (has_room(moved, k, bodies_.size())) bodies_[k] = moved;
+      moved.position += std::polar(stride_ * uniform(random, 0.0, 1.0), angle);
+      moved.orientation += 1.5 * stride_ * uniform(random, -1.0, 1.0);
+      if (!has_room(moved, k, bodies_.size())) continue;
+      bodies_[k] = moved;
+      ++moved_on;
     }
-    const double wide = radius_;
-    radius_ *= 0.97;
-    const bool all_fit =
-        std::ranges::all_of(bodies_, [&](const PlacedShape& body) { return is_within(body); });
-    if (!all_fit) radius_ = wide;
+    stride_ = std::clamp(2 * moved_on > bodies_.size() ? 1.2 * stride_ : 0.8 * stride_, 0.003, 0.3);
+    shrink(0.1 * stride_);
   }
 
  private:
   static constexpr int samples = 64;
+
+  /// By a part of its radius, if there is room.
+  void shrink(double part) {
+    const Press wide = *this;
+    radius_ *= 1.0 - part;
+    for (PlacedShape& body : bodies_) body.position *= 1.0 - part;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (has_room(bodies_[k], k, k)) continue;
+      *this = wide;
+      return;
+    }
+  }
 
   bool is_within(const PlacedShape& body) const {
     return exact_gap(body, {container(), {}, 0.0, true}, samples) >= clearance_;
@@ -93,6 +105,7 @@ class Press {
 
   std::vector<PlacedShape> bodies_;
   double stretch_, clearance_, radius_ = 0.0, filled_ = 0.0;
+  double stride_ = 0.3;  // so long that half of the moves find room
 };
 
 Press pressed(Crowd crowd, std::size_t count, double stretch, double clearance,
@@ -102,7 +115,7 @@ Press pressed(Crowd crowd, std::size_t count, double stretch, double clearance,
   Press press(std::move(bodies), stretch, clearance);
   press.fill(random);
   const double fraction = uniform(random, 0.2, 0.6);
-  for (int k = 0; k < 200 && press.fraction() < fraction; ++k) press.shake(random);
+  for (int k = 0; k < 2000 && press.fraction() < fraction; ++k) press.shake(random);
   return press;
 }
 
@@ -138,7 +151,7 @@ Scene crowded_scene(const Family& family, unsigned seed, int steps) {
   scene.contact = ContactSettings{separation};
   const bool settles = family.drive == Drive::settling;
   const bool enclosed = settles || family.drive == Drive::rotating_container;
-  const std::size_t count = 5 + random() % (enclosed ? 2 : 11);
+  const std::size_t count = 5 + random() % (enclosed ? 4 : 11);
   const double stretch = settles ? uniform(random, 1.0, 1.15) : 1.0;
   const Press press = pressed(family.crowd, count, stretch, 1.05 * separation, random);
   for (const PlacedShape& body : press.bodies()) {
