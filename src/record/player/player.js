@@ -16,8 +16,8 @@ class Player {
     const length = this.frames.at(-1).t - this.frames[0].t;
     // At speed 1 a run takes 4 to 20 seconds, 15 frames a second between these.
     this.rate = length / Math.min(20, Math.max(4, this.frames.length / 15));
-    const spacing = length / Math.max(1, this.frames.length - 1);
-    this.decimals = spacing > 0 ? Math.min(12, Math.max(0, 2 - Math.floor(Math.log10(spacing)))) : 0;
+    const spacing = length / Math.max(1, this.frames.length - 1) || 1;
+    this.decimals = Math.min(12, Math.max(0, 2 - Math.floor(Math.log10(spacing))));
     this.fillPage();
     this.listen();
     this.show();
@@ -49,8 +49,9 @@ class Player {
                                           orientation: "orientation \u03b8"}[colour];
     element("ramp").style.background = `linear-gradient(90deg, ${RAMPS[colour].join()})`;
     element("low").textContent = "0";
-    element("high").textContent = colour === "orientation" ? "2\u03c0"
-                                                           : short(this.view.tops[colour]);
+    const top = this.view.tops[colour];
+    element("high").textContent = colour !== "orientation" ? short(top, 3)
+                                : top > Math.PI ? "2\u03c0" : "\u03c0";
   }
 
   // Draws before the next image of the screen, however often it is called.
@@ -166,7 +167,7 @@ class Player {
             ["torque on fluid", short(found[TORQUE])]];
   }
 
-  // Beside the pointer, or beside what was picked.
+  // Beside the pointer, or in the corner for what was picked to stay.
   showNumbers(state, picked) {
     const box = element("numbers");
     box.hidden = !picked;
@@ -180,19 +181,15 @@ class Player {
       row.insertCell().textContent = value;
     }
     box.replaceChildren(head, table);
-    const at = this.hovered ? this.pointer : this.view.toPixel(...this.placeOfPicked(state, picked));
     const {clientWidth, clientHeight} = element("canvas");
-    const left = at[0] + 18 + box.offsetWidth < clientWidth ? at[0] + 18
-                                                            : at[0] - 18 - box.offsetWidth;
-    const inside = (x, size, space) => Math.max(4, Math.min(x, space - size - 4));
-    box.style.left = `${inside(left, box.offsetWidth, clientWidth)}px`;
-    box.style.top = `${inside(at[1] + 12, box.offsetHeight, clientHeight)}px`;
-  }
-
-  placeOfPicked(state, {part, contact}) {
-    const found = contact === undefined ? stateIn(state, part)
-                                        : state.contacts[contact].slice(CONTACT_X);
-    return [found[X], found[Y]];
+    let [left, top] = [8, 8];
+    if (this.hovered) {
+      const [x, y] = this.pointer;
+      left = x + 18 + box.offsetWidth < clientWidth ? x + 18 : x - 18 - box.offsetWidth;
+      top = Math.min(y + 12, clientHeight - box.offsetHeight - 4);
+    }
+    box.style.left = `${Math.max(4, left)}px`;
+    box.style.top = `${Math.max(4, top)}px`;
   }
 
   listen() {

@@ -74,5 +74,5 @@ function placeOf(frames, t) {
 const largest = (frames, of) =>
   frames.reduce((most, frame) => of(frame).reduce((m, x) => Math.max(m, x), most), 0);
 
-// Up to five significant digits, with a minus sign that is one.
-const short = x => String(Number(x.toPrecision(5))).replace("-", "\u2212");
+// A number for people, with a minus sign that is one.
+const short = (x, digits = 5) => String(Number(x.toPrecision(digits))).replace("-", "\u2212");

@@ -22,22 +22,33 @@ const darkLevels = 0.6 * LEVELS;  // white marks show on these
 
 const modulo = (x, period) => x - period * Math.floor(x / period);
 
-// What a colour means: a body's value as a fraction of the ramp.
+// What a colour means: the value of a body, from 0 to the top of the ramp.
 const VALUES = {
   speed: body => Math.hypot(body[UX], body[UY]),
   spin: body => Math.abs(body[OMEGA]),
-  orientation: body => modulo(body[THETA], 2 * Math.PI),
+  orientation: (body, period) => modulo(body[THETA], period),
 };
+
+// A closed curve through points (Catmull and Rom): as smooth as the body, however near one looks.
+function smoothPath(points) {
+  const path = new Path2D(), n = points.length;
+  const at = k => points[(k + n) % n];
+  path.moveTo(...points[0]);
+  for (let k = 0; k < n; ++k) {
+    const [[x0, y0], [x1, y1], [x2, y2], [x3, y3]] = [at(k - 1), at(k), at(k + 1), at(k + 2)];
+    path.bezierCurveTo(x1 + (x2 - x0) / 6, y1 + (y2 - y0) / 6, x2 - (x3 - x1) / 6,
+                       y2 - (y3 - y1) / 6, x2, y2);
+  }
+  path.closePath();
+  return path;
+}
 
 // A curve in its own frame, ready to be drawn: its path, a mark along direction 1 inside it, and
 // its size.
 function shapeOf(points) {
-  const path = new Path2D();
-  points.forEach(([x, y], k) => k ? path.lineTo(x, y) : path.moveTo(x, y));
-  path.closePath();
-  const nearest = points.reduce((best, point) =>
-    Math.abs(Math.atan2(point[1], point[0])) < Math.abs(Math.atan2(best[1], best[0])) ? point : best);
-  const reach = Math.hypot(...nearest);
+  const path = smoothPath(points);
+  const angle = ([x, y]) => Math.abs(Math.atan2(y, x));
+  const reach = Math.hypot(...points.reduce((a, b) => angle(b) < angle(a) ? b : a));
   const mark = new Path2D();
   mark.moveTo(0.5 * reach, 0);
   mark.lineTo(0.9 * reach, 0);
@@ -45,7 +56,13 @@ function shapeOf(points) {
     const [x1, y1] = points[(k + 1) % points.length];
     return sum + Math.hypot(x1 - x, y1 - y);
   }, 0);
-  return {path, mark, length, radius: Math.max(...points.map(point => Math.hypot(...point)))};
+  const radius = Math.max(...points.map(point => Math.hypot(...point)));
+  // Whether half a turn leaves it as it is.
+  const turns = points.every(([x, y], k) => {
+    const [x1, y1] = points[(k + Math.floor(points.length / 2)) % points.length];
+    return Math.hypot(x + x1, y + y1) < 1e-3 * radius;
+  });
+  return {path, mark, length, radius, turns};
 }
 
 class View {
@@ -61,7 +78,7 @@ class View {
     this.tops = {
       speed: largest(run.frames, frame => frame.bodies.map(VALUES.speed)),
       spin: largest(run.frames, frame => frame.bodies.map(VALUES.spin)),
-      orientation: 2 * Math.PI,
+      orientation: this.bodies.every(shape => shape.turns) ? Math.PI : 2 * Math.PI,
     };
     this.topForce = largest(run.frames, frame => frame.contacts.map(contact => contact[FORCE]));
     this.box = this.boxOf(run.frames);
@@ -187,7 +204,7 @@ class View {
   // The colour of a body on its ramp, as a level.
   levelOf(body, colour) {
     const top = this.tops[colour];
-    return top > 0 ? Math.round((LEVELS - 1) * Math.min(VALUES[colour](body) / top, 1)) : 0;
+    return top > 0 ? Math.round((LEVELS - 1) * Math.min(VALUES[colour](body, top) / top, 1)) : 0;
   }
 
   drawBodies(state, colour) {
