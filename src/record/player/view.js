@@ -91,7 +91,7 @@ class View {
   readColours() {
     const style = getComputedStyle(document.documentElement);
     this.colours = Object.fromEntries(
-      ["fluid", "solid", "edge", "plain", "contact", "accent", "page"].map(
+      ["fluid", "solid", "edge", "plain", "contact", "accent"].map(
         name => [name, style.getPropertyValue("--" + name).trim()]));
   }
 
@@ -169,8 +169,11 @@ class View {
     this.resize();
     const {context, colours} = this;
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.fillStyle = this.walls.some(wall => wall.encloses) ? colours.page : colours.fluid;
-    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    context.fillStyle = colours.fluid;
+    if (!this.walls.some(wall => wall.encloses)) {
+      context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    }
     context.lineJoin = context.lineCap = "round";
     this.drawWalls(state);
     if (trail) this.drawTrail(trail);
