@@ -186,14 +186,42 @@ class Animation(unittest.TestCase):
         self.assertIn("contact of body 0 and wall 0", numbers)
         force = float(re.search(r"force\s+(\S+)", numbers)[1])
         self.assertAlmostEqual(force, found[0]["force"], delta=1e-3 * force)
+        self.click(0.5 * (x + centre[0]), 0.5 * (y + centre[1]))
+        self.mouse("mouseMoved", *self.pixel_of(trajectory[0][1]))
+        self.mouse("mouseMoved", *self.pixel_of({"x": 1.2, "y": 0.0}))
+        self.assertIn("contact", self.shown("numbers"))
+        self.key("Home")
+        self.assertTrue(tab.evaluate("document.getElementById('numbers').hidden"))
+        self.key("End")
+        self.mouse("mouseMoved", 0.5 * (x + centre[0]), 0.5 * (y + centre[1]))
         self.run_js("document.getElementById('contacts').click()")
         self.assertIn("body 0\n", self.shown("numbers"))
+
+    def test_colours(self):
+        self.open()
+        x, y = self.pixel_of(trajectory[0][1])
+        seen = set()
+        for colour in ["speed", "spin", "orientation", "plain"]:
+            self.run_js(f"(choice => {{ choice.value = '{colour}'; "
+                        "choice.dispatchEvent(new Event('change')); })"
+                        "(document.getElementById('colour'))")
+            seen.add(tuple(self.colour_at(x, y)))
+            height = tab.evaluate("document.getElementById('legend').offsetHeight")
+            self.assertEqual(height == 0, colour == "plain")
+            if colour == "spin":
+                top = np.abs([[body["omega"] for body in bodies] for bodies in trajectory]).max()
+                self.assertAlmostEqual(float(self.shown("high")), top, delta=5e-3 * top)
+        self.assertEqual(len(seen), 4)
+
+    def click(self, x, y):
+        self.mouse("mouseMoved", x, y)
+        for kind in ["mousePressed", "mouseReleased"]:
+            self.mouse(kind, x, y, button="left", clickCount=1)
 
     def test_a_click_keeps_numbers(self):
         self.open()
         x, y = self.pixel_of(trajectory[0][1])
-        for kind in ["mouseMoved", "mousePressed", "mouseReleased"]:
-            self.mouse(kind, x, y, button="left" if kind != "mouseMoved" else "none", clickCount=1)
+        self.click(x, y)
         self.mouse("mouseMoved", x + 1.2 * tab.evaluate("player.view.scale"), y)
         self.assertIn("body 1", self.shown("numbers"))
         self.key("Escape")

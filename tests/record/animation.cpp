@@ -39,7 +39,8 @@ BOOST_AUTO_TEST_SUITE(animation)
 BOOST_AUTO_TEST_CASE(a_page_needs_no_other_file) {
   const std::string page = head("A run");
   BOOST_TEST(page.starts_with("<!DOCTYPE html>"));
-  for (const std::string reference : {" src=", " href=", "http:", "https:", "import", "url("}) {
+  for (const std::string reference :
+       {" src=", " href=", "http:", "https:", "import ", "import(", "fetch(", "url("}) {
     BOOST_TEST(count(page, reference) == 0u, reference);
   }
 }

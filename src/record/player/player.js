@@ -12,7 +12,6 @@ class Player {
     this.pinned = null;    // what was picked to stay
     this.hovered = null;
     this.pointer = null;   // its last pixel on the canvas
-    this.drawings = {count: 0, milliseconds: 0};
     const length = this.frames.at(-1).t - this.frames[0].t;
     // At speed 1 a run takes 4 to 20 seconds, 15 frames a second between these.
     this.rate = length / Math.min(20, Math.max(4, this.frames.length / 15));
@@ -59,10 +58,7 @@ class Player {
     this.waiting ??= requestAnimationFrame(now => {
       this.waiting = null;
       this.advance(now);
-      const start = performance.now();
       this.draw();
-      this.drawings.milliseconds += performance.now() - start;
-      this.drawings.count += 1;
       if (this.playing) this.show();
     });
   }
@@ -70,8 +66,8 @@ class Player {
   draw() {
     const state = this.state;
     if (this.pointer) this.hovered = this.view.pick(state, ...this.pointer, this.showsContacts());
-    // A contact is known by its place in the list of its frame only.
-    if (this.pinned && this.pinned.contact >= state.contacts.length) this.pinned = null;
+    // Contacts of other frames may be others.
+    if (this.pinned?.contact !== undefined && this.pinned.frame !== this.frame) this.pinned = null;
     const picked = this.picked;
     const trail = picked && picked.part >= 0 &&
       this.frames.map(frame => frame.bodies[picked.part]);
@@ -130,7 +126,7 @@ class Player {
   pickNext(step) {
     const n = this.run.bodies.length;
     if (n === 0) return;
-    const now = this.pinned && this.pinned.part >= 0 ? this.pinned.part : step > 0 ? -1 : n;
+    const now = this.pinned?.part >= 0 ? this.pinned.part : step > 0 ? -1 : n;
     this.pinned = {part: (now + step + n) % n};
     this.pointer = this.hovered = null;
     this.show();
@@ -259,7 +255,8 @@ class Player {
     });
     canvas.addEventListener("pointerup", event => {
       if (drag && !drag.moved) {
-        this.pinned = this.view.pick(this.state, ...drag.at, this.showsContacts());
+        const picked = this.view.pick(this.state, ...drag.at, this.showsContacts());
+        this.pinned = picked && {...picked, frame: this.frame};
       }
       drag = null;
       canvas.classList.remove("moving");

@@ -179,7 +179,7 @@ class View {
     if (trail) this.drawTrail(trail);
     this.drawBodies(state, colour);
     if (contacts) this.drawContacts(state, picked);
-    if (picked && picked.part !== undefined) this.drawPicked(state, picked.part);
+    if (picked?.part !== undefined) this.drawPicked(state, picked.part);
   }
 
   drawWalls(state) {
@@ -234,8 +234,7 @@ class View {
     const {context, colours} = this;
     this.enter();
     state.contacts.forEach((contact, k) => {
-      const isPicked = picked && picked.contact === k;
-      context.strokeStyle = isPicked ? colours.accent : colours.contact;
+      context.strokeStyle = picked?.contact === k ? colours.accent : colours.contact;
       context.lineWidth = Math.max(0.75, 6 * contact[FORCE] / this.topForce) / this.scale;
       for (const party of [contact[A], contact[B]]) {
         if (party < 0) continue;
