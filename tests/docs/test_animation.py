@@ -295,7 +295,13 @@ class Animation(unittest.TestCase):
             self.open(cut)
             self.assertEqual(tab.evaluate("player.frames.length"),
                              len(trajectory) - (0 if is_whole else 1), length - start)
-        cut.write_text(text[:text.index(FRAME)])
+        first = text.index(FRAME)
+        cut.write_text(text[:text.index("\n", first)])
+        self.open(cut, still=False)
+        self.assertEqual(self.shown("count"), "frame 0 of 0")
+        self.assertFalse(tab.evaluate("player.playing"))
+        self.assertTrue(tab.evaluate("document.getElementById('play').disabled"))
+        cut.write_text(text[:first])
         self.open(cut)
         self.assertIn("no frame", self.shown("title"))
 
