@@ -47,6 +47,7 @@ minimum_separation = 0.05
 formats = ["csv", "html"]
 """
 RADIUS, OMEGA = 2.0, 0.3  # of the wall
+TIP = 0.45 * 1.2  # of the star, from its centre
 SIZE = (900, 700)
 # What the browser has drawn by now is what the page is to show.
 DRAWN = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
@@ -157,6 +158,20 @@ class Animation(unittest.TestCase):
         self.assertEqual(seen[False][0], seen[True][0])     # the colour of a speed
         self.assertGreater(sum(seen[False][1]), sum(seen[True][1]) + 200)
         self.assertEqual(seen[False][2], seen[True][2])     # nothing is drawn there
+
+    def test_marks_turn_with_bodies(self):
+        """The star's mark lies along its direction 1, halfway to its tip and further."""
+        self.open()
+        self.key("End")
+        star = trajectory[-1][1]
+        self.assertGreater(star["theta"], 0.2)
+
+        def colour_along(angle):
+            return self.colour_at(*self.pixel_of({"x": star["x"] + 0.6 * TIP * np.cos(angle),
+                                                  "y": star["y"] + 0.6 * TIP * np.sin(angle)}))
+        fill = colour_along(-star["theta"])
+        self.assertEqual(fill, self.colour_at(*self.pixel_of(star)))
+        self.assertGreater(np.abs(np.subtract(colour_along(star["theta"]), fill)).max(), 80)
 
     def test_hovering_shows_numbers(self):
         for dark in [False, True]:
