@@ -57,6 +57,7 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        asks_for(OutputFormat::csv),
                        asks_for(OutputFormat::vtk),
                        asks_for(OutputFormat::svg),
+                       asks_for(OutputFormat::html),
                        scene.output.fields.has_value(),
                        scene.contact.has_value()};
   for (std::size_t k = 0; k < solver.references().size(); ++k) {

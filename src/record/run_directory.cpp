@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "record/animation.hpp"
 #include "record/atomic_file.hpp"
 #include "record/csv.hpp"
 #include "record/field_picture.hpp"
@@ -25,17 +26,21 @@ constexpr const char* walls_name = "walls.csv";
 constexpr const char* rheology_name = "rheology.csv";
 constexpr const char* contacts_name = "contacts.csv";
 constexpr const char* steps_name = "steps.csv";
+constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
 constexpr std::array frame_files{body_files, contact_files, field_files};
 
-/// Returns the headers of a run's tables by file name.
-std::map<std::string, std::string_view> headers(const RunContents& contents) {
-  std::map<std::string, std::string_view> result{{steps_name, steps_header}};
+/// Returns how the files that grow begin, by name.
+std::map<std::string, std::string> headers(const RunContents& contents) {
+  std::map<std::string, std::string> result{{steps_name, std::string(steps_header)}};
   if (contents.csv) result[trajectory_name] = trajectory_header;
   if (contents.csv) result[rheology_name] = rheology_header;
   if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
   if (contents.csv && contents.contacts) result[contacts_name] = contacts_header;
+  if (contents.html) {
+    result[animation_name] = animation_head(contents.title, contents.bodies, contents.walls);
+  }
   return result;
 }
 
@@ -48,8 +53,9 @@ std::optional<std::size_t> frame_of(const std::string& name) {
 }
 
 bool belongs_to_run(const std::string& name) {
-  constexpr std::array names{checkpoint_name, trajectory_name, walls_name,   rheology_name,
-                             contacts_name,   steps_name,      picture_name, info_name};
+  constexpr std::array names{checkpoint_name, trajectory_name, walls_name,
+                             rheology_name,   contacts_name,   steps_name,
+                             animation_name,  picture_name,    info_name};
   const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
@@ -136,6 +142,7 @@ void RunDirectory::write_frame(const Frame& frame) {
   append(walls_name, wall_rows(frame));
   append(rheology_name, rheology_row(frame));
   append(contacts_name, contact_rows(frame));
+  if (contents_.html) append(animation_name, animation_frame(frame));
   if (contents_.vtk) {
     replace(body_files.name(frame_count()),
             configuration_vtp(frame, contents_.bodies, contents_.walls));

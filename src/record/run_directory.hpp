@@ -26,6 +26,7 @@ struct RunContents {
   bool csv = true;        ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
   bool vtk = false;       ///< bodies.pvd and one .vtp a frame
   bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields
+  bool html = false;      ///< animation.html
   bool fields = false;    ///< fields.pvd and one .vti a frame
   bool contacts = false;  ///< with csv contacts.csv, and with vtk contacts.pvd and one .vtp a frame
 };
@@ -40,13 +41,13 @@ struct ResumedRun;
 
 /// The files of one run, written so that a kill at any moment leaves a run that can be resumed.
 ///
-/// Tables grow by whole lines; all other files are replaced as a whole. save() brings all of them
-/// to the disk, and then replaces the checkpoint, which holds the lengths of the tables and the
+/// Tables and the animation grow by whole lines; all other files are replaced as a whole. save() brings all of them
+/// to the disk, and then replaces the checkpoint, which holds their lengths and the
 /// times of the frames; resume() cuts both back, so that what follows is written as if nothing had
 /// happened.
 class RunDirectory {
  public:
-  /// Makes the directory, if need be, and the tables with their headers.
+  /// Makes the directory, if need be, and the files that grow with their headers.
   ///
   /// Overwriting removes the files that a run writes and no others. An old scene.toml stays until
   /// write_text() replaces it: the new run may have been started from it.

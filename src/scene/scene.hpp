@@ -220,7 +220,8 @@ constexpr bool adapts_steps(SteppingMethod method) {
 enum class OutputFormat {
   csv,  ///< tables of bodies and walls
   vtk,  ///< polygons with data, for ParaView
-  svg   ///< pictures of the latest configuration and its fields
+  svg,  ///< pictures of the latest configuration and its fields
+  html  ///< an animation, for browsers
 };
 
 /// A quantity of the flow that is written at the points of a grid.

@@ -85,10 +85,11 @@ inline constexpr Words<SteppingMethod, 7> stepping_methods{{
 }};
 
 /// Words of `formats` in [output].
-inline constexpr Words<OutputFormat, 3> output_formats{{
+inline constexpr Words<OutputFormat, 4> output_formats{{
     {"csv", OutputFormat::csv},
     {"vtk", OutputFormat::vtk},
     {"svg", OutputFormat::svg},
+    {"html", OutputFormat::html},
 }};
 
 /// Words of `quantities` in `fields` of [output].

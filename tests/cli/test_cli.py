@@ -38,7 +38,7 @@ dt = 0.1
 method = "adams_bashforth2"
 [output]
 dt_write = 0.1
-formats = ["csv", "vtk", "svg"]
+formats = ["csv", "vtk", "svg", "html"]
 fields = { box = [-3, -2, 3, 2], resolution = 19, quantities = ["velocity", "pressure"] }
 """
 

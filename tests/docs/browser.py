@@ -95,12 +95,13 @@ class Tab:
     def send(self, method, **parameters):
         return self._browser.send(method, self._session, **parameters)
 
-    def look(self, width, height, dark=False, scale=1):
-        """Sets the size of the screen, and whether the reader prefers dark pages."""
+    def look(self, width, height, dark=False, scale=1, still=False):
+        """Sets the size of the screen, and whether the reader prefers dark or still pages."""
         self.send("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=scale, mobile=width < 500)
         self.send("Emulation.setEmulatedMedia", features=[
-            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
+            {"name": "prefers-reduced-motion", "value": "reduce" if still else "no-preference"}])
 
     def open(self, url):
         """Loads a page, and returns the errors of its console so far."""

@@ -58,6 +58,7 @@ std::map<std::string, std::string> uninterrupted_run() {
 void check_files(const Folder& folder) {
   for (const auto& [name, text] : read_all(folder.path())) {
     if (name.ends_with(".csv") && !text.empty()) BOOST_TEST(text.back() == '\n', name);
+    if (name.ends_with(".html") && !text.empty()) BOOST_TEST(text.ends_with("</script>\n"), name);
     if (name.ends_with(".vtp") || name.ends_with(".vti")) {
       BOOST_TEST(text.ends_with("</VTKFile>\n"), name);
     }
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(disk_full) {
   const std::map<std::string, std::string> expected = uninterrupted_run();
   const Folder folder;
   RunContents tables_only = sample_contents();
-  tables_only.vtk = tables_only.svg = tables_only.fields = false;
+  tables_only.vtk = tables_only.svg = tables_only.html = tables_only.fields = false;
   const pid_t child = start_process([&] {
     const rlimit limit{1500, 1500};
     std::signal(SIGXFSZ, SIG_IGN);

@@ -229,6 +229,28 @@ def check_field_picture(path):
     assert blank and all(abs(points(*at)) < 0.6 for at in blank)
 
 
+def check_animation(path):
+    """The data blocks of the page, as a browser takes them from it."""
+    blocks = re.findall(r'<script type="application/json" class="(\w+)">(.*?)</script>',
+                        path.read_text())
+    assert [kind for kind, _ in blocks] == ["run"] + N_FRAMES * ["frame"]
+    run, *frames = [json.loads(block) for _, block in blocks]
+    assert run["title"] == "A < B & C"
+    assert run["encloses"] == [True, False]
+    shapes = [run["shapes"][k] for k in run["bodies"] + run["walls"]]
+    for shape, points in zip(shapes, [*BODIES, OUTER, INNER], strict=True):
+        written = np.array(shape) @ [1, 1j]
+        np.testing.assert_allclose(written, points, rtol=0, atol=1e-5 * abs(points).max())
+    for k, (t, bodies, walls, network) in enumerate(frames):
+        np.testing.assert_allclose(t, k / 7, rtol=1e-11)
+        np.testing.assert_allclose(bodies, [body(k / 7, j) for j in range(2)], rtol=1e-5)
+        places = [(0, 0, 0), (-5, 0, 1 / 9)]
+        np.testing.assert_allclose(walls, [places[j] + wall(k / 7, j) for j in range(2)], rtol=1e-5)
+        expected = [(1, {"body:0": 0, "wall:0": -1}[b], x, y, force, gap)
+                    for _, b, x, y, _, _, force, gap in contacts(k)]
+        np.testing.assert_allclose(network, expected, rtol=1e-5)
+
+
 def check_run_info(path):
     assert json.loads(path.read_text()) == {
         "version": "0.1.0", "git_hash": "abc", "compiler": 'GNU "12"', "flags": "-O3",
@@ -251,6 +273,7 @@ def main():
     check_collection(directory / "fields.pvd", check_image)
     check_picture(directory / "configuration.svg")
     check_field_picture(directory / "fields_pressure.svg")
+    check_animation(directory / "animation.html")
     check_run_info(directory / "run.json")
 
 

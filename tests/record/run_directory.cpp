@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(directories_are_made) {
 
 BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
   RunContents contents = sample_contents();
-  contents.vtk = contents.svg = contents.fields = contents.contacts = false;
+  contents.vtk = contents.svg = contents.html = contents.fields = contents.contacts = false;
   const auto names = [](const RunContents& asked, int k) {
     const Folder folder;
     Frame frame = sample_frame(k);
@@ -50,12 +50,13 @@ BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
     for (const auto& [name, text] : read_all(folder.path())) list += name + ' ';
     return list;
   };
-  BOOST_TEST(names(sample_contents(), 0) ==
-             "bodies.pvd bodies_000000.vtp configuration.svg contacts.csv contacts.pvd "
-             "contacts_000000.vtp fields.pvd fields_000000.vti "
-             "fields_dissipation.svg fields_pressure.svg fields_shear_stress.svg "
-             "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv trajectory.csv "
-             "walls.csv ");
+  BOOST_TEST(
+      names(sample_contents(), 0) ==
+      "animation.html bodies.pvd bodies_000000.vtp configuration.svg contacts.csv contacts.pvd "
+      "contacts_000000.vtp fields.pvd fields_000000.vti "
+      "fields_dissipation.svg fields_pressure.svg fields_shear_stress.svg "
+      "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv trajectory.csv "
+      "walls.csv ");
   BOOST_TEST(names(contents, 0) == "rheology.csv steps.csv trajectory.csv walls.csv ");
   contents.contacts = true;
   BOOST_TEST(names(contents, 0) == "contacts.csv rheology.csv steps.csv trajectory.csv walls.csv ");
@@ -72,6 +73,9 @@ BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
   contents.fields = false;
   contents.svg = true;
   BOOST_TEST(names(contents, 0) == "configuration.svg steps.csv ");
+  contents.svg = false;
+  contents.html = true;
+  BOOST_TEST(names(contents, 0) == "animation.html steps.csv ");
 }
 
 BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
@@ -104,7 +108,7 @@ BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
   for (const auto& [name, text] : foreign) write(folder.at(name), text);
   write(folder.at("checkpoint.partial"), "left by a kill");
   RunContents contents = sample_contents();
-  contents.csv = false;
+  contents.csv = contents.html = false;
   RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
   std::map<std::string, std::string> rest = read_all(folder.path());
   BOOST_TEST(rest.erase("steps.csv") == 1u);

@@ -84,6 +84,7 @@ RunContents sample_contents() {
           .csv = true,
           .vtk = true,
           .svg = true,
+          .html = true,
           .fields = true,
           .contacts = true};
 }

@@ -149,14 +149,15 @@ BOOST_AUTO_TEST_CASE(settings) {
        "dt_min, dt_max, effort"},
       {"[output]\ndt_write = 0\n", "s.toml:2:12: output.dt_write = 0: must be a number > 0"},
       {"[output]\nformats = 'csv'\n",
-       "s.toml:2:11: output.formats = \"csv\": must be a list of one or more of csv, vtk, svg, not "
+       "s.toml:2:11: output.formats = \"csv\": must be a list of one or more of csv, vtk, svg, "
+       "html, not "
        "a string"},
       {"[output]\nformats = []\n",
-       "s.toml:2:11: output.formats = []: must be a list of one or more of csv, vtk, svg"},
+       "s.toml:2:11: output.formats = []: must be a list of one or more of csv, vtk, svg, html"},
       {"[output]\nformats = ['csv', 'hdf5']\n",
-       "s.toml:2:19: output.formats[1] = \"hdf5\": must be one of csv, vtk, svg"},
+       "s.toml:2:19: output.formats[1] = \"hdf5\": must be one of csv, vtk, svg, html"},
       {"[output]\nformats = ['csv', 1]\n",
-       "s.toml:2:19: output.formats[1] = 1: must be one of csv, vtk, svg, not an integer"},
+       "s.toml:2:19: output.formats[1] = 1: must be one of csv, vtk, svg, html, not an integer"},
       {"[output]\nformats = ['vtk', 'csv', 'vtk']\n",
        "s.toml:2:26: output.formats[2] = \"vtk\": is there already"},
       {"[output]\nfields = 200\n",

@@ -158,7 +158,7 @@ void add_settings(Scene& scene, Dice& dice) {
   if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
   if (dice.coin()) add_contact(scene, dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();
-  scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg}});
+  scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg, html}});
   if (dice.coin()) {
     using enum FieldQuantity;
     scene.output.fields = {

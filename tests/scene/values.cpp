@@ -247,10 +247,10 @@ BOOST_AUTO_TEST_CASE(contact_settings) {
 
 BOOST_AUTO_TEST_CASE(output_settings) {
   const OutputSettings output =
-      parse(disk() + "[output]\ndt_write = 0.5\nformats = ['svg', 'vtk', 'csv']\n").output;
+      parse(disk() + "[output]\ndt_write = 0.5\nformats = ['svg', 'html', 'vtk', 'csv']\n").output;
   BOOST_TEST(output.dt_write.value() == 0.5);
   using enum OutputFormat;
-  BOOST_TEST((output.formats == std::vector{svg, vtk, csv}));
+  BOOST_TEST((output.formats == std::vector{svg, html, vtk, csv}));
   BOOST_TEST(!output.fields.has_value());
 }
 

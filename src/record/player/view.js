@@ -1,0 +1,299 @@
+// What a run looks like on a canvas.
+
+// The colours of the pictures: viridis, see colour_map.hpp.
+const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30",
+                 "fde725"].map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));
+const LEVELS = 64;
+
+function viridis(fraction) {
+  const at = Math.min(Math.max(fraction, 0), 1) * (VIRIDIS.length - 1);
+  const k = Math.min(Math.floor(at), VIRIDIS.length - 2);
+  return `rgb(${between(VIRIDIS[k], VIRIDIS[k + 1], at - k).map(Math.round)})`;
+}
+
+const ramp = colour => Array.from({length: LEVELS}, (_, k) => colour(k / (LEVELS - 1)));
+const RAMPS = {
+  speed: ramp(viridis),
+  spin: ramp(viridis),
+  // Of equal lightness: all directions are equal.
+  orientation: ramp(fraction => `oklch(72% 0.12 ${360 * fraction})`),
+};
+const darkLevels = 0.6 * LEVELS;  // white marks show on these
+
+const modulo = (x, period) => x - period * Math.floor(x / period);
+
+// What a colour means: the value of a body, from 0 to the top of the ramp.
+const VALUES = {
+  speed: body => Math.hypot(body[UX], body[UY]),
+  spin: body => Math.abs(body[OMEGA]),
+  orientation: (body, period) => modulo(body[THETA], period),
+};
+
+// A closed curve through points (Catmull and Rom): as smooth as the body, however near one looks.
+function smoothPath(points) {
+  const path = new Path2D(), n = points.length;
+  const at = k => points[(k + n) % n];
+  path.moveTo(...points[0]);
+  for (let k = 0; k < n; ++k) {
+    const [[x0, y0], [x1, y1], [x2, y2], [x3, y3]] = [at(k - 1), at(k), at(k + 1), at(k + 2)];
+    path.bezierCurveTo(x1 + (x2 - x0) / 6, y1 + (y2 - y0) / 6, x2 - (x3 - x1) / 6,
+                       y2 - (y3 - y1) / 6, x2, y2);
+  }
+  path.closePath();
+  return path;
+}
+
+// A curve in its own frame, ready to be drawn: its path, a mark along direction 1 inside it, and
+// its size.
+function shapeOf(points) {
+  const path = smoothPath(points);
+  const angle = ([x, y]) => Math.abs(Math.atan2(y, x));
+  const reach = Math.hypot(...points.reduce((a, b) => angle(b) < angle(a) ? b : a));
+  const mark = new Path2D();
+  mark.moveTo(0.5 * reach, 0);
+  mark.lineTo(0.9 * reach, 0);
+  const length = points.reduce((sum, [x, y], k) => {
+    const [x1, y1] = points[(k + 1) % points.length];
+    return sum + Math.hypot(x1 - x, y1 - y);
+  }, 0);
+  const radius = Math.max(...points.map(point => Math.hypot(...point)));
+  // Whether half a turn leaves it as it is.
+  const turns = points.every(([x, y], k) => {
+    const [x1, y1] = points[(k + Math.floor(points.length / 2)) % points.length];
+    return Math.hypot(x + x1, y + y1) < 1e-3 * radius;
+  });
+  return {path, mark, length, radius, turns};
+}
+
+class View {
+  constructor(canvas, run) {
+    this.canvas = canvas;
+    this.context = canvas.getContext("2d");
+    const shapes = run.shapes.map(shapeOf);
+    this.bodies = run.bodies.map(k => shapes[k]);
+    this.walls = run.walls.map((k, i) => ({...shapes[k], encloses: run.encloses[i]}));
+    const first = run.frames[0];
+    this.walls.forEach((wall, k) => wall.moves = run.frames.some(
+      frame => [X, Y, THETA].some(i => frame.walls[k][i] !== first.walls[k][i])));
+    this.tops = {
+      speed: largest(run.frames, frame => frame.bodies.map(VALUES.speed)),
+      spin: largest(run.frames, frame => frame.bodies.map(VALUES.spin)),
+      orientation: this.bodies.every(shape => shape.turns) ? Math.PI : 2 * Math.PI,
+    };
+    this.topForce = largest(run.frames, frame => frame.contacts.map(contact => contact[FORCE]));
+    this.box = this.boxOf(run.frames);
+    this.readColours();
+    this.fit();
+  }
+
+  shape(k) { return k < 0 ? this.walls[-1 - k] : this.bodies[k]; }
+
+  readColours() {
+    const style = getComputedStyle(document.documentElement);
+    this.colours = Object.fromEntries(
+      ["fluid", "solid", "edge", "plain", "contact", "accent"].map(
+        name => [name, style.getPropertyValue("--" + name).trim()]));
+  }
+
+  // What encloses the fluid, or else all that bodies and walls ever reach.
+  boxOf(frames) {
+    const box = {left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
+    const include = (state, {radius}) => {
+      box.left = Math.min(box.left, state[X] - radius);
+      box.right = Math.max(box.right, state[X] + radius);
+      box.bottom = Math.min(box.bottom, state[Y] - radius);
+      box.top = Math.max(box.top, state[Y] + radius);
+    };
+    for (const frame of frames) {
+      frame.bodies.forEach((state, k) => include(state, this.bodies[k]));
+      frame.walls.forEach((state, k) => include(state, this.walls[k]));
+    }
+    return box;
+  }
+
+  fit() {
+    const {left, right, bottom, top} = this.box;
+    this.fitted = true;
+    this.x = (left + right) / 2;
+    this.y = (bottom + top) / 2;
+    this.scale = 0.94 * Math.min(this.canvas.clientWidth / (right - left),
+                                 this.canvas.clientHeight / (top - bottom));
+  }
+
+  // Pixels of the page, from the canvas's corner, and points of the plane.
+  toPixel(x, y) {
+    return [this.canvas.clientWidth / 2 + this.scale * (x - this.x),
+            this.canvas.clientHeight / 2 - this.scale * (y - this.y)];
+  }
+
+  toPoint(px, py) {
+    return [this.x + (px - this.canvas.clientWidth / 2) / this.scale,
+            this.y - (py - this.canvas.clientHeight / 2) / this.scale];
+  }
+
+  zoom(factor, px, py) {
+    const [x, y] = this.toPoint(px, py);
+    this.fitted = false;
+    this.scale *= factor;
+    this.x = x - (px - this.canvas.clientWidth / 2) / this.scale;
+    this.y = y + (py - this.canvas.clientHeight / 2) / this.scale;
+  }
+
+  move(dx, dy) {
+    this.fitted = false;
+    this.x -= dx / this.scale;
+    this.y += dy / this.scale;
+  }
+
+  // Lets the canvas have as many pixels as the screen has where it lies.
+  resize() {
+    const ratio = window.devicePixelRatio || 1;
+    const width = Math.round(this.canvas.clientWidth * ratio);
+    const height = Math.round(this.canvas.clientHeight * ratio);
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    if (this.fitted) this.fit();
+  }
+
+  // Coordinates of the plane, or of a body or wall; y points upwards.
+  enter(state = [this.x, this.y, 0]) {
+    const ratio = window.devicePixelRatio || 1, size = ratio * this.scale;
+    const c = size * Math.cos(state[THETA]), s = size * Math.sin(state[THETA]);
+    const [px, py] = this.toPixel(state[X], state[Y]);
+    this.context.setTransform(c, -s, -s, -c, ratio * px, ratio * py);
+    if (state.length === 3) this.context.translate(-this.x, -this.y);
+  }
+
+  draw(state, {colour, contacts, picked, trail}) {
+    this.resize();
+    const {context, colours} = this;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    context.fillStyle = colours.fluid;
+    if (!this.walls.some(wall => wall.encloses)) {
+      context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    }
+    context.lineJoin = context.lineCap = "round";
+    this.drawWalls(state);
+    if (trail) this.drawTrail(trail);
+    this.drawBodies(state, colour);
+    if (contacts) this.drawContacts(state, picked);
+    if (picked?.part !== undefined) this.drawPicked(state, picked.part);
+  }
+
+  drawWalls(state) {
+    const {context, colours} = this, pixel = 1 / this.scale;
+    this.walls.forEach((wall, k) => {
+      this.enter(state.walls[k]);
+      context.fillStyle = wall.encloses ? colours.fluid : colours.solid;
+      context.fill(wall.path);
+      context.strokeStyle = colours.edge;
+      if (wall.moves) {  // dashes show that it turns
+        context.globalAlpha = 0.35;
+        context.lineWidth = 6 * pixel;
+        context.lineCap = "butt";
+        context.setLineDash([wall.length / 72, wall.length / 72]);
+        context.stroke(wall.path);
+        context.setLineDash([]);
+        context.globalAlpha = 1;
+        context.lineCap = "round";
+      }
+      context.lineWidth = 1.5 * pixel;
+      context.stroke(wall.path);
+    });
+  }
+
+  // The colour of a body on its ramp, as a level.
+  levelOf(body, colour) {
+    const top = this.tops[colour];
+    return top > 0 ? Math.round((LEVELS - 1) * Math.min(VALUES[colour](body, top) / top, 1)) : 0;
+  }
+
+  drawBodies(state, colour) {
+    const {context, colours} = this, pixel = 1 / this.scale;
+    state.bodies.forEach((body, k) => {
+      const shape = this.bodies[k];
+      this.enter(body);
+      const level = colour === "plain" ? LEVELS : this.levelOf(body, colour);
+      context.fillStyle = colour === "plain" ? colours.plain : RAMPS[colour][level];
+      context.fill(shape.path);
+      context.strokeStyle = colours.edge;
+      context.lineWidth = 0.75 * pixel;
+      context.stroke(shape.path);
+      if (shape.radius * this.scale < 4) return;  // marks are not seen
+      const dark = colour !== "plain" && colour !== "orientation" && level < darkLevels;
+      context.strokeStyle = colour === "plain" ? colours.edge : dark ? "#fff" : "#000";
+      context.lineWidth = Math.min(2, 0.1 * shape.radius * this.scale) * pixel;
+      context.stroke(shape.mark);
+    });
+  }
+
+  // From the centres of bodies to where forces act, as wide as the force is large.
+  drawContacts(state, picked) {
+    const {context, colours} = this;
+    this.enter();
+    state.contacts.forEach((contact, k) => {
+      context.strokeStyle = picked?.contact === k ? colours.accent : colours.contact;
+      context.lineWidth = Math.max(0.75, 6 * contact[FORCE] / this.topForce) / this.scale;
+      for (const party of [contact[A], contact[B]]) {
+        if (party < 0) continue;
+        context.beginPath();
+        context.moveTo(state.bodies[party][X], state.bodies[party][Y]);
+        context.lineTo(contact[CONTACT_X], contact[CONTACT_Y]);
+        context.stroke();
+      }
+    });
+  }
+
+  drawPicked(state, part) {
+    const {context, colours} = this;
+    this.enter(stateIn(state, part));
+    context.strokeStyle = colours.accent;
+    context.lineWidth = 3 / this.scale;
+    context.stroke(this.shape(part).path);
+  }
+
+  drawTrail(states) {
+    const {context, colours} = this;
+    this.enter();
+    context.beginPath();
+    for (const state of states) context.lineTo(state[X], state[Y]);
+    context.strokeStyle = colours.accent;
+    context.lineWidth = 1.5 / this.scale;
+    context.globalAlpha = 0.6;
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  // What is under a pixel: {contact: k}, {part: k} for a body or, negative, a wall, or nothing.
+  pick(state, px, py, withContacts) {
+    const [x, y] = this.toPoint(px, py);
+    if (withContacts) {
+      const contact = state.contacts.findIndex(contact => this.isOn(state, contact, x, y));
+      if (contact >= 0) return {contact};
+    }
+    this.context.setTransform(1, 0, 0, 1, 0, 0);
+    const holds = (k) => this.context.isPointInPath(this.shape(k).path,
+                                                    ...toLocal(stateIn(state, k), x, y));
+    for (let k = this.bodies.length - 1; k >= 0; --k) {
+      const [bx, by] = state.bodies[k];
+      if (Math.hypot(x - bx, y - by) <= this.bodies[k].radius && holds(k)) return {part: k};
+    }
+    for (let k = -this.walls.length; k < 0; ++k) {
+      if (holds(k) !== this.shape(k).encloses) return {part: k};
+    }
+    return null;
+  }
+
+  // Whether a point is within some pixels of a contact's lines.
+  isOn(state, contact, x, y) {
+    return [contact[A], contact[B]].some(party => {
+      if (party < 0) return false;
+      const [ax, ay] = state.bodies[party];
+      const dx = contact[CONTACT_X] - ax, dy = contact[CONTACT_Y] - ay;
+      const along = Math.min(Math.max(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0), 1);
+      return this.scale * Math.hypot(x - ax - along * dx, y - ay - along * dy) < 4;
+    });
+  }
+}
