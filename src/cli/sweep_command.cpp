@@ -15,6 +15,7 @@
 #include "record/atomic_file.hpp"
 #include "scene/error.hpp"
 #include "sweep/batch.hpp"
+#include "sweep/file_lock.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/parse.hpp"
 #include "sweep/results.hpp"
@@ -39,7 +40,8 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   }
   require_sweep(options.out, sweep, *options.task);
   const TaskFolder folder(options.out, *options.task);
-  const TaskLock lock = folder.lock();
+  folder.make();
+  const FileLock lock(folder.lock());
   if (folder.state() == TaskState::done) return exit_done;
   folder.remove_failure();
   try {
@@ -114,7 +116,11 @@ class LocalSweep {
 
   /// Prefers tasks that no other sweep works on: a worker would wait for those.
   void start_next() {
-    const auto is_free = [&](std::size_t k) { return !TaskFolder(options_.out, k).is_locked(); };
+    const auto is_free = [&](std::size_t k) {
+      const TaskFolder folder(options_.out, k);
+      folder.make();
+      return !FileLock::is_taken(folder.lock());
+    };
     auto next = std::ranges::find_if(waiting_, is_free);
     if (next == waiting_.end()) next = waiting_.begin();
     const std::size_t task = *next;
@@ -163,6 +169,7 @@ class LocalSweep {
 };
 
 void write_results(const Sweep& sweep, const SweepOptions& options) {
+  const FileLock lock(sweep_lock(options.out));
   const std::vector<ResultRow> rows = collect(options.out, sweep);
   const fs::path path = options.out / "results.csv";
   write_atomically(path, to_csv(sweep, rows), SafeFrom::power_cut);

@@ -6,6 +6,7 @@
 #include "record/checkpoint.hpp"
 #include "record/record_error.hpp"
 #include "scene/write.hpp"
+#include "sweep/file_lock.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
 
@@ -33,6 +34,10 @@ std::string row(const Sweep& sweep, std::size_t number) {
 
 }  // namespace
 
+std::filesystem::path sweep_lock(const std::filesystem::path& out) {
+  return out / "lock";
+}
+
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -50,6 +55,7 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest) {
   std::error_code error;
   std::filesystem::create_directories(out / "runs", error);
   if (error) throw RecordError(out / "runs", "making the directory", error);
+  const FileLock lock(sweep_lock(out));  // of two sweeps that begin, one writes
   const std::filesystem::path path = out / manifest_name;
   if (!std::filesystem::exists(path, error)) {
     write_atomically(path, manifest, SafeFrom::power_cut);

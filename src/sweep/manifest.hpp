@@ -18,6 +18,12 @@ namespace stokesbook {
 /// @return       the text; in double quotes, with those in it doubled, if it has commas or quotes
 std::string csv_cell(std::string_view text);
 
+/// Returns the FileLock of who writes a file about the whole sweep.
+///
+/// @param  out  folder of the sweep
+/// @return      path of `lock`
+std::filesystem::path sweep_lock(const std::filesystem::path& out);
+
 /// Lists the tasks of a sweep, and checks the scene of each.
 ///
 /// @param  sweep  any

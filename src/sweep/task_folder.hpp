@@ -17,23 +17,6 @@ enum class TaskState {
   failed       ///< the last try ended with an error
 };
 
-/// The right to work on a task, which one process has at a time. The kernel takes it back when the
-/// process ends, however it ends.
-class TaskLock {
- public:
-  /// Takes over a lock.
-  /// @param  descriptor  of the locked file
-  explicit TaskLock(int descriptor) : descriptor_(descriptor) {}
-  /// Takes over a lock.
-  /// @param  other  left without one
-  TaskLock(TaskLock&& other) noexcept;
-  /// Gives the right back.
-  ~TaskLock();
-
- private:
-  int descriptor_;
-};
-
 /// Folder of a task: that of its run, with the files `lock`, `log.txt` and, after an error,
 /// `failure.txt`.
 class TaskFolder {
@@ -54,26 +37,23 @@ class TaskFolder {
   /// @return its path
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the folder, if need be, and returns where the output of its workers goes.
+  /// Makes the folder, if need be.
   ///
+  /// @throws RecordError when it cannot be made
+  void make() const;
+
+  /// Returns where the output of its workers goes.
   /// @return path of `log.txt`
-  /// @throws RecordError when the folder cannot be made
-  std::filesystem::path log() const;
+  std::filesystem::path log() const { return path_ / "log.txt"; }
+
+  /// Returns the FileLock of who works on the task.
+  /// @return path of `lock`
+  std::filesystem::path lock() const { return path_ / "lock"; }
 
   /// Looks how far the task has come.
   /// @return its state
   /// @throws RecordError when `run.json` is damaged
   TaskState state() const;
-
-  /// Tells whether another process works on the task at this moment.
-  /// @return true when it is locked
-  /// @throws RecordError when the lock file cannot be made
-  bool is_locked() const;
-
-  /// Waits until no other process works on the task.
-  /// @return the right to do so
-  /// @throws RecordError when the lock file cannot be made
-  TaskLock lock() const;
 
   /// Says how the last try failed.
   /// @return message; empty without failure
