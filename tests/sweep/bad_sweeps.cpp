@@ -18,10 +18,10 @@ struct BadSweep {
 
 void check(const std::vector<BadSweep>& sweeps) {
   const Folder folder;
-  for (const auto& [text, message] : sweeps) {
-    BOOST_TEST_CONTEXT(text) {
-      const auto read = [&] { manifest(folder.sweep(text)); };
-      BOOST_TEST(message_of<SceneError>(folder, read) == "sweep.toml:" + message);
+  for (const BadSweep& bad : sweeps) {
+    BOOST_TEST_CONTEXT(bad.text) {
+      const auto read = [&] { manifest(folder.sweep(bad.text)); };
+      BOOST_TEST(message_of<SceneError>(folder, read) == "sweep.toml:" + bad.message);
     }
   }
 }

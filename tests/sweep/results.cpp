@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(runs_that_are_done_count) {
 BOOST_AUTO_TEST_CASE(tables) {
   const Folder folder;
   const Sweep sweep = folder.sweep(sweep_text);
-  for (const std::size_t k : {0, 1, 2})
+  for (const std::size_t k : {0U, 1U, 2U})
     write_run(folder, k, k == 2 ? "0.40000000000000002" : "0.2");
   const std::vector<ResultRow> rows = collect(folder.path(), sweep);
   const std::string csv = to_csv(sweep, rows);

@@ -21,7 +21,7 @@ SlurmdUser={user}
 SlurmctldPort={ctld_port}
 SlurmdPort={slurmd_port}
 AuthType=auth/munge
-AuthInfo=socket={folder}/munge.socket,cred_expire=5
+AuthInfo=socket={folder}/munge.socket,cred_expire=8
 CredType=cred/munge
 StateSaveLocation={folder}/state
 SlurmdSpoolDir={folder}/spool
@@ -38,7 +38,8 @@ AccountingStorageType=accounting_storage/none
 JobAcctGatherType=jobacct_gather/none
 JobRequeue=1
 # A job that is queued again waits until its credential, above, has expired.
-SchedulerParameters=sched_interval=1,bf_interval=1,batch_sched_delay=1
+SchedulerParameters=sched_interval=1,bf_interval=1,batch_sched_delay=0,sched_min_interval=1000,sched_max_job_start=0
+SlurmdTimeout=10
 ReturnToService=2
 MinJobAge=300
 NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} State=UNKNOWN
@@ -108,9 +109,13 @@ class Slurm:
         self._node = self._start("slurmd", "-D", "-f", self.folder / "slurm.conf")
 
     def kill_node(self):
-        """The loss of the node: its daemon is gone, as are the workers that the test kills."""
+        """The loss of the node: its daemon is gone; what it started must be killed besides."""
         self._node.kill()
         self._node.wait()
+
+    def miss_node(self):
+        """Waits until Slurm has noticed."""
+        self.wait_until("the node is missed", lambda: "down" in self("sinfo", "-h", "-o", "%T"))
 
     def wait_until(self, what, holds, seconds=60):
         end = time.monotonic() + seconds

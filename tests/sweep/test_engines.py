@@ -30,9 +30,9 @@ class Engines(Sweeping):
 
     def test_gnu_parallel(self):
         command = self.planned("parallel")
-        process = subprocess.Popen(["sh", "-c", command], cwd="/", start_new_session=True)
+        process = subprocess.Popen(["sh", "-c", command], cwd="/", stderr=subprocess.DEVNULL)
         self.kill_one_with_a_checkpoint("a")
-        self.assertEqual(process.wait(120), 1)  # job was lost
+        self.assertEqual(process.wait(120), 1)  # a job was lost
         self.assertEqual(len(self.done("a")), TASKS - 1)
         done = self.done("a")
         subprocess.run(["sh", "-c", command], cwd="/", check=True)  # given again
@@ -69,6 +69,7 @@ class Engines(Sweeping):
             slurm.kill_node()
             for process in workers:
                 self.kill_with_its_keeper(process)
+            slurm.miss_node()
             self.assertLess(len(self.done("a")), TASKS)
             slurm.start_node()
             slurm.wait_until("the jobs have ended", lambda: slurm("squeue", "-h") == "")
