@@ -36,7 +36,7 @@ double time_average(std::span<const double> t, std::span<const double> y, double
 ///
 /// @param  run       folder of the run
 /// @param  quantity  what to read
-/// @return           the number; nan where the table holds nan
+/// @return           the number; nan where the scene does not define it
 /// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
 ///         early
 double value_of(const std::filesystem::path& run, const Quantity& quantity);

@@ -106,6 +106,8 @@ class Losses(Sweeping):
         self.assertEqual(process.returncode, 0, errors)
         self.assertRegex(errors, rf"^stokes: task {task}: .*killed by signal 9, goes on from its")
         self.assertRegex(told, rf"\ntask {task}: .*: done")
+        # It has gone on, not begun anew.
+        self.assertLess(self.solves("a", task), self.solves("a", 0 if task > 0 else TASKS - 1))
         self.assertEqual(self.results("a"), self.whole)
 
     def test_a_worker_is_killed_again_and_again(self):
