@@ -7,6 +7,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/run_command.hpp"
+#include "cli/sweep_command.hpp"
 #include "record/record_error.hpp"
 #include "scene/error.hpp"
 #include "suspension/numerics_refused.hpp"
@@ -36,6 +37,30 @@ void add_scene_options(CLI::App& command, RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
+void add_sweep_options(CLI::App& command, SweepOptions& options) {
+  command.add_option("sweep", options.file, "sweep file (TOML): a scene, values, seeds")
+      ->required();
+  command.add_option("--out", options.out, "directory of the results [out/<name of the sweep>]");
+  CLI::Option* jobs =
+      command.add_option("--jobs", options.jobs, "tasks at a time [all processors]")
+          ->check(CLI::PositiveNumber);
+  command.add_option("--threads", options.threads, "number of threads of each task [1]")
+      ->check(CLI::PositiveNumber);
+  CLI::Option* task =
+      command.add_option("--task", options.task, "run this task only, counted from 0")
+          ->check(CLI::NonNegativeNumber)
+          ->excludes(jobs);
+  CLI::Option* plan =
+      command.add_flag("--plan", options.plan, "list the tasks and how to run them elsewhere")
+          ->excludes(jobs)
+          ->excludes(task);
+  command.add_flag("--collect", options.collect, "write the table of the tasks that are done")
+      ->excludes(jobs)
+      ->excludes(task)
+      ->excludes(plan);
+  command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
 int run_program(int argc, char** argv) {
   // A limit on file sizes then shows as an error of the write, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
@@ -52,6 +77,10 @@ int run_program(int argc, char** argv) {
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);
   solve.add_flag("--dry-run", options.dry_run, "check the scene and print the plan, nothing else");
+  SweepOptions sweep_options;
+  sweep_options.program = argv[0];
+  CLI::App& sweep = *app.add_subcommand("sweep", "run a scene with many values, with error bars");
+  add_sweep_options(sweep, sweep_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -59,7 +88,7 @@ int run_program(int argc, char** argv) {
   }
   options.once = solve.parsed();
   try {
-    return run_scene(options);
+    return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
   } catch (const SceneError& error) {
     std::cerr << "stokes: " << error.what() << '\n';
     return exit_bad_usage;

@@ -1,6 +1,11 @@
 #include "record/run_info.hpp"
 
+#include <system_error>
+
 #include <nlohmann/json.hpp>
+
+#include "record/atomic_file.hpp"
+#include "record/record_error.hpp"
 
 namespace stokesbook {
 
@@ -48,6 +53,17 @@ std::string to_json(const RunInfo& info) {
   };
   // A path in a message need not be UTF-8; losing a letter of it beats losing the file.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::optional<int> exit_status_of(const std::filesystem::path& run) {
+  const std::filesystem::path path = run / "run.json";
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path, unreadable)) return std::nullopt;
+  try {
+    return nlohmann::json::parse(read_text(path)).at("exit_status").get<int>();
+  } catch (const nlohmann::json::exception& damage) {
+    throw RecordError(path, "is damaged: " + std::string(damage.what()));
+  }
 }
 
 }  // namespace stokesbook

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,13 @@ struct RunInfo {
 /// @param  info  of one run
 /// @return       a JSON object in UTF-8; bytes that are not are replaced
 std::string to_json(const RunInfo& info);
+
+/// Reads how a run ended from its `run.json`.
+///
+/// @param  run  directory of the run
+/// @return      its exit status; none where the run has not ended
+/// @throws RecordError when the file cannot be read or is damaged
+std::optional<int> exit_status_of(const std::filesystem::path& run);
 
 /// @}
 

@@ -25,8 +25,9 @@ MAY_USE = {
     "suspension": METHODS | {"scene", "record"},
     "scene": {"trapezoid"},
     "record": {"trapezoid"},
+    "sweep": {"scene", "record"},
     "study": {"record"},
-    "cli": METHODS | {"suspension", "scene", "record", "study"},
+    "cli": METHODS | {"suspension", "scene", "record", "sweep", "study"},
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)

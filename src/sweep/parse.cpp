@@ -1,0 +1,221 @@
+#include "sweep/parse.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "record/csv.hpp"
+#include "scene/nearest_word.hpp"
+#include "scene/table_reader.hpp"
+#include "scene/text_file.hpp"
+#include "scene/toml_value.hpp"
+#include "sweep/table_column.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+using namespace scene_text;
+
+/// Tables of a run that have one row a time, or one a time and item.
+constexpr Words<std::string_view, 4> tables{{{"rheology.csv", rheology_header},
+                                             {"steps.csv", steps_header},
+                                             {"trajectory.csv", trajectory_header},
+                                             {"walls.csv", walls_header}}};
+
+constexpr Words<Reduction, 4> reductions{{{"last", Reduction::last},
+                                          {"least", Reduction::least},
+                                          {"largest", Reduction::largest},
+                                          {"sum", Reduction::sum}}};
+
+enum class Spacing { linear, logarithmic };
+constexpr Words<Spacing, 2> spacings{
+    {{"linear", Spacing::linear}, {"logarithmic", Spacing::logarithmic}}};
+
+constexpr Requirement<std::string> file_name{"the name of a scene file, relative to this file"};
+constexpr Requirement<std::string> scene_key{
+    "a key of the scene, such as \"time.dt\" or \"fill.0.area_fraction\"",
+    [](const std::string& key) {
+      return !key.empty() && key.find_first_of(" =\"'") == std::string::npos;
+    }};
+constexpr Requirement<std::string> column_name{
+    "a name of letters, digits and _", [](const std::string& name) {
+      return !name.empty() && name.find_first_not_of(
+                                  "abcdefghijklmnopqrstuvwxyz0123456789_"
+                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+    }};
+constexpr Requirement<int> several{"an integer >= 2", [](const int& k) { return k >= 2; }};
+constexpr Requirement<int> item_number{"an integer >= 0", [](const int& k) { return k >= 0; }};
+constexpr Requirement<std::int64_t> seed{"an integer >= 0",
+                                         [](const std::int64_t& k) { return k >= 0; }};
+constexpr Requirement<std::vector<double>> interval{
+    "two times [begin, end] with 0 <= begin < end", [](const std::vector<double>& times) {
+      return times.size() == 2 && times[0] >= 0.0 && times[0] < times[1];
+    }};
+
+/// The value as it would stand in a file, whole: messages shorten it.
+std::string toml_text(const Node& node) {
+  std::string text;
+  if (const auto* elements = std::get_if<Array>(&node.value)) {
+    for (const Node& element : *elements) {
+      if (!text.empty()) text += ", ";
+      text += toml_text(element);
+    }
+    return "[" + text + "]";
+  }
+  if (const auto* table = std::get_if<Table>(&node.value)) {
+    for (const Node& entry : table->entries) {
+      if (!text.empty()) text += ", ";
+      text += entry.key + " = " + toml_text(entry);
+    }
+    return "{ " + text + " }";
+  }
+  return node.text;
+}
+
+std::vector<AxisValue> read_values(const Node& node) {
+  std::vector<AxisValue> values;
+  for (const Node& element : elements_of(node, "a list of values")) {
+    AxisValue value{toml_text(element), element.where};
+    if (std::ranges::find(values, value.value, &AxisValue::value) != values.end()) {
+      fail(element, "is there already");
+    }
+    values.push_back(std::move(value));
+  }
+  if (values.empty()) fail(node, "must be a list of one or more values");
+  return values;
+}
+
+std::vector<AxisValue> read_range(const Node& node) {
+  const TableReader table(node, {"from", "to", "count", "spacing"});
+  const double from = table.require("from", any_number);
+  const double to = table.require("to", any_number);
+  const int count = table.require("count", several);
+  const Spacing spacing = table.get("spacing", spacings).value_or(Spacing::linear);
+  if (from == to) fail(*table.find("to"), "must differ from where the range begins");
+  const bool logarithmic = spacing == Spacing::logarithmic;
+  if (logarithmic && (from <= 0.0 || to <= 0.0)) {
+    fail(*table.find(from <= 0.0 ? "from" : "to"), "must be > 0 where the spacing is logarithmic");
+  }
+  std::vector<AxisValue> values;
+  for (int k = 0; k < count; ++k) {
+    const double s = static_cast<double>(k) / (count - 1);
+    const double between = logarithmic ? from * std::pow(to / from, s) : from + s * (to - from);
+    values.push_back({toml_value(k == count - 1 ? to : between), node.where});
+  }
+  return values;
+}
+
+Axis read_axis(const Node& node) {
+  const TableReader table(node, {"key", "name", "values", "range"});
+  Axis axis;
+  axis.key = table.require("key", scene_key);
+  if (axis.key == "seed") fail(*table.find("key"), "seeds stand in a list of their own: seeds");
+  axis.name = table.get("name", column_name).value_or(axis.key);
+  const Node* values = table.find("values");
+  const Node* range = table.find("range");
+  if ((values == nullptr) == (range == nullptr)) fail(node, "must hold values or range, not both");
+  axis.values = values != nullptr ? read_values(*values) : read_range(*range);
+  return axis;
+}
+
+std::vector<AxisValue> read_seeds(const TableReader& root) {
+  const Node* node = root.find("seeds");
+  if (node == nullptr) return {};
+  if (std::holds_alternative<Table>(node->value)) {
+    const TableReader table(*node, {"first", "count"});
+    const std::int64_t first = table.require("first", seed);
+    const int count = table.require("count", positive_integer);
+    std::vector<AxisValue> seeds;
+    for (int k = 0; k < count; ++k) seeds.push_back({toml_value(first + k), node->where});
+    return seeds;
+  }
+  for (const Node& element : elements_of(*node, "a list of integers or { first, count }")) {
+    read(element, seed);
+  }
+  return read_values(*node);
+}
+
+void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
+  const std::vector<std::string_view> columns = cells_of(header);
+  const Node& node = table.at("column", "a column of " + quantity.table);
+  quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
+  if (std::ranges::find(columns, quantity.column) == columns.end()) {
+    const auto meant = nearest_word(quantity.column, columns);
+    fail(node, "is no column of " + quantity.table + (meant ? ", did you mean '" : ", whose are ") +
+                   (meant ? std::string(*meant) + "'?"
+                          : std::string(header.substr(0, header.size() - 1))));
+  }
+  for (const std::string_view item : {"body", "wall"}) {
+    if (columns[1] == item) {
+      quantity.item = table.require(item, item_number);
+    } else {
+      table.refuse({item}, quantity.table + " has no column '" + std::string(item) + "'");
+    }
+  }
+}
+
+Quantity read_quantity(const Node& node) {
+  const TableReader table(node, {"name", "table", "column", "body", "wall", "average", "take"});
+  Quantity quantity;
+  const std::string_view header = table.require("table", tables);
+  quantity.table = name_of(header, tables);
+  quantity.where = node.where;
+  read_column(table, header, quantity);
+  quantity.name = table.get("name", column_name).value_or(quantity.column);
+  const auto times = table.get("average", interval);
+  const auto reduction = table.get("take", reductions);
+  if (times.has_value() == reduction.has_value()) {
+    fail(node, "must hold average = [begin, end] or take, " + describe(reductions));
+  }
+  quantity.reduction = reduction.value_or(Reduction::average);
+  if (times) {
+    quantity.from = times->front();
+    quantity.to = times->back();
+  }
+  return quantity;
+}
+
+/// Names head columns of one table.
+void require_distinct(const std::string& name, std::vector<std::string>& names, const Node& node) {
+  if (std::ranges::find(names, name) != names.end()) {
+    fail(node, "is called '" + name + "', as another is: give it a name of its own");
+  }
+  names.push_back(name);
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& path) {
+  const std::optional<std::string> text = text_of(path);
+  if (!text) throw SceneError(path.string() + ": there is no file to read");
+  const Node document = parse_document(*text, path.string());
+  const TableReader root(document, {"scene", "seeds", "axes", "collect"});
+  Sweep sweep;
+  sweep.scene = path.parent_path() / root.require("scene", file_name);
+  if (!text_of(sweep.scene)) {
+    fail(*root.find("scene"), "there is no file to read at " + sweep.scene.string());
+  }
+  std::vector<std::string> names{sweep.seeds.name};
+  std::vector<std::string> keys;
+  for (const Node& node : root.tables("axes")) {
+    const Axis& axis = sweep.axes.emplace_back(read_axis(node));
+    require_distinct(axis.name, names, node);
+    if (std::ranges::find(keys, axis.key) != keys.end()) {
+      fail(node, "sets " + axis.key + ", as another axis does");
+    }
+    keys.push_back(axis.key);
+  }
+  sweep.seeds.values = read_seeds(root);
+  for (const Node& node : root.tables("collect")) {
+    require_distinct(sweep.quantities.emplace_back(read_quantity(node)).name, names, node);
+  }
+  if (sweep.axes.empty() && sweep.seeds.values.empty()) {
+    fail(document, "a sweep must vary something: write [[axes]] or seeds");
+  }
+  return sweep;
+}
+
+}  // namespace stokesbook

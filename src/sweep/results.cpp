@@ -1,0 +1,104 @@
+#include "sweep/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "record/number_text.hpp"
+#include "sweep/manifest.hpp"
+#include "sweep/table_column.hpp"
+#include "sweep/task.hpp"
+#include "sweep/task_folder.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep, std::size_t first) {
+  ResultRow row;
+  const Task task = task_of(sweep, first);
+  for (std::size_t k = 0; k < sweep.axes.size(); ++k) {
+    row.values.push_back(task.settings[k].chosen.value);
+  }
+  std::vector<std::vector<double>> values(sweep.quantities.size());
+  for (std::size_t k = first; k < first + runs_per_combination(sweep); ++k) {
+    const TaskFolder folder(out, k);
+    const TaskState state = folder.state();
+    if (state == TaskState::failed) ++row.failed;
+    if (state == TaskState::unfinished) ++row.unfinished;
+    if (state != TaskState::done) continue;
+    ++row.runs;
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      values[j].push_back(value_of(folder.path(), sweep.quantities[j]));
+    }
+  }
+  for (const auto& of_quantity : values) row.estimates.push_back(estimate_mean(of_quantity));
+  return row;
+}
+
+std::string with_error_bar(const Estimate& estimate) {
+  const std::string mean = short_number(estimate.mean, 6);
+  return std::isnan(estimate.interval) ? mean : mean + " +- " + short_number(estimate.interval, 2);
+}
+
+}  // namespace
+
+std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep) {
+  std::vector<ResultRow> rows;
+  for (std::size_t k = 0; k < task_count(sweep); k += runs_per_combination(sweep)) {
+    rows.push_back(collect_row(out, sweep, k));
+  }
+  return rows;
+}
+
+std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows) {
+  std::string text;
+  for (const Axis& axis : sweep.axes) text += csv_cell(axis.name) + ",";
+  text += "runs,failed,unfinished";
+  for (const Quantity& quantity : sweep.quantities) {
+    for (const char* ending : {"", "_standard_error", "_interval"}) {
+      text += "," + quantity.name + ending;
+    }
+  }
+  text += '\n';
+  for (const ResultRow& row : rows) {
+    for (const std::string& value : row.values) text += csv_cell(value) + ",";
+    text += std::to_string(row.runs) + "," + std::to_string(row.failed) + "," +
+            std::to_string(row.unfinished);
+    for (const auto& [mean, standard_error, interval] : row.estimates) {
+      for (const double number : {mean, standard_error, interval}) {
+        text += ',';
+        append_number(text, number);
+      }
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const Axis& axis : sweep.axes) lines[0].push_back(axis.name);
+  for (const char* count : {"runs", "failed", "unfinished"}) lines[0].emplace_back(count);
+  for (const Quantity& quantity : sweep.quantities) lines[0].push_back(quantity.name);
+  for (const ResultRow& row : rows) {
+    std::vector<std::string>& line = lines.emplace_back(row.values);
+    for (const int count : {row.runs, row.failed, row.unfinished}) {
+      line.push_back(std::to_string(count));
+    }
+    for (const Estimate& estimate : row.estimates) line.push_back(with_error_bar(estimate));
+  }
+  std::vector<std::size_t> widths(lines[0].size());
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      text += std::string(2 + widths[k] - line[k].size(), ' ') + line[k];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace stokesbook

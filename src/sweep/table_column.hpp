@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sweep/sweep.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup sweep
+/// @{
+
+/// Splits a line of a run's table at its commas.
+///
+/// @param  line  with or without its end
+/// @return       views of the line
+std::vector<std::string_view> cells_of(std::string_view line);
+
+/// Averages a function of time over an interval: the integral of its piecewise linear interpolant,
+/// by the trapezoid rule, over the length of the interval.
+///
+/// Before the first time the function has its first value: `steps.csv` has no row at t = 0.
+/// @param  t     times, ascending, one at least
+/// @param  y     values at these times
+/// @param  from  begin of the interval
+/// @param  to    its end, > from
+/// @return       the average, in the unit of y
+/// @throws std::invalid_argument when the interval ends after the last time
+/// @par Accuracy  exact where the function is linear between the times
+double time_average(std::span<const double> t, std::span<const double> y, double from, double to);
+
+/// Reads a quantity of a run that is done.
+///
+/// @param  run       folder of the run
+/// @param  quantity  what to read
+/// @return           the number; nan where the scene does not define it
+/// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
+///         early
+double value_of(const std::filesystem::path& run, const Quantity& quantity);
+
+/// @}
+
+}  // namespace stokesbook

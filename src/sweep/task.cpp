@@ -1,0 +1,102 @@
+#include "sweep/task.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "record/number_text.hpp"
+#include "scene/error.hpp"
+#include "scene/parse.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+/// A value of the command line has no place in a file; those of a sweep have.
+std::string with_place(const std::string& message, const Task& task) {
+  for (const auto& [key, chosen] : task.settings) {
+    const std::string start = "--set " + key + ": ";
+    if (message.starts_with(start)) return chosen.where + ": " + message.substr(start.size());
+  }
+  return message;
+}
+
+[[noreturn]] void fail(const Quantity& quantity, const std::string& problem) {
+  throw SceneError(quantity.where + ": collect " + quantity.name + ": " + problem);
+}
+
+void require_quantity(const Quantity& quantity, const Scene& scene) {
+  if (quantity.table != "steps.csv" &&
+      std::ranges::count(scene.output.formats, OutputFormat::csv) == 0) {
+    fail(quantity, "the scene writes no " + quantity.table + ": its formats lack \"csv\"");
+  }
+  if (quantity.table == "steps.csv" && !scene.time) {
+    fail(quantity, "the scene has no [time], hence no steps");
+  }
+  const double t_final = scene.time ? scene.time->t_final : 0.0;
+  if (quantity.reduction == Reduction::average && quantity.to > t_final) {
+    fail(quantity, "the average ends at t = " + short_number(quantity.to, 17) +
+                       ", after the run does, at t = " + short_number(t_final, 17));
+  }
+  const auto require_item = [&](const std::string& items, std::size_t count) {
+    if (std::cmp_less(*quantity.item, count)) return;
+    fail(quantity, "the scene has " + std::to_string(count) + " " + items + ", counted from 0; " +
+                       std::to_string(*quantity.item) + " is none of them");
+  };
+  if (quantity.table == "walls.csv") require_item("walls", scene.walls.size());
+  // How many bodies a fill has shows when they are placed.
+  if (quantity.table == "trajectory.csv" && scene.fills.empty()) {
+    require_item("bodies", scene.bodies.size());
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> Task::overrides() const {
+  std::vector<std::string> texts;
+  for (const auto& [key, chosen] : settings) texts.push_back(key + "=" + chosen.value);
+  return texts;
+}
+
+std::string Task::description() const {
+  std::string text = "task " + std::to_string(number);
+  for (const auto& [key, chosen] : settings) {
+    text += (&key == &settings.front().key ? ": " : ", ") + key + " = " + chosen.value;
+  }
+  return text;
+}
+
+std::size_t runs_per_combination(const Sweep& sweep) {
+  return std::max<std::size_t>(1, sweep.seeds.values.size());
+}
+
+std::size_t task_count(const Sweep& sweep) {
+  std::size_t count = runs_per_combination(sweep);
+  for (const Axis& axis : sweep.axes) count *= axis.values.size();
+  return count;
+}
+
+Task task_of(const Sweep& sweep, std::size_t number) {
+  std::size_t rest = number;
+  std::vector<Setting> settings;
+  const auto choose = [&](const Axis& axis) {
+    settings.push_back({axis.key, axis.values[rest % axis.values.size()]});
+    rest /= axis.values.size();
+  };
+  if (!sweep.seeds.values.empty()) choose(sweep.seeds);
+  std::for_each(sweep.axes.rbegin(), sweep.axes.rend(), choose);
+  std::ranges::reverse(settings);
+  return {number, settings};
+}
+
+Scene scene_of(const Sweep& sweep, const Task& task) {
+  try {
+    const Scene scene = read_scene(sweep.scene, task.overrides());
+    for (const Quantity& quantity : sweep.quantities) require_quantity(quantity, scene);
+    return scene;
+  } catch (const SceneError& error) {
+    throw SceneError(with_place(error.what(), task));
+  }
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,54 @@
+#include "sweep/task_folder.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "record/atomic_file.hpp"
+#include "record/record_error.hpp"
+#include "record/run_info.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+constexpr const char* failure_name = "failure.txt";
+
+}  // namespace
+
+TaskFolder::TaskFolder(const std::filesystem::path& out, std::size_t task)
+    : path_(out / name(task)) {}
+
+std::string TaskFolder::name(std::size_t task) {
+  const std::string digits = std::to_string(task);
+  return "runs/" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
+}
+
+void TaskFolder::make() const {
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (error) throw RecordError(path_, "making the directory", error);
+}
+
+TaskState TaskFolder::state() const {
+  if (exit_status_of(path_) == 0) return TaskState::done;
+  std::error_code unreadable;
+  return std::filesystem::exists(path_ / failure_name, unreadable) ? TaskState::failed
+                                                                   : TaskState::unfinished;
+}
+
+std::string TaskFolder::failure() const {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(path_ / failure_name, unreadable)) return {};
+  return read_text(path_ / failure_name);
+}
+
+void TaskFolder::write_failure(std::string_view message) const {
+  write_atomically(path_ / failure_name, message, SafeFrom::kill);
+}
+
+void TaskFolder::remove_failure() const {
+  std::error_code none;
+  std::filesystem::remove(path_ / failure_name, none);
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,169 @@
+/// Every way in which a sweep file can be wrong, and the whole message that says so.
+
+#include <vector>
+
+#include "scene/error.hpp"
+#include "sweep/manifest.hpp"
+#include "sweep_files.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+namespace {
+
+struct BadSweep {
+  std::string text;
+  std::string message;
+};
+
+void check(const std::vector<BadSweep>& sweeps) {
+  const Folder folder;
+  for (const BadSweep& bad : sweeps) {
+    BOOST_TEST_CONTEXT(bad.text) {
+      const auto read = [&] { manifest(folder.sweep(bad.text)); };
+      BOOST_TEST(message_of<SceneError>(folder, read) == "sweep.toml:" + bad.message);
+    }
+  }
+}
+
+/// An axis over the time step, whose own lines start with line 4.
+std::string axis(const std::string& lines) {
+  return "[[axes]]\nkey = 'time.dt'\n" + lines;
+}
+
+/// A quantity to collect, whose own lines start with line 4.
+std::string quantity(const std::string& lines) {
+  return "seeds = [1]\n[[collect]]\n" + lines;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(bad_sweeps)
+
+BOOST_AUTO_TEST_CASE(top) {
+  check({
+      {"", "1:1: a sweep must vary something: write [[axes]] or seeds"},
+      {"seed = [1]\n", "2:1: seed = [1]: unknown key, did you mean 'seeds'?"},
+      {"seeds = []\n", "2:9: seeds = []: must be a list of one or more values"},
+      {"seeds = [1, -2]\n", "2:13: seeds[1] = -2: must be an integer >= 0"},
+      {"seeds = [1, 0.5]\n", "2:13: seeds[1] = 0.5: must be an integer >= 0, not a float"},
+      {"seeds = [3, 3]\n", "2:13: seeds[1] = 3: is there already"},
+      {"seeds = 3\n",
+       "2:9: seeds = 3: must be a list of integers or { first, count }, not an integer"},
+      {"seeds = { first = 1 }\n", "2:9: seeds.count is missing: must be an integer >= 1"},
+      {"seeds = { first = 1, count = 0 }\n", "2:30: seeds.count = 0: must be an integer >= 1"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(files) {
+  const Folder folder;
+  const auto error_of = [&](const std::string& text) {
+    const auto path = folder.write("sweep.toml", text);
+    return message_of<SceneError>(folder, [&] { read_sweep(path); });
+  };
+  BOOST_TEST(error_of("scene = 'none.toml'\nseeds = [1]\n") ==
+             "sweep.toml:1:9: scene = \"none.toml\": there is no file to read at none.toml");
+  BOOST_TEST(error_of("seeds = [1]\n") ==
+             "sweep.toml:1:1: scene is missing: must be the name of a scene file, relative to this "
+             "file");
+  BOOST_TEST(message_of<SceneError>(folder, [&] { read_sweep(folder.path() / "no.toml"); }) ==
+             "no.toml: there is no file to read");
+}
+
+BOOST_AUTO_TEST_CASE(axes) {
+  check({
+      {"[[axes]]\nvalues = [1]\n",
+       "2:1: axes[0].key is missing: must be a key of the scene, such as \"time.dt\" or "
+       "\"fill.0.area_fraction\""},
+      {"[[axes]]\nkey = 'time dt'\nvalues = [1]\n",
+       "3:7: axes[0].key = \"time dt\": must be a key of the scene, such as \"time.dt\" or "
+       "\"fill.0.area_fraction\""},
+      {"[[axes]]\nkey = 'seed'\nvalues = [1]\n",
+       "3:7: axes[0].key = \"seed\": seeds stand in a list of their own: seeds"},
+      {axis(""), "2:1: axes[0]: must hold values or range, not both"},
+      {axis("values = [1]\nrange = { from = 0, to = 1, count = 2 }\n"),
+       "2:1: axes[0]: must hold values or range, not both"},
+      {axis("values = []\n"), "4:10: axes[0].values = []: must be a list of one or more values"},
+      {axis("values = 1\n"), "4:10: axes[0].values = 1: must be a list of values, not an integer"},
+      {axis("values = [0.1, 0.2, 0.1]\n"), "4:21: axes[0].values[2] = 0.1: is there already"},
+      {axis("value = [1]\n"), "4:1: axes[0].value = [1]: unknown key, did you mean 'values'?"},
+      {axis("name = 'a b'\nvalues = [1]\n"),
+       "4:8: axes[0].name = \"a b\": must be a name of letters, digits and _"},
+      {axis("values = [0.1]\n") + axis("values = [0.2]\n"),
+       "5:1: axes[1]: is called 'time.dt', as another is: give it a name of its own"},
+      {axis("values = [0.1]\n") + axis("name = 'dt'\nvalues = [0.2]\n"),
+       "5:1: axes[1]: sets time.dt, as another axis does"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(ranges) {
+  check({
+      {axis("range = { from = 0.1, to = 1.0 }\n"),
+       "4:9: axes[0].range.count is missing: must be an integer >= 2"},
+      {axis("range = { from = 0.1, to = 1.0, count = 1 }\n"),
+       "4:41: axes[0].range.count = 1: must be an integer >= 2"},
+      {axis("range = { from = 0.1, to = 0.1, count = 3 }\n"),
+       "4:28: axes[0].range.to = 0.1: must differ from where the range begins"},
+      {axis("range = { from = 0, to = 1, count = 3, spacing = 'logarithmic' }\n"),
+       "4:18: axes[0].range.from = 0: must be > 0 where the spacing is logarithmic"},
+      {axis("range = { from = 1, to = -1, count = 3, spacing = 'logarithmic' }\n"),
+       "4:26: axes[0].range.to = -1: must be > 0 where the spacing is logarithmic"},
+      {axis("range = { from = 1, to = 2, count = 3, spacing = 'log' }\n"),
+       "4:50: axes[0].range.spacing = \"log\": must be one of linear, logarithmic"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(quantities) {
+  check({
+      {quantity("table = 'rheology'\n"),
+       "4:9: collect[0].table = \"rheology\": must be one of rheology.csv, steps.csv, "
+       "trajectory.csv, walls.csv"},
+      {quantity("table = 'rheology.csv'\ncolumn = 'torque'\n"),
+       "5:10: collect[0].column = \"torque\": is no column of rheology.csv, whose are "
+       "t,dissipation,torque_ratio,order_parameter,s11,s12"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's21'\ntake = 'last'\n"),
+       "5:10: collect[0].column = \"s21\": is no column of rheology.csv, did you mean 's11'?"},
+      {quantity("table = 'rheology.csv'\n"),
+       "3:1: collect[0].column is missing: must be a column of rheology.csv"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\n"),
+       "3:1: collect[0]: must hold average = [begin, end] or take, one of last, least, largest, "
+       "sum"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\naverage = [0, 1]\n"),
+       "3:1: collect[0]: must hold average = [begin, end] or take, one of last, least, largest, "
+       "sum"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\naverage = [1, 1]\n"),
+       "6:11: collect[0].average = [1, 1]: must be two times [begin, end] with 0 <= begin < end"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\naverage = [0, 3]\n"),
+       "3:1: collect s11: the average ends at t = 3, after the run does, at t = 2"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\nbody = 0\n"),
+       "6:1: collect[0].body = 0: rheology.csv has no column 'body'"},
+      {quantity("table = 'trajectory.csv'\ncolumn = 'x'\ntake = 'last'\n"),
+       "3:1: collect[0].body is missing: must be an integer >= 0"},
+      {quantity("table = 'trajectory.csv'\ncolumn = 'x'\nbody = 1\ntake = 'last'\n"),
+       "3:1: collect x: the scene has 1 bodies, counted from 0; 1 is none of them"},
+      {quantity("table = 'walls.csv'\ncolumn = 'fx'\nwall = 0\ntake = 'last'\n"),
+       "3:1: collect fx: the scene has 0 walls, counted from 0; 0 is none of them"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
+                "table = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
+       "7:1: collect[1]: is called 's11', as another is: give it a name of its own"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(values_that_the_scene_refuses_are_found_in_the_sweep_file) {
+  check({
+      {axis("values = [0.1, -0.1]\n"), "4:16: time.dt = -0.1: must be a number > 0"},
+      {axis("range = { from = 1, to = 0, count = 3 }\n"),
+       "4:9: time.dt = 0.0: must be a number > 0"},
+      {"[[axes]]\nkey = 'time.dtt'\nvalues = [1]\n",
+       "4:11: time.dtt = 1: unknown key, did you mean 'dt'?"},
+      {"[[axes]]\nkey = 'bodies.1.n_nodes'\nvalues = [64]\n",
+       "4:11: bodies has 1 elements, counted from 0; '1' is none of them"},
+      {"[[axes]]\nkey = 'bodies.0.shape'\nvalues = [{ kind = 'circle', radius = 'big' }]\n",
+       "4:11: bodies[0].shape.radius = \"big\": must be a number > 0, not a string"},
+      {"seeds = [1]\n[[axes]]\nkey = 'output.formats'\nvalues = [['csv'], ['vtk']]\n"
+       "[[collect]]\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n",
+       "6:1: collect s11: the scene writes no rheology.csv: its formats lack \"csv\""},
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,125 @@
+/// Folders of sweeps and tasks, their locks, and the processes that work in them.
+
+#include <csignal>
+#include <thread>
+
+#include "record/record_error.hpp"
+#include "sweep/file_lock.hpp"
+#include "sweep/manifest.hpp"
+#include "sweep/task_folder.hpp"
+#include "sweep/workers.hpp"
+#include "sweep_files.hpp"
+
+using namespace stokesbook;
+using namespace stokesbook::test;
+
+BOOST_AUTO_TEST_SUITE(folders)
+
+BOOST_AUTO_TEST_CASE(names_sort_as_numbers) {
+  BOOST_TEST(TaskFolder::name(7) == "runs/0007");
+  BOOST_TEST(TaskFolder::name(9999) == "runs/9999");
+  BOOST_TEST(TaskFolder::name(12345) == "runs/12345");
+}
+
+BOOST_AUTO_TEST_CASE(states) {
+  const Folder folder;
+  const TaskFolder task(folder.path(), 3);
+  BOOST_CHECK(task.state() == TaskState::unfinished);
+  BOOST_TEST(task.log() == folder.path() / "runs/0003/log.txt");
+  task.make();
+  task.write_failure("no convergence");
+  BOOST_CHECK(task.state() == TaskState::failed);
+  BOOST_TEST(task.failure() == "no convergence");
+  task.remove_failure();
+  BOOST_CHECK(task.state() == TaskState::unfinished);
+  BOOST_TEST(task.failure() == "");
+  folder.write("runs/0003/run.json", "{\"exit_status\": 2}");
+  BOOST_CHECK(task.state() == TaskState::unfinished);
+  folder.write("runs/0003/run.json", "{\"exit_status\": 0}");
+  BOOST_CHECK(task.state() == TaskState::done);
+  folder.write("runs/0003/run.json", "{\"exit_sta");
+  BOOST_TEST(message_of<RecordError>(folder, [&] {
+               task.state();
+             }).starts_with("runs/0003/run.json: is damaged"));
+}
+
+BOOST_AUTO_TEST_CASE(one_holds_a_lock_at_a_time) {
+  const Folder folder;
+  const std::filesystem::path path = folder.path() / "lock";
+  BOOST_TEST(!FileLock::is_taken(path));
+  {
+    const FileLock lock(path);
+    BOOST_TEST(FileLock::is_taken(path));
+    BOOST_TEST(!FileLock::is_taken(folder.path() / "other"));
+  }
+  BOOST_TEST(!FileLock::is_taken(path));
+  const std::string message =
+      message_of<RecordError>(folder, [&] { const FileLock lock(folder.path() / "no/lock"); });
+  BOOST_TEST(message == "no/lock: opening failed: No such file or directory");
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
+  const Folder folder;
+  const std::string axis = "[[axes]]\nkey = 'time.dt'\nvalues = ";
+  const Sweep sweep = folder.sweep(axis + "[0.5, 0.25]\n");
+  const std::filesystem::path out = folder.path() / "out";
+  const auto require = [&](const Sweep& asked, std::size_t task) {
+    return message_of<RecordError>(folder, [&] { require_sweep(out, asked, task); });
+  };
+  BOOST_TEST(require(sweep, 0) ==
+             "out/tasks.csv: is not there: stokes sweep with --plan writes it");
+  open_sweep(out, manifest(sweep));
+  BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
+  open_sweep(out, manifest(sweep));
+  BOOST_TEST(require(sweep, 0) == "no error");
+  BOOST_TEST(require(sweep, 1) == "no error");
+
+  const std::string other =
+      "out/tasks.csv: is of another sweep, or the scene has changed since: give another --out";
+  const Sweep changed = folder.sweep(axis + "[0.5, 0.125]\n");
+  BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep: no harm
+  BOOST_TEST(require(changed, 1) == other);
+  const auto open = [&] { open_sweep(out, manifest(changed)); };
+  BOOST_TEST(message_of<RecordError>(folder, open) == other);
+  BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
+}
+
+BOOST_AUTO_TEST_CASE(workers_tell_how_they_ended) {
+  const Folder folder;
+  const std::filesystem::path log = folder.path() / "log.txt";
+  Workers workers;
+  const auto end_of = [&](const std::vector<std::string>& command) {
+    workers.start(5, command, log);
+    BOOST_TEST(workers.running() == 1U);
+    const WorkerEnd end = workers.wait();
+    BOOST_TEST(workers.running() == 0U);
+    BOOST_TEST(end.task == 5U);
+    return std::pair(end.exit_code, end.signal);
+  };
+  BOOST_CHECK(end_of({"/bin/sh", "-c", "echo said; echo wrong >&2"}) == std::pair(0, 0));
+  BOOST_TEST(folder.text_of("log.txt") == "said\nwrong\n");
+  BOOST_CHECK(end_of({"/bin/sh", "-c", "echo again; exit 3"}) == std::pair(3, 0));
+  BOOST_TEST(folder.text_of("log.txt") == "said\nwrong\nagain\n");
+  BOOST_CHECK(end_of({"/bin/sh", "-c", "kill -9 $$"}) == std::pair(0, SIGKILL));
+  BOOST_CHECK(end_of({(folder.path() / "no program").string()}) == std::pair(127, 0));
+  BOOST_CHECK_THROW(workers.start(0, {"/bin/true"}, folder.path() / "no/log"), RecordError);
+  BOOST_CHECK_THROW(workers.wait(), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(workers_run_side_by_side) {
+  const Folder folder;
+  Workers workers;
+  // Each waits for what the other one makes.
+  const std::string here = folder.path().string();
+  const auto meet = [&](const std::string& mine, const std::string& other) {
+    return std::vector<std::string>{"/bin/sh", "-c",
+                                    "touch " + here + "/" + mine + "; while ! test -e " + here +
+                                        "/" + other + "; do sleep 0.01; done"};
+  };
+  workers.start(0, meet("a", "b"), folder.path() / "log");
+  workers.start(1, meet("b", "a"), folder.path() / "log");
+  BOOST_TEST(workers.wait().exit_code == 0);
+  BOOST_TEST(workers.wait().exit_code == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

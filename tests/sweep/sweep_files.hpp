@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <boost/test/unit_test.hpp>
+#include <stdlib.h>
+
+#include "sweep/parse.hpp"
+
+namespace stokesbook::test {
+
+/// Folder for the files of one test, with a scene in it.
+class Folder {
+ public:
+  Folder() {
+    std::string name = std::filesystem::temp_directory_path() / "stokesbook-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    path_ = name;
+    write("scene.toml",
+          "seed = 7\n[flow]\nkind = 'shear'\nrate = 1.0\n"
+          "[[bodies]]\nshape = { kind = 'ellipse', semi_axes = [1.0, 0.5] }\nn_nodes = 32\n"
+          "[time]\nt_final = 2.0\ndt = 0.5\n");
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+  std::string text_of(const std::filesystem::path& name) const {
+    std::ifstream file(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  /// The sweep of a text on this folder's scene, whose line 1 is that of the scene.
+  Sweep sweep(const std::string& text) const {
+    return read_sweep(write("sweep.toml", "scene = 'scene.toml'\n" + text));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Message of what an action throws, without the folder; or "no error".
+template <class Error, class Action>
+std::string message_of(const Folder& folder, Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    std::string message = error.what();
+    const std::string prefix = folder.path().string() + "/";
+    for (std::size_t at = 0; (at = message.find(prefix)) != std::string::npos;) {
+      message.erase(at, prefix.size());
+    }
+    return message;
+  }
+  return "no error";
+}
+
+}  // namespace stokesbook::test

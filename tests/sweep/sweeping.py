@@ -1,0 +1,163 @@
+"""What the tests of sweeps share: a sweep of 20 small runs, and a view of who works on them."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SWEEPS = sys.argv[1], pathlib.Path(sys.argv[2])
+
+SCENE = """
+[flow]
+kind = "shear"
+rate = 1.0
+[[fill]]
+shape = { kind = "ellipse", semi_axes = [0.6, 0.3] }
+count = 3
+region = { box = [-3, -3, 3, 3] }
+clearance = 0.3
+n_nodes = "auto"
+[solver]
+tolerance = 1e-3
+[time]
+t_final = 1.0
+dt = 0.025
+method = "rk4"
+[output]
+dt_write = 0.1
+"""
+
+SWEEP = """
+scene = "scene.toml"
+seeds = { first = 1, count = 5 }
+[[axes]]
+key = "fill.0.count"
+name = "count"
+values = [2, 3]
+[[axes]]
+key = "flow.rate"
+range = { from = 0.5, to = 1.0, count = 2 }
+[[collect]]
+table = "rheology.csv"
+column = "s12"
+average = [0.25, 1.0]
+[[collect]]
+table = "steps.csv"
+column = "min_gap"
+take = "least"
+"""
+TASKS = 20
+
+
+class Sweeping(unittest.TestCase):
+    """A folder with a scene and a sweep of it; what works in the folder ends with the test."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="stokesbook sweep ")  # a blank to be quoted
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name).resolve()
+        self.write("scene.toml", SCENE)
+        self.write("sweep.toml", SWEEP)
+
+    @staticmethod
+    def undisturbed():
+        """Table of a sweep that nothing has happened to."""
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            (folder / "scene.toml").write_text(SCENE)
+            (folder / "sweep.toml").write_text(SWEEP)
+            subprocess.run([PROGRAM, "sweep", folder / "sweep.toml", "--out", folder / "whole",
+                            "--quiet"], check=True)
+            return (folder / "whole/results.csv").read_bytes()
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def command(self, *arguments):
+        return [PROGRAM, "sweep", "sweep.toml", *map(str, arguments)]
+
+    def sweep(self, *arguments, code=0):
+        result = subprocess.run(self.command(*arguments), cwd=self.folder, capture_output=True,
+                                text=True)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
+
+    def start(self, *arguments):
+        """The sweep in the background, in a process group of its own."""
+        process = subprocess.Popen(self.command(*arguments), cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   start_new_session=True)
+
+        def end():
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            process.communicate()
+        self.addCleanup(end)
+        return process
+
+    def results(self, out):
+        return (self.folder / out / "results.csv").read_bytes()
+
+    def done(self, out):
+        """Of every task that is done, what changes if it is run again."""
+        return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
+                for path in (self.folder / out).glob("runs/*/run.json")}
+
+    def workers(self, out):
+        """Process of each task under way in a folder, by the task's number."""
+        found = {}
+        for process in pathlib.Path("/proc").iterdir():
+            try:
+                words = (process / "cmdline").read_bytes().decode().split("\0")
+            except OSError:
+                continue  # no process, or one that has just ended
+            if words[0] == PROGRAM and "--task" in words and str(self.folder / out) in words:
+                found[int(words[words.index("--task") + 1])] = int(process.name)
+        return found
+
+    def wait_until(self, what, value, seconds=60):
+        """The first value that is true."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if found := value():
+                return found
+            time.sleep(0.002)
+        self.fail(f"{what}: not within {seconds} s")
+
+    def frames(self, out, task):
+        """Times that a run has written; it has a checkpoint at each but perhaps the last."""
+        table = self.folder / out / f"runs/{task:04}/rheology.csv"
+        return table.read_bytes().count(b"\n") - 1 if table.exists() else 0
+
+    def solves(self, out, task):
+        """Linear systems that the last process to work on a task has solved."""
+        text = (self.folder / out / f"runs/{task:04}/run.json").read_text()
+        return json.loads(text)["totals"]["solves"]
+
+    def caught(self, out, task, process):
+        """Stops a worker where it is, for it to be killed, unless it has come to its end."""
+        try:
+            os.kill(process, signal.SIGSTOP)
+            if not (self.folder / out / f"runs/{task:04}/run.json").exists():
+                return True
+            os.kill(process, signal.SIGCONT)
+        except ProcessLookupError:
+            pass
+        return False
+
+    def kill_one_with_a_checkpoint(self, out):
+        """Kills a worker in the middle of its task; returns the task."""
+        def killed():
+            for task, process in self.workers(out).items():
+                if self.frames(out, task) >= 3 and self.caught(out, task, process):
+                    os.kill(process, signal.SIGKILL)
+                    return [task]
+            return None
+        return self.wait_until("a worker with a checkpoint", killed)[0]

@@ -1,0 +1,97 @@
+"""A sweep run by engines that others wrote, Slurm and GNU parallel, by the commands that
+stokes sweep --plan prints.
+
+Usage: test_engines.py PROGRAM SWEEPS [unittest arguments]
+"""
+
+import os
+import pathlib
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import unittest
+
+from slurm import Slurm
+from sweeping import TASKS, Sweeping
+
+
+class Engines(Sweeping):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = cls.undisturbed()
+
+    def planned(self, word):
+        """The command of the plan that has the word in it."""
+        plan = self.sweep("--out", "a", "--plan").stdout.splitlines()
+        found, = [line for line in plan if re.search(rf"(^|\| ){word} ", line)]
+        return found
+
+    def test_gnu_parallel(self):
+        command = self.planned("parallel")
+        process = subprocess.Popen(["sh", "-c", command], cwd="/", stderr=subprocess.DEVNULL)
+        self.kill_one_with_a_checkpoint("a")
+        self.assertEqual(process.wait(120), 1)  # a job was lost
+        self.assertEqual(len(self.done("a")), TASKS - 1)
+        done = self.done("a")
+        subprocess.run(["sh", "-c", command], cwd="/", check=True)  # given again
+        self.sweep("--out", "a", "--collect")
+        self.assertEqual(self.results("a"), self.whole)
+        self.assertEqual(done, {run: of for run, of in self.done("a").items() if run in done})
+
+    def test_slurm(self):
+        command = shlex.split(self.planned("sbatch"))
+        with Slurm(cpus=2) as slurm:
+            def ended():
+                return slurm("squeue", "-h") == ""
+
+            slurm(*command)
+            lost = self.kill_one_with_a_checkpoint("a")
+            slurm.wait_until("the jobs have ended", ended)
+            self.assertEqual(len(self.done("a")), TASKS - 1)
+            self.assertIn("JobState=FAILED", slurm("scontrol", "show", "job", f"1_{lost}"))
+            self.sweep("--out", "a", "--collect")
+            self.assertNotEqual(self.results("a"), self.whole)
+            slurm(*command)  # given again
+            slurm.wait_until("the jobs have ended", ended)
+            self.sweep("--out", "a", "--collect")
+            self.assertEqual(self.results("a"), self.whole)
+
+    def test_slurm_loses_its_node(self):
+        command = shlex.split(self.planned("sbatch"))
+        with Slurm(cpus=2) as slurm:
+            slurm(*command)
+            self.wait_until("three runs", lambda: len(self.done("a")) >= 3)
+            workers = self.wait_until("a worker", lambda: [
+                process for task, process in self.workers("a").items()
+                if self.caught("a", task, process)])
+            slurm.kill_node()
+            for process in workers:
+                self.kill_with_its_keeper(process)
+            slurm.miss_node()
+            self.assertLess(len(self.done("a")), TASKS)
+            slurm.start_node()
+            slurm.wait_until("the jobs have ended", lambda: slurm("squeue", "-h") == "")
+            # Slurm itself has queued again what was lost.
+            self.assertEqual(len(self.done("a")), TASKS)
+            jobs = slurm("scontrol", "--oneliner", "show", "job")
+            self.assertRegex(jobs, r" Restarts=[1-9]")
+            self.sweep("--out", "a", "--collect")
+            self.assertEqual(self.results("a"), self.whole)
+
+    def kill_with_its_keeper(self, process):
+        """Kills a worker and all above it up to Slurm's daemon of the job, first."""
+        chain = [process]
+        while True:
+            status = pathlib.Path(f"/proc/{chain[-1]}/status").read_text()
+            if status.startswith("Name:\tslurmstepd"):
+                break
+            chain.append(int(re.search(r"^PPid:\t(\d+)", status, re.MULTILINE)[1]))
+            self.assertGreater(chain[-1], 1)
+        for one in reversed(chain):
+            os.kill(one, signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
