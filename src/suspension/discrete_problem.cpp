@@ -1,6 +1,7 @@
 #include "suspension/discrete_problem.hpp"
 
 #include "double_layer/double_layer.hpp"
+#include "suspension/numerics_refused.hpp"
 
 namespace stokesbook {
 
@@ -10,7 +11,11 @@ GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
     const ComplexVector velocity = discrete.system(deinterleaved(v));
     return interleaved(velocity);
   };
-  return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
+  try {
+    return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
+  } catch (const std::domain_error& error) {
+    throw ConfigurationRefused(error.what());
+  }
 }
 
 }  // namespace stokesbook

@@ -21,9 +21,10 @@ constexpr double same_load = 1e-9;
 // Residual of columns that only weights are to follow from.
 constexpr double column_tolerance = 1e-3;
 
-// Each refinement leaves a few hundredths of what was missing; where more are needed, columns are too
-// coarse.
-constexpr int most_refinements = 1;
+// Each refinement leaves a few hundredths of what was missing; where one leaves more than half, or as
+// many are needed, columns are too coarse: between flat gaps weights may go to and fro.
+constexpr double least_progress = 0.5;
+constexpr int most_refinements = 6;
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
@@ -151,8 +152,11 @@ double LoadResponse::residual_since(const VectorXd& weights) const {
 bool LoadResponse::refine(const VectorXd& multipliers) {
   if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact_) return false;
   const VectorXd weights = this->weights(multipliers);
-  if (refined_.size() > 0 && residual_since(weights) <= 0.5 * exact_ * flow_) return false;
-  if (refinements_ == most_refinements) return tighten();
+  const double missing_now = residual_since(weights);
+  if (refined_.size() > 0 && missing_now <= 0.5 * exact_ * flow_) return false;
+  const bool stalls = refinements_ > 0 && missing_now > least_progress * missing_;
+  if (stalls || refinements_ == most_refinements) return tighten();
+  missing_ = missing_now;
   const LoadSolution sum = combined(multipliers);
   const Closure closure = this->closure(combined_load(multipliers));
   const ComplexVector rhs = closure.right_hand_side();

@@ -131,6 +131,7 @@ class LoadResponse {
   std::vector<std::size_t> latest_;  // those of the latest call's columns
   Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
   int refinements_ = 0;              // since the latest new column
+  double missing_ = 0.0;             // residual that weights had brought in at the latest of them
   SolveCost cost_;
   int solves_ = 0;
 };

@@ -105,7 +105,7 @@ class Simulation {
     SolveMemory before;
     double seconds = 0.0;
     bool estimated = false;
-    int raised = 0;  // times that contact asked for more nodes
+    int raised = 0;  // times that contact asked for more
   };
   // Where a stage of a step with contact begins and where its forces act: its mean velocity is the
   // share of the flow's there, beside what is known before.

@@ -91,12 +91,13 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     found.solution.error_estimate =
         std::max(found.free.solution.error_estimate, check.estimate.error);
     found.cost = cost;
-    const bool enough = check.needed == resolutions_of(found.free.solution.references) &&
-                        check.gmres_tolerance == latest_.gmres_tolerance;
+    const bool nodes_do = check.needed == resolutions_of(found.free.solution.references);
+    const bool enough = nodes_do && check.gmres_tolerance == latest_.gmres_tolerance;
     if (enough || found.free.raised == most_raised) return found;
     latest_.in_contact = check.needed;
     latest_.gmres_tolerance = check.gmres_tolerance;
-    free = on_more_nodes(stage, std::move(found.free));
+    free = nodes_do ? std::move(found.free) : on_more_nodes(stage, std::move(found.free));
+    ++free.raised;
   }
 }
 
@@ -127,7 +128,6 @@ Simulation::Solved Simulation::on_more_nodes(const Stage& stage, Solved free) {
   free.solution.error_estimate = estimate;
   note_solve(free.solution);
   free.solution.cost += before;
-  ++free.raised;
   latest_.densities.add(stage.t, stage.acting, free.solution.references, free.solution.density);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   free.seconds += passed.count();

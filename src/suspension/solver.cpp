@@ -267,13 +267,8 @@ Solution SuspensionSolver::attempt(const Configuration& configuration, const std
   const System system = this->system(configuration, gaps, effort.resolutions, drive);
   const ComplexVector rhs = system.discrete->system.right_hand_side();
   const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
-  GmresResult gmres;
-  try {
-    gmres = stokesbook::solve(*system.discrete, rhs,
-                              {effort.gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
-  } catch (const std::domain_error& error) {
-    throw NumericsRefused(error.what());
-  }
+  GmresResult gmres = stokesbook::solve(
+      *system.discrete, rhs, {effort.gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
   if (!gmres.converged) {
     throw NumericsRefused("GMRES stopped at a relative residual of " +
                           short_number(gmres.history.back()) + " after " +
