@@ -20,7 +20,7 @@ namespace {
 constexpr int most_rejections_at_a_jump = 2;
 
 // How often a stage is solved again on more nodes for the forces of contact.
-constexpr int most_raised = 4;
+constexpr int most_raised = 8;
 
 // What a solve without a step of its own moves the fastest boundary by.
 constexpr double separations_in_an_instant = 0.01;

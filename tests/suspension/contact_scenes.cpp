@@ -281,4 +281,38 @@ BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
   }
 }
 
+// An ellipse lies along the wall of a rotating container: a film that is nearly flat lets it move
+// 10,000 times less than a free body. What resolves the flow, in which all turns as one, does not
+// resolve the force that keeps the two apart in a step that is too long.
+BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
+  const double separation = 0.033;
+  Scene scene;
+  scene.walls = {container(2.75)};
+  scene.walls[0].motion = RotatingWall{1.0};
+  scene.bodies = {body_at(Ellipse{1.2, 0.18}, {0.0, -2.2}, automatic_nodes)};
+  Complex& position = scene.bodies[0].position;
+  const PlacedShape wall{Circle{2.75}, {}, 0.0, true};
+  while (exact_gap({scene.bodies[0].shape, position}, wall) > 1.01 * separation) {
+    position -= Complex(0.0, 1e-4);
+  }
+  scene.contact = ContactSettings{separation};
+  scene = over(scene, 0.3, 0.1);
+  const auto run_to = [&](double tolerance) {
+    scene.solver.tolerance = tolerance;
+    return recorded_run(scene);
+  };
+  const RecordedRun coarse = run_to(1e-3), fine = run_to(1e-6);
+  const auto largest_force = [](const RecordedRun& run) {
+    double largest = 0.0;
+    for (const ContactForce& contact : run.frames[1].contacts) {
+      largest = std::max(largest, contact.force);
+    }
+    return largest;
+  };
+  BOOST_TEST(largest_force(fine) > 10.0);
+  BOOST_TEST(std::abs(largest_force(coarse) / largest_force(fine) - 1.0) < 0.1);
+  for (const StepInfo& step : coarse.steps) BOOST_TEST(step.error_estimate < 5e-3);
+  BOOST_TEST(least_gap(scene, coarse) >= separation * (1 - 1e-4));
+}
+
 }  // namespace stokesbook::test
