@@ -1,6 +1,9 @@
 #include "suspension/discrete_problem.hpp"
 
+#include <stdexcept>
+
 #include "double_layer/double_layer.hpp"
+#include "suspension/numerics_refused.hpp"
 
 namespace stokesbook {
 
@@ -10,7 +13,12 @@ GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
     const ComplexVector velocity = discrete.system(deinterleaved(v));
     return interleaved(velocity);
   };
-  return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
+  try {
+    return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused(std::string(error.what()) +
+                          "; components may be too close to each other for rounding");
+  }
 }
 
 }  // namespace stokesbook
