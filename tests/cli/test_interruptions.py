@@ -22,7 +22,7 @@ import numpy
 PROGRAM, SCENES, KILLS = sys.argv[1], pathlib.Path(sys.argv[2]), int(sys.argv[3])
 
 # Stars that settle on the floor of a container: contacts come and go.
-RUN = [SCENES / "settling.toml", "--set", "time.t_final=3.0", "--set", "output.dt_write=0.2",
+RUN = [SCENES / "settling.toml", "--set", "time.t_final=2.0", "--set", "output.dt_write=0.2",
        "--set", 'output.formats=["csv", "vtk", "svg", "html"]', "--set",
        "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 20 }"]
 
