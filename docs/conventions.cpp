@@ -320,6 +320,37 @@ void fmm2d(Identities& identities) {
   //! [fmm2d]
 }
 
+// Midpoint rule for the integral over z from -reach to reach of a kernel of R = |(rho, z)|, with
+// z = rho sinh(t).
+Complex along_third_dimension(double rho, double reach,
+                              const std::function<Complex(double)>& kernel) {
+  constexpr int count = 400;
+  const double end = std::asinh(reach / rho), h = 2.0 * end / count;
+  Complex sum{};
+  for (int k = 0; k < count; ++k) {
+    const double distance = rho * std::cosh(-end + (k + 0.5) * h);
+    sum += h * distance * kernel(distance);
+  }
+  return sum;
+}
+
+void sctl(Identities& identities) {
+  //! [sctl]
+  const double rho = std::abs(r), reach = 1e6;  // sources at (y, z) with |z| < reach
+  const Complex f = force / mu;
+  const auto stokes3d_fxu = [&](double distance) {
+    return (f / distance + r * dot(r, f) / std::pow(distance, 3)) / (8.0 * pi);
+  };
+  const auto stokes3d_dxu = [&](double distance) {
+    return 3.0 / (4.0 * pi) * r * dot(r, eta) * dot(r, n) / std::pow(distance, 5);
+  };
+  identities.check("int Stokes3D_FxU dz", along_third_dimension(rho, reach, stokes3d_fxu),
+                   stokeslet(r, force, mu, 2.0 * reach));
+  identities.check("int Stokes3D_DxU dz", along_third_dimension(rho, reach, stokes3d_dxu),
+                   stresslet(r, n, eta));
+  //! [sctl]
+}
+
 void draft(Identities& identities) {
   //! [draft]
   const Complex strength = force / (4.0 * pi * mu);  // its F
@@ -348,6 +379,7 @@ int main(int argc, char** argv) {
                                                                {"bie2d", bie2d},
                                                                {"chunkie", chunkie},
                                                                {"fmm2d", fmm2d},
+                                                               {"sctl", sctl},
                                                                {"draft", draft}};
   for (const auto& [name, check] : all) {
     identities.begin(name);

@@ -107,7 +107,11 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return stokesbook::run_program(argc, argv);
+    const int status = stokesbook::run_program(argc, argv);
+    const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (printed || status != stokesbook::exit_done) return status;
+    std::cerr << "stokes: standard output: not all of it could be written\n";
+    return stokesbook::exit_io;
   } catch (const std::bad_alloc&) {
     std::cerr << "stokes: out of memory\n";
     return stokesbook::exit_refused;

@@ -1,5 +1,7 @@
 #include "suspension/discrete_problem.hpp"
 
+#include <stdexcept>
+
 #include "double_layer/double_layer.hpp"
 #include "suspension/numerics_refused.hpp"
 
@@ -14,7 +16,8 @@ GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
   try {
     return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
   } catch (const std::domain_error& error) {
-    throw ConfigurationRefused(error.what());
+    throw NumericsRefused(std::string(error.what()) +
+                          "; components may be too close to each other for rounding");
   }
 }
 

@@ -23,7 +23,7 @@ struct DiscreteProblem {
 /// @param  options   when to stop
 /// @param  guess     density at all n nodes to begin with; empty: none
 /// @return           solution and history, interleaved
-/// @throws ConfigurationRefused where gmres() breaks down
+/// @throws NumericsRefused when gmres() breaks down, or meets numbers that are not finite
 /// @par Cost         that of gmres()
 GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});

@@ -289,7 +289,12 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
   const References finer = references(stokesbook::finer(resolutions_of(solution.references)));
   const DiscreteProblem fine =
       unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
-  return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
+  try {
+    return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
+  } catch (const NumericsRefused&) {
+    // The correction is lost in rounding: nothing is known of the error.
+    return {std::numeric_limits<double>::infinity(), 0};
+  }
 }
 
 // Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.

@@ -112,7 +112,6 @@ class SuspensionSolver {
   /// @param  drive          as in solve()
   /// @return                the estimate, and with what to solve again where it exceeds the
   ///                        tolerance: the same where that would not help
-  /// @throws ConfigurationRefused where gmres() breaks down
   /// @par Cost      that of discretise() and of estimate_error()
   LoadedCheck check_loaded(const Configuration& configuration, const Solution& loaded,
                            double gmres_tolerance, double drive = 1.0) const;

@@ -253,9 +253,21 @@ class Records(Program):
         self.assertEqual(self.files("a"), self.files("b"))
 
     def test_threads_do_not_change_a_bit(self):
-        for threads in (1, 2):
-            self.run_scene("--out", f"threads{threads}", "--threads", threads)
-        self.assertEqual(self.files("threads1"), self.files("threads2"))
+        contact = SCENES / "settling.toml", "--set", "time.t_final=3.0"
+        fast_sum = (SCENES / "vortices.toml", "--set", "time.t_final=0.1", "--set", "fill.0.count=40",
+                    "--set", 'solver.summation="fmm"')
+        for name, arguments in ("pair", (self.scene(),)), ("contact", contact), ("fmm", fast_sum):
+            runs = []
+            for threads in (1, 2, 3):
+                folder = self.folder / f"{name}{threads}"
+                result = stokes("run", *arguments, "--out", folder, "--threads", threads)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(json.loads((folder / "run.json").read_text())["threads"], threads)
+                runs.append(self.files(folder))
+            with self.subTest(run=name):
+                self.assertEqual(runs[0], runs[1])
+                self.assertEqual(runs[0], runs[2])
+        self.assertRegex(result.stdout, r"summation +fast")
 
     def test_a_directory_with_a_run_is_kept(self):
         self.run_scene("--set", "time.t_final=0.2")

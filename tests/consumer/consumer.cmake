@@ -16,8 +16,9 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
 file(RENAME ${folder}/installed ${folder}/moved)  # as one may do with a package
 run(${configure} -B ${folder}/package -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(${CMAKE_COMMAND} --build ${folder}/package)
-run(${folder}/package/one_library)
-run(${folder}/package/all_of_it)
+foreach(program IN ITEMS one_library fast_sum mobility)
+  run(${folder}/package/${program})
+endforeach()
 
 run(${configure} -B ${folder}/subproject -D STOKESBOOK_SOURCE=${SOURCE})
 run(${CMAKE_COMMAND} --build ${folder}/subproject --target one_library)

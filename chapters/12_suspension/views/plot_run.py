@@ -1,0 +1,36 @@
+"""Reads a run into arrays and draws the paths of its bodies: a beginning for scripts of your own.
+
+plot_run.py FOLDER     writes FOLDER/paths.svg; needs NumPy and nothing else
+"""
+
+import pathlib
+import sys
+
+import numpy
+
+
+def read_table(path):
+    """The columns of trajectory.csv or walls.csv by name: a row a written time, a column a body."""
+    rows = numpy.genfromtxt(path, names=True, delimiter=",")
+    n_times = len(numpy.unique(rows["t"]))
+    return {name: rows[name].reshape(n_times, -1) for name in rows.dtype.names}
+
+
+def draw_paths(x, y):
+    """SVG of curves whose columns are x and y, with a mark at the end of each."""
+    margin = 0.05 * max(numpy.ptp(x), numpy.ptp(y)) or 1.0
+    left, top = x.min() - margin, -y.max() - margin
+    width, height = numpy.ptp(x) + 2 * margin, numpy.ptp(y) + 2 * margin
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left} {top} {width} {height}" '
+             f'fill="none" stroke="steelblue" stroke-width="{0.1 * margin}">']
+    for path_x, path_y in zip(x.T, -y.T):  # y points down in SVG
+        points = " ".join(f"{a:.6g},{b:.6g}" for a, b in zip(path_x, path_y))
+        lines += [f'<polyline points="{points}"/>',
+                  f'<circle cx="{path_x[-1]:.6g}" cy="{path_y[-1]:.6g}" r="{0.2 * margin}"/>']
+    return "\n".join([*lines, "</svg>\n"])
+
+
+if __name__ == "__main__":
+    folder = pathlib.Path(sys.argv[1])
+    bodies = read_table(folder / "trajectory.csv")
+    (folder / "paths.svg").write_text(draw_paths(bodies["x"], bodies["y"]))

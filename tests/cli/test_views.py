@@ -1,0 +1,72 @@
+"""The scripts that ship for the files of a run, on a run.
+
+Usage: test_views.py PROGRAM SUSPENSION [unittest arguments]
+"""
+
+import importlib.util
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+import numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+
+PROGRAM, SUSPENSION = sys.argv[1], pathlib.Path(sys.argv[2])
+VIEWS = SUSPENSION / "views"
+
+
+def module(name):
+    spec = importlib.util.spec_from_file_location(name, VIEWS / f"{name}.py")
+    loaded = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(loaded)
+    return loaded
+
+
+class Views(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.run_folder = pathlib.Path(folder.name) / "run"
+        subprocess.run(
+            [PROGRAM, "run", SUSPENSION / "scenes/settling.toml", "--out", cls.run_folder, "--quiet",
+             "--set", "time.t_final=0.4", "--set", "output.dt_write=0.2", "--set",
+             "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 20 }"], check=True)
+
+    def test_plot_run(self):
+        subprocess.run([sys.executable, "-B", VIEWS / "plot_run.py", self.run_folder], check=True)
+        bodies = module("plot_run").read_table(self.run_folder / "trajectory.csv")
+        self.assertEqual(bodies["x"].shape, (3, 5))
+        for name, along in (("body", bodies["body"][0]), ("t", bodies["t"][:, :1])):
+            self.assertTrue((bodies[name] == along).all())
+        numpy.testing.assert_array_equal(bodies["body"][0], range(5))
+        picture = xml.parse(self.run_folder / "paths.svg").getroot()
+        paths = picture.findall("{http://www.w3.org/2000/svg}polyline")
+        drawn = [[point.split(",") for point in path.get("points").split()] for path in paths]
+        expected = numpy.stack([bodies["x"].T, -bodies["y"].T], axis=-1)
+        numpy.testing.assert_allclose(numpy.array(drawn, float), expected, rtol=1e-5)
+
+    def test_paraview_run_asks_for_what_a_run_has(self):
+        script = module("paraview_run")
+        for name, place, array, _ in (script.BODIES, script.CONTACTS, script.FIELDS[0]):
+            collection = xml.parse(self.run_folder / name).getroot()
+            first = self.run_folder / collection.find("Collection/DataSet").get("file")
+            reader = (vtkXMLImageDataReader if first.suffix == ".vti" else vtkXMLPolyDataReader)()
+            reader.SetFileName(str(first))
+            reader.Update()
+            data = reader.GetOutput()
+            values = {"CELLS": data.GetCellData(), "POINTS": data.GetPointData()}[place]
+            self.assertTrue(values.HasArray(array), f"{name}: {array}")
+            if (name, place, array) == script.BODIES[:3]:
+                self.assertEqual(values.GetArray(script.NUMBER).GetRange(), (-1, 4))
+        quantities = {array for _, _, array, _ in script.FIELDS}
+        self.assertEqual(quantities,
+                         {"velocity", "pressure", "vorticity", "shear_stress", "dissipation"})
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

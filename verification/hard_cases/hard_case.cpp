@@ -1,0 +1,49 @@
+#include "hard_case.hpp"
+
+#include <algorithm>
+
+namespace stokesbook::verification::hard_cases {
+
+bool is_met(const HardCase& hard, const Finding& finding) {
+  if (finding.refusal.empty()) {
+    // No estimate is none too large; an error that is not a number is.
+    return hard.due != Due::refusal && finding.error <= finding.tolerance &&
+           !(finding.estimate > finding.tolerance);
+  }
+  return hard.due != Due::answer && std::ranges::all_of(hard.words, [&](const std::string& word) {
+           return finding.refusal.find(word) != std::string::npos;
+         });
+}
+
+Finding solve(const Scene& scene, const Measure& error) {
+  Finding finding{.tolerance = scene.solver.tolerance};
+  try {
+    const SuspensionSolver solver(scene);
+    const Solution solution = solver.solve(solver.initial_configuration());
+    finding.error = error(solution) / solution.velocity_scale;
+    finding.estimate = solution.error_estimate;
+    finding.iterations = solution.cost.gmres_iterations;
+  } catch (const NumericsRefused& refusal) {
+    finding.refusal = refusal.what();
+  }
+  return finding;
+}
+
+Body body(const Shape& shape, Complex position, double orientation) {
+  return {.shape = shape, .position = position, .orientation = orientation};
+}
+
+Scene scene(const BackgroundFlow& flow, std::vector<Body> bodies, double tolerance) {
+  Scene result;
+  result.flow = flow;
+  result.bodies = std::move(bodies);
+  result.solver.tolerance = tolerance;
+  return result;
+}
+
+Scene circles_in_extension(double gap, double tolerance) {
+  const double x = 1.0 + 0.5 * gap;
+  return scene(ExtensionalFlow{1.0}, {body(Circle{1.0}, -x), body(Circle{1.0}, x)}, tolerance);
+}
+
+}  // namespace stokesbook::verification::hard_cases

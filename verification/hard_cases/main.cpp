@@ -1,0 +1,78 @@
+// The hard cases of the book: what was asked, and what happened. Fails where an answer is not as good
+// as was asked, or where there is one and should not be.
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <omp.h>
+
+#include "report.hpp"
+#include "support/closed_forms.hpp"
+
+namespace stokesbook::verification::hard_cases {
+
+namespace {
+
+constexpr int exit_case_fails = 2, exit_io = 3;
+
+// The table's own controls: an answer that is not as good as was asked, and one that was not due.
+bool rejects_bad_answers() {
+  Scene pair = circles_in_extension(0.1, 0.3);
+  for (Body& disk : pair.bodies) disk.n_nodes = 24;
+  const Finding rough = solve(pair, [](const Solution& solution) {
+    return std::abs(solution.motions[1].velocity -
+                    test::CirclePair{1.0, 0.1}.speed_in_extension(1.0));
+  });
+  Finding demanding = rough;
+  demanding.tolerance = 1e-3 * rough.error;
+  const HardCase answer{"", "", {}}, refusal{"", "", {}, Due::refusal};
+  return is_met(answer, rough) && !is_met(answer, demanding) && !is_met(refusal, rough);
+}
+
+Row row_of(const HardCase& hard) {
+  using clock = std::chrono::steady_clock;
+  const clock::time_point start = clock::now();
+  const Finding finding = hard.find();
+  return {hard, finding, std::chrono::duration<double>(clock::now() - start).count()};
+}
+
+int run(const std::string& html) {
+  std::vector<Row> rows;
+  for (const auto& cases : {answers(), motions(), refusals()}) {
+    for (const HardCase& hard : cases) {
+      rows.push_back(row_of(hard));
+      print(std::cout, rows.back());
+    }
+  }
+  std::ranges::stable_sort(rows, {}, [](const Row& row) { return row.hard.chapter; });
+  if (!html.empty()) {
+    std::ofstream file(html);
+    write_table(file, rows);
+    file.close();
+    if (!file) {
+      std::cerr << "stokes_hard_cases: cannot write " << html << '\n';
+      return exit_io;
+    }
+  }
+  const auto failed =
+      std::ranges::count_if(rows, [](const Row& row) { return !is_met(row.hard, row.finding); });
+  const bool are_controls_rejected = rejects_bad_answers();
+  std::cout << rows.size() - static_cast<std::size_t>(failed) << " of " << rows.size()
+            << " as they must be" << (are_controls_rejected ? "\n" : "; the controls FAILED\n");
+  return failed == 0 && are_controls_rejected ? 0 : exit_case_fails;
+}
+
+}  // namespace
+
+}  // namespace stokesbook::verification::hard_cases
+
+int main(int argc, char** argv) {
+  omp_set_num_threads(1);
+  CLI::App app{"The hard cases of the book: what was asked, what happened"};
+  std::string html;
+  app.add_option("--html", html, "also write the table to a file");
+  CLI11_PARSE(app, argc, argv);
+  return stokesbook::verification::hard_cases::run(html);
+}
