@@ -286,6 +286,7 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
   return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
 }
 
+// [solve]
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
                                  const DensityGuess& guess) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
@@ -313,6 +314,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     effort = std::move(next);
   }
 }
+// [solve]
 
 SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
                                                    const std::vector<TailEstimate>& tails,
