@@ -24,6 +24,7 @@ study::Experiment taylor_green_in_contact();
 study::Experiment lagged_contact();
 study::Experiment couette_starts();
 study::Experiment lobed_iterations();
+study::Experiment vortex_iterations();
 study::Experiment injection();
 study::Experiment rotors();
 /// @}

@@ -16,7 +16,7 @@ study::Study suspension_study() {
                           holding_steps(),       contact_orders(), resting(),
                           cost_of_contact(),     random_crowds(),  taylor_green_in_contact(),
                           lagged_contact(),      couette_starts(), lobed_iterations(),
-                          injection(),           rotors()}};
+                          vortex_iterations(),   injection(),      rotors()}};
 }
 
 }  // namespace stokesbook
