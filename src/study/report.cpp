@@ -195,11 +195,10 @@ std::string to_aliases(const StudyResult& result) {
 }
 
 std::string study_page(const StudyResult& result, const Provenance& provenance) {
-  std::string page =
-      "# Study " + result.study.number + ": " + result.study.title + " {#study_" +
-      result.study.name + "}\n\nAll that was measured for @ref " +
-      (result.study.has_chapter ? "chapter_" + result.study.number : result.study.name) +
-      " in this build: " + escaped(provenance_text(provenance)) + ".\n\n";
+  std::string page = "# Study " + result.study.number + ": " + result.study.title + " {#study_" +
+                     result.study.name + "}\n\nAll that was measured for @ref chapter_" +
+                     result.study.number +
+                     " in this build: " + escaped(provenance_text(provenance)) + ".\n\n";
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
     const Experiment& experiment = result.study.experiments[e];
     page += "## " + experiment.title + " {#" + anchor(result, experiment) + "}\n\n";
@@ -218,12 +217,10 @@ std::string claims_page(const std::vector<StudyResult>& results) {
       "holds when the number measured lies in its band and the same check rejects the planted "
       "defect.\n\n";
   for (const StudyResult& result : results) {
-    page +=
-        "## " + result.study.number + " " + result.study.title + " {#claims_" + result.study.name +
-        "}\n\n" +
-        (result.study.has_chapter ? "Chapter: @ref chapter_" + result.study.number + ". " : "") +
-        "Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
-        result.study.name + ".\n\n";
+    page += "## " + result.study.number + " " + result.study.title + " {#claims_" +
+            result.study.name + "}\n\nChapter: @ref chapter_" + result.study.number +
+            ". Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
+            result.study.name + ".\n\n";
     for_each_line(
         result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
           if (!line.claim) return;

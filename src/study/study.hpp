@@ -63,7 +63,6 @@ struct Study {
   std::string name;                     ///< of the method, "double_layer"
   std::string title;                    ///< of the page
   std::vector<Experiment> experiments;  ///< in the order of the page
-  bool has_chapter = true;              ///< false: pages refer to the library alone
 };
 
 /// A control's measurements, and whether the check rejected them.

@@ -40,6 +40,7 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
   }
 }
 
+// [operator]
 ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
   const ComplexVector rest = closure_.without_rigid_part(density);
   ComplexVector velocity = plain_velocity(rest, closure_.density_loads(density)) - 0.5 * rest +
@@ -57,6 +58,7 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
   }
   return velocity;
 }
+// [operator]
 
 ComplexVector SuspensionOperator::right_hand_side() const {
   const auto* fast = std::get_if<FastSum>(&sum_);

@@ -329,6 +329,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
   return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
 }
 
+// [solve]
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
                                  const DensityGuess& guess, const Resolutions& least) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
@@ -357,6 +358,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     effort = std::move(next);
   }
 }
+// [solve]
 
 SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
                                                    const std::vector<TailEstimate>& tails,

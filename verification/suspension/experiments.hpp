@@ -22,6 +22,11 @@ study::Experiment cost_of_contact();
 study::Experiment random_crowds();
 study::Experiment taylor_green_in_contact();
 study::Experiment lagged_contact();
+study::Experiment couette_starts();
+study::Experiment lobed_iterations();
+study::Experiment vortex_iterations();
+study::Experiment injection();
+study::Experiment rotors();
 /// @}
 
 }  // namespace stokesbook::verification::suspension

@@ -105,7 +105,8 @@ Experiment many_bodies() {
                                               "difference at a hundred",
                                     .api = {"stokesbook::FastSum", "stokesbook::estimate_error"}},
                      .control = Control{"estimates by the residual of the iteration alone",
-                                        over_bodies(&Judged::iteration)}}}};
+                                        over_bodies(&Judged::iteration)}}},
+          .operation = "iterations"};
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -1,0 +1,71 @@
+// Four disks that torques drive carry each other round: the law of point rotlets, from afar.
+#include <cmath>
+#include <numbers>
+
+#include "experiments.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+
+namespace {
+
+/// Four disks at a distance from their centre, each under the torque 1, with viscosity 1.
+///
+/// @return  the speed at which they circle
+double speed(double radius, double distance) {
+  Scene scene;
+  for (const Complex direction : {Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    scene.bodies.push_back(
+        {.shape = Circle{radius}, .position = distance * direction, .torque = 1.0});
+  }
+  scene.solver.tolerance = 1e-9;
+  const SuspensionSolver solver(scene);
+  return solver.solve(solver.initial_configuration()).motions[0].velocity.imag();
+}
+
+/// Each of three rotlets turns the fluid around it, 1 / (4 pi r): two neighbours at sqrt(2) R, of
+/// whose velocity the part 1/sqrt(2) is along the circle, and the one across at 2 R.
+///
+/// @param  across  how many there are; none is a planted defect
+double law(double distance, double across) {
+  return (1.0 + 0.5 * across) / (4.0 * std::numbers::pi * distance);
+}
+
+Measure differences(double across) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (double distance = 4.0; distance <= (size == Size::full ? 128.0 : 64.0); distance *= 2.0) {
+      const double found = speed(0.5, 0.5 * distance);
+      measurements.push_back(
+          {.x = distance, .error = std::abs(found / law(0.5 * distance, across) - 1.0)});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment rotors() {
+  return {.key = "rotors",
+          .title = "Four rotors at the corners of a square",
+          .x = "distance from the middle, in radii, d",
+          .error = "relative difference of the speed from that of point rotlets",
+          .lines = {{.key = "rotlets",
+                     .label = "four disks",
+                     .measure = differences(1.0),
+                     .claim = Claim{.id = "12_34",
+                                    .statement = "Rotors carry each other round as point rotlets "
+                                                 "do, but for an error of order 2 in size over "
+                                                 "distance.",
+                                    .law = Algebraic{2.0, 0.1},
+                                    .window = {.from = 8.0},
+                                    .reason = "a rotlet's flow is harmonic, so that no Faxen term "
+                                              "adds to it; its strain, d^-2, calls stresslets in "
+                                              "the others, whose flow falls like d^-1",
+                                    .api = {"stokesbook::SuspensionSolver"}},
+                     .control = Control{"the rotlet across left out", differences(0.0)}}}};
+}
+
+}  // namespace stokesbook::verification::suspension
