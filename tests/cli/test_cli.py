@@ -253,7 +253,7 @@ class Records(Program):
         self.assertEqual(self.files("a"), self.files("b"))
 
     def test_threads_do_not_change_a_bit(self):
-        contact = SCENES / "settling.toml", "--set", "time.t_final=3.0"
+        contact = SCENES / "settling.toml", "--set", "time.t_final=2.0"
         fast_sum = (SCENES / "vortices.toml", "--set", "time.t_final=0.1", "--set", "fill.0.count=40",
                     "--set", 'solver.summation="fmm"')
         for name, arguments in ("pair", (self.scene(),)), ("contact", contact), ("fmm", fast_sum):

@@ -49,7 +49,7 @@ Measure against_finer(const Scene& scene) {
 
 HardCase narrow_gap(double gap) {
   return {"12",
-          text("two circles in extension, gap %.0e of the radius", gap),
+          text("two circles in extension, gap %g of the radius", gap),
           [=] {
             const double speed = CirclePair{1.0, gap}.speed_in_extension(1.0);
             return solve(circles_in_extension(gap, 1e-6), against(1, {speed, 0.0}));
@@ -83,7 +83,7 @@ HardCase needle_in_shear(double aspect) {
 // A rotor next to the wall that encloses it.
 HardCase near_a_wall(double gap) {
   return {"04",
-          text("a turning disk next to its container's wall, gap %.0e of its radius; "
+          text("a turning disk next to its container's wall, gap %g of its radius; "
                "relative error of force and torque",
                gap),
           [=] {
