@@ -1,6 +1,7 @@
 // Exercise 12.2: rotors that carry each other round.
 #include "chapters/exercise.hpp"
 
+#include <cmath>
 #include <complex>
 #include <numbers>
 
