@@ -152,6 +152,7 @@ class Simulation {
   double end_within_reach(const Configuration& configuration, const Eigen::VectorXd& free_velocity,
                           double t_end) const;
   double shortened(double t_end, double factor, const std::string& reason);
+  void recover_length(double dt, bool shortened);
   void adapt_to_error(const StepInfo& step, double error, bool rejected);
   Advance take_step(const Rates& rates) const;
   Solved reverse();

@@ -19,6 +19,9 @@ namespace {
 // velocities jump: such steps are taken after two shorter tries, whatever their error.
 constexpr int most_rejections_at_a_jump = 2;
 
+// By how much a step may be longer than one that was halved before it.
+constexpr double recovery = 1.5;
+
 // How often a stage is solved again on more nodes for the forces of contact.
 constexpr int most_raised = 8;
 
@@ -198,6 +201,12 @@ void Simulation::adapt_to_error(const StepInfo& step, double error, bool rejecte
   memory_.dt = std::clamp(dt, stepping_.dt_min, stepping_.dt_max);
 }
 
+// What contact did not resolve now, it will hardly resolve in the next step.
+void Simulation::recover_length(double dt, bool shortened) {
+  const double next = shortened ? dt : std::min(recovery * planned_dt(), *time_.dt);
+  memory_.dt = std::max(next, stepping_.dt_min);
+}
+
 Simulation::Solved Simulation::advance_in_contact(Begun begun) {
   StepInfo info = begun_step(begun.stage.free.solution, begun.stage.free.seconds);
   info.error_estimate = begun.stage.solution.error_estimate;
@@ -232,7 +241,11 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
       const double duration = corrected ? 0.5 * info.dt : info.dt;
       info = with_forces(info, begun.stage.outcome, duration);
       if (corrected) info = with_forces(info, outcome, duration);
-      if (time_.tolerance) adapt_to_error(info, corrected->error, rejected > 0);
+      if (time_.tolerance) {
+        adapt_to_error(info, corrected->error, rejected > 0);
+      } else if (!time_.effort) {
+        recover_length(info.dt, begun.t_end < planned_end());
+      }
       now_ = {begun.t_end, state, {}};
       closer_ = contact_->widened(closer_, configuration);
       take_note(info);
