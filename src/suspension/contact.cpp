@@ -231,6 +231,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   ContactOutcome outcome{};
   do {
     outcome.result = rows.resolved(step);
+    outcome.iterations += outcome.result.iterations;
   } while (outcome.result.status != ContactStatus::resolved && response.tighten());
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {

@@ -41,6 +41,7 @@ struct ContactStage {
   /// What contact added to velocities where forces acted before, as to_rate() packs them; empty at
   /// first.
   const Eigen::VectorXd& added;
+  int most_iterations;  ///< linear problems after which contact is not resolved
 };
 
 /// What contact made of a step.
@@ -50,6 +51,7 @@ struct ContactOutcome {
   double force_imbalance = 0.0;      ///< net force of all pairs over the largest force
   double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
   double kkt_residual = 0.0;         ///< of the result, in separations
+  int iterations = 0;                ///< linear problems, those on columns too coarse included
   double seconds = 0.0;              ///< wall time, those of the responses included
   /// Pairs that do not open under their own force, which is what too few nodes do.
   std::vector<std::pair<std::size_t, std::size_t>> unseen{};

@@ -18,13 +18,13 @@ namespace {
 // Relative difference of loads that count as one: what it changes is below the solver's tolerance.
 constexpr double same_load = 1e-9;
 
-// Residual of columns that only weights are to follow from.
-constexpr double column_tolerance = 1e-3;
-
 // Each refinement leaves a few hundredths of what was missing; where one leaves more than half, or as
 // many are needed, columns are too coarse: between flat gaps weights may go to and fro.
 constexpr double least_progress = 0.5;
 constexpr int most_refinements = 6;
+
+// Columns of the next configuration: after two refinements or more, and after fewer.
+constexpr double closer_columns = 0.1, coarser_columns = 2.0;
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
@@ -49,7 +49,7 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configu
       references_(solution.references),
       earlier_(std::move(earlier)),
       exact_(exact.value_or(solver.plan().gmres_tolerance)),
-      tolerance_(std::max(column_tolerance, exact_)),
+      tolerance_(std::max(earlier_.tolerance, exact_)),
       discrete_(solution.system) {}
 
 void LoadResponse::begin() {
@@ -166,6 +166,7 @@ bool LoadResponse::refine(const VectorXd& multipliers) {
   refined_ = weights;
   if (cost_.gmres_iterations == before) return false;
   ++refinements_;
+  ++all_refinements_;
   const ComplexVector missing = (found - sum.density) / weights.squaredNorm();
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const double weight = weights[static_cast<Index>(i)];
@@ -211,6 +212,8 @@ AnsweredLoads LoadResponse::answered() const {
     densities.col(i) = answer.density;
   }
   result.densities.add(0.0, configuration_, references_, std::move(densities));
+  const double factor = all_refinements_ > 1 ? closer_columns : coarser_columns;
+  result.tolerance = std::min(AnsweredLoads::most_tolerance, factor * tolerance_);
   return result;
 }
 

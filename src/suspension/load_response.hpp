@@ -23,6 +23,9 @@ struct LoadSolution {
 struct AnsweredLoads {
   Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
   DensityHistory densities{1};  ///< that answered them, a column each
+  /// Residual of columns that only weights are to follow from.
+  static constexpr double most_tolerance = 1e-3;
+  double tolerance = most_tolerance;  ///< relative residual to which columns are solved next
 };
 
 /// Answers loads on free bodies of one configuration with the motions that they cause: the mobility
@@ -35,8 +38,10 @@ struct AnsweredLoads {
 /// the columns themselves. So each column is solved for to a residual of a thousandth only, from
 /// which weights follow to a few hundredths. refine() then solves for their combination as exactly
 /// as the solver does for everything else, and corrects the columns by what was missing. Weights by
-/// these change little, and after one or two times no more. Solves begin with the most similar
-/// answer, of this configuration or of an earlier one.
+/// these change little. Where that had to be done twice, as between flat gaps, columns of the next
+/// configuration are solved ten times as closely, and less so again by a factor of two each time
+/// that once was enough. Solves begin with the most similar answer, of this configuration or of an
+/// earlier one.
 class LoadResponse {
  public:
   /// Takes the configuration; nothing is solved yet.
@@ -131,6 +136,7 @@ class LoadResponse {
   std::vector<std::size_t> latest_;  // those of the latest call's columns
   Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
   int refinements_ = 0;              // since the latest new column
+  int all_refinements_ = 0;          // of this configuration
   double missing_ = 0.0;             // residual that weights had brought in at the latest of them
   SolveCost cost_;
   int solves_ = 0;

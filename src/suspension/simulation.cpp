@@ -99,11 +99,13 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   latest_.contacts.densities.unpack(kept(checkpoint.history, "contact_density"), components);
   latest_.contacts.loads =
       checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
-  latest_.added = checkpoint.history.at("contact_velocity");
+  std::ranges::copy(kept(checkpoint.history, "contact_velocity"), latest_.added.begin());
   for (const double nodes : checkpoint.history.at("nodes_in_contact")) {
     latest_.in_contact.push_back({static_cast<int>(nodes), {}});
   }
-  latest_.gmres_tolerance = checkpoint.history.at("contact_gmres_tolerance")[0];
+  const VectorXd& tolerances = checkpoint.history.at("contact_tolerances");
+  latest_.gmres_tolerance = tolerances[0];
+  latest_.contacts.tolerance = tolerances[1];
   latest_.error_estimate = checkpoint.history.at("estimate")[0];
   latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
   if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
@@ -118,11 +120,12 @@ Checkpoint Simulation::checkpoint() const {
   keep(checkpoint.history, "density", begun_.densities.packed());
   keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
   checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
-  checkpoint.history["contact_velocity"] = begun_.added;
+  keep(checkpoint.history, "contact_velocity", {begun_.added.begin(), begun_.added.end()});
   VectorXd nodes(static_cast<Eigen::Index>(begun_.in_contact.size()));
   std::ranges::transform(begun_.in_contact, nodes.begin(), &Resolution::n_nodes);
   checkpoint.history["nodes_in_contact"] = nodes;
-  checkpoint.history["contact_gmres_tolerance"] = VectorXd::Constant(1, begun_.gmres_tolerance);
+  checkpoint.history["contact_tolerances"] =
+      VectorXd{{begun_.gmres_tolerance, begun_.contacts.tolerance}};
   if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
   return checkpoint;
 }
@@ -312,7 +315,7 @@ Simulation::Solved Simulation::reverse() {
   drive_ = drive_at(solver_.scene().reverse_at, now_.t);
   memory_.previous.reset();  // an earlier rate says nothing about what comes after
   latest_.densities.reverse(now_.t);
-  latest_.added.resize(0);
+  latest_.added = {};
   return solve(now_.t, now_.state, Role::step);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -94,7 +95,7 @@ class Simulation {
   struct SolveMemory {
     DensityHistory densities;
     AnsweredLoads contacts{};      // of the stage before
-    Eigen::VectorXd added{};       // by contact to the velocities of that stage
+    std::array<Eigen::VectorXd, 2> added{};  // by contact to velocities, in a step's stages
     Resolutions in_contact{};      // that its forces asked for
     double gmres_tolerance = 0.0;  // of these forces
     double error_estimate = 0.0;   // the latest
@@ -115,6 +116,8 @@ class Simulation {
     Configuration start, acting;
     double share;
     Eigen::VectorXd known;
+    std::size_t index;    // in its step
+    int most_iterations;  // of contact
   };
   // A stage, resolved or not.
   struct InContact {

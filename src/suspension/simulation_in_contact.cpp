@@ -22,6 +22,9 @@ constexpr int most_rejections_at_a_jump = 2;
 // By how much a step may be longer than one that was halved before it.
 constexpr double recovery = 1.5;
 
+// Linear problems of contact that a step may take: one that needs more is halved.
+constexpr int most_iterations = 9;
+
 // How often a stage is solved again on more nodes for the forces of contact.
 constexpr int most_raised = 8;
 
@@ -67,7 +70,7 @@ void Simulation::take_note(const LoadResponse& response) {
 
 ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& response) {
   ContactOutcome outcome = contact_->resolve(stage, response, closer_);
-  totals_.ncp_iterations += outcome.result.iterations;
+  totals_.ncp_iterations += outcome.iterations;
   totals_.contact_seconds += outcome.seconds;
   totals_.halved_by_contact += outcome.result.status == ContactStatus::resolved ? 0 : 1;
   return outcome;
@@ -82,11 +85,13 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     const VectorXd free_velocity = stage.known + stage.share * to_rate(free.solution);
     InContact found{std::move(free), {}, {}, {}};
     found.outcome = resolve(
-        {stage.start, free_velocity, stage.dt, stage.acting, stage.share, latest_.added}, response);
+        {stage.start, free_velocity, stage.dt, stage.acting, stage.share,
+         latest_.added[stage.index], stage.most_iterations},
+        response);
     take_note(response);
     cost += response.cost();
     if (found.outcome.result.status == ContactStatus::resolved) {
-      latest_.added = (found.outcome.result.velocity - free_velocity) / stage.share;
+      latest_.added[stage.index] = (found.outcome.result.velocity - free_velocity) / stage.share;
       found.solution = contact_->with_forces(found.free.solution, found.outcome, response);
     }
     const LoadedCheck check = this->check(stage, found);
@@ -144,7 +149,8 @@ Simulation::Begun Simulation::begin_in_contact(Solved first, double t_end) {
   if (time_.tolerance) t_end = end_within_reach(configuration, to_rate(first.solution), t_end);
   while (true) {
     InContact stage = in_contact(
-        {now_.t, t_end - now_.t, configuration, configuration, 1.0, at_rest}, std::move(first));
+        {now_.t, t_end - now_.t, configuration, configuration, 1.0, at_rest, 0, most_iterations},
+        std::move(first));
     if (stage.outcome.result.status == ContactStatus::resolved) {
       note_resolution(stage.solution);
       return {t_end, std::move(stage)};
@@ -181,7 +187,9 @@ Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) 
   const VectorXd predicted = now_.state + dt * first;
   const Configuration start = to_configuration(now_.state), acting = to_configuration(predicted);
   Solved free = solve(begun.t_end, predicted, Role::stage);
-  InContact stage = in_contact({begun.t_end, dt, start, acting, 0.5, 0.5 * first}, std::move(free));
+  const int left = most_iterations - begun.stage.outcome.result.iterations;
+  InContact stage =
+      in_contact({begun.t_end, dt, start, acting, 0.5, 0.5 * first, 1, left}, std::move(free));
   info = with_solve(info, stage.free.solution, stage.free.seconds);
   info = with_contact(info, stage.outcome, stage.cost);
   if (stage.outcome.result.status != ContactStatus::resolved) {
@@ -212,6 +220,7 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
   info.error_estimate = begun.stage.solution.error_estimate;
   int rejected = 0, rejected_at_a_jump = 0;
   while (true) {
+    info.ncp_iterations = 0;  // those of the try that is taken
     info = with_contact(info, begun.stage.outcome, begun.stage.cost);
     try {
       std::optional<Corrected> corrected;

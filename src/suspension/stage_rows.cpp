@@ -69,16 +69,20 @@ StageRows::StageRows(const ContactStage& stage, const References& references,
     : stage_(stage), references_(references), shapes_(shapes), rules_(rules) {}
 
 ContactResult StageRows::resolved(const ContactStep& step) {
-  const ContactResult first = resolved(step, Linearisation::exact);
+  const ContactResult first = resolved(step, Linearisation::exact, stage_.most_iterations);
   if (first.status == ContactStatus::resolved) return first;
-  ContactResult second = resolved(step, Linearisation::symmetric);
+  const int left = stage_.most_iterations - first.iterations;
+  ContactResult second = resolved(step, Linearisation::symmetric, left);
   second.iterations += first.iterations;
   return second;
 }
 
-ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation) {
+ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation,
+                                  int most_iterations) {
   step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
-  return resolve_contact(step);
+  ContactLoopOptions options;
+  options.max_iterations = std::min(options.max_iterations, most_iterations);
+  return resolve_contact(step, options);
 }
 
 // Each row costs a solve: pairs that merely come near have none.

@@ -66,7 +66,7 @@ class StageRows {
   /// forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
   ///
   /// @param  step  all but its rows
-  /// @return       of the last loop, with the iterations of both
+  /// @return       of the last loop, with the iterations of both, at most those of the stage
   ContactResult resolved(const ContactStep& step);
 
   /// Finds a row by its name.
@@ -85,7 +85,7 @@ class StageRows {
     std::optional<ClosestPoints> points;
   };
   /// @endcond
-  ContactResult resolved(ContactStep step, Linearisation linearisation);
+  ContactResult resolved(ContactStep step, Linearisation linearisation, int most_iterations);
   ContactRows rows(const Eigen::VectorXd& velocity, Linearisation linearisation);
   std::vector<StageRow> pressed_rows(const Eigen::VectorXd& velocity, const Configuration& end);
   Gap gap_at(const Configuration& end, const StageRow& row) const;
