@@ -173,7 +173,7 @@ Measure points(const Trial& trial, Way way) {
 Experiment figure(const Trial& trial) {
   return {.key = "methods_" + trial.key,
           .title = trial.title,
-          .x = "node pairs W",
+          .x = "million node pairs W",
           .error = trial.error,
           .lines = {{.key = "published",
                      .label = "published: equal nodes, Euler",
@@ -185,7 +185,7 @@ Experiment figure(const Trial& trial) {
                      .label = "ours: automatic nodes, adapted steps",
                      .measure = points(trial, Way::ours)}},
           .work_precision = true,
-          .operation = "node pairs"};
+          .operation = "million node pairs"};
 }
 
 /// For the error of each published run, the least of ours that are at least as good over what the

@@ -34,9 +34,9 @@ struct Trial {
 
 /// What a run has come to, and what it took.
 struct Outcome {
-  double error;    ///< largest of what is observed
-  double pairs;    ///< of nodes, in all applications of the operator to the most nodes of the run
-  double steps;    ///< of time
+  double error;  ///< largest of what is observed
+  double pairs;  ///< millions, of nodes: applications of the operator to the most nodes of the run
+  double steps;  ///< of time
   double seconds;  ///< of one thread
 };
 
