@@ -206,16 +206,16 @@ Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
   };
 }
 
-/// @param  most  share of the work in any of the runs
+/// @param  share  of the work, in any of the runs or in their median
 Line share_of_work(const std::string& id, const std::string& label, const Trial& trial,
-                   double most) {
+                   const Law& share) {
   return {.key = trial.key,
           .label = label,
           .measure = shares(trial, &Outcome::pairs, Way::ours),
           .claim = Claim{.id = id,
                          .statement = "For the error of a published run, " + label +
-                                      " take at most so much of its work.",
-                         .law = Identity{most},
+                                      " take no more than this share of its work.",
+                         .law = share,
                          .reason = "steps of a higher order, where they are needed; nodes where "
                                    "they are needed",
                          .api = {"stokesbook::Simulation"}},
@@ -232,12 +232,13 @@ Experiment shares_of_work() {
           .title = "Work for the error of a published run, over its own",
           .x = "error of the published run e",
           .error = "node pairs of ours over those of the published run",
-          .lines = {share_of_work("12_40", "two disks in extension", extension_trial, 0.6),
-                    share_of_work("12_41", "two disks in shear, reversed", disks_trial, 0.5),
-                    share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, 0.6),
-                    share_of_work("12_43", "injection, reversed", injection_trial, 0.6),
-                    share_of_work("12_44", "ellipses in vortices", vortices_trial, 0.6),
-                    share_of_work("12_45", "viscosity of a Couette cell", couette_trial, 0.5)}};
+          .lines = {
+              share_of_work("12_40", "two disks in extension", extension_trial, Identity{0.6}),
+              share_of_work("12_41", "two disks in shear, reversed", disks_trial, Identity{0.5}),
+              share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, Identity{0.6}),
+              share_of_work("12_43", "injection, reversed", injection_trial, Identity{0.6}),
+              share_of_work("12_44", "ellipses in vortices", vortices_trial, Floor{0.2, 3.0}),
+              share_of_work("12_45", "viscosity of a Couette cell", couette_trial, Identity{0.5})}};
 }
 
 Experiment shares_of_steps() {
