@@ -65,6 +65,8 @@ double Simulation::planned_end() const {
 
 void Simulation::take_note(const LoadResponse& response) {
   totals_.contact_solves += response.solves();
+  totals_.gmres_iterations += response.cost().gmres_iterations;
+  totals_.matvecs += response.cost().matvecs;
   latest_.contacts = response.answered();
 }
 
@@ -96,6 +98,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     }
     const LoadedCheck check = this->check(stage, found);
     cost.matvecs += check.estimate.matvecs;
+    totals_.matvecs += check.estimate.matvecs;
     found.solution.error_estimate =
         std::max(found.free.solution.error_estimate, check.estimate.error);
     found.cost = cost;

@@ -342,6 +342,18 @@ BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {
+  const RecordedRun run = recorded_run(over(head_on(0.0), 0.3, 0.1));
+  long long iterations = 0, matvecs = 0;
+  for (const StepInfo& step : run.steps) {
+    iterations += step.gmres_iterations;
+    matvecs += step.matvecs;
+  }
+  BOOST_TEST(run.totals.contact_solves > 0);
+  BOOST_TEST(run.totals.gmres_iterations >= iterations);
+  BOOST_TEST(run.totals.matvecs >= matvecs);
+}
+
 BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
   const RecordedRun run =
       recorded_run(over(in_contact(ShearFlow{1.0},

@@ -27,6 +27,8 @@ study::Experiment lobed_iterations();
 study::Experiment vortex_iterations();
 study::Experiment injection();
 study::Experiment rotors();
+study::Experiment narrow_gaps();
+std::vector<study::Experiment> methods_compared();
 /// @}
 
 }  // namespace stokesbook::verification::suspension

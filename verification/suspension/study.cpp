@@ -1,5 +1,5 @@
 // Study of the solver: error estimates that can be trusted, node counts chosen by them,
-// bodies in contact, and published experiments.
+// bodies in contact, published experiments, and the published method beside ours.
 #include "experiments.hpp"
 #include "studies.hpp"
 
@@ -7,16 +7,22 @@ namespace stokesbook {
 
 study::Study suspension_study() {
   using namespace verification::suspension;
-  return {.number = "12",
-          .name = "suspension",
-          .title = "The suspension solver: error estimates, automatic nodes, contact, experiments",
-          .experiments = {spread_of_estimates(), estimates(),      automatic_nodes(),
-                          pair_speeds(),         lubrication(),    many_bodies(),
-                          reversal_table(),      holding_force(),  holding_force_limit(),
-                          holding_steps(),       contact_orders(), resting(),
-                          cost_of_contact(),     random_crowds(),  taylor_green_in_contact(),
-                          lagged_contact(),      couette_starts(), lobed_iterations(),
-                          vortex_iterations(),   injection(),      rotors()}};
+  study::Study study{
+      .number = "12",
+      .name = "suspension",
+      .title = "The suspension solver: error estimates, automatic nodes, contact, experiments",
+      .experiments = {spread_of_estimates(), estimates(),      automatic_nodes(),
+                      pair_speeds(),         lubrication(),    many_bodies(),
+                      reversal_table(),      holding_force(),  holding_force_limit(),
+                      holding_steps(),       contact_orders(), resting(),
+                      cost_of_contact(),     random_crowds(),  taylor_green_in_contact(),
+                      lagged_contact(),      couette_starts(), lobed_iterations(),
+                      vortex_iterations(),   injection(),      rotors(),
+                      narrow_gaps()}};
+  for (const study::Experiment& experiment : methods_compared()) {
+    study.experiments.push_back(experiment);
+  }
+  return study;
 }
 
 }  // namespace stokesbook

@@ -1,0 +1,265 @@
+// Published experiments by the published method and by ours: error against work, and for the same
+// error the share of work.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+#include "experiments.hpp"
+#include "methods.hpp"
+#include "scene/parse.hpp"
+#include "support/recorded_run.hpp"
+#include "support/touching.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+
+namespace {
+
+Scene shipped(const char* name) {
+  return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / name);
+}
+
+// With as many nodes a body as published, and up to a time.
+Scene until(Scene scene, double t_final, int nodes_a_wall = 256) {
+  scene = with_nodes(std::move(scene), 32, nodes_a_wall);
+  scene.time = TimeSettings{.t_final = t_final};
+  scene.output.dt_write = t_final;
+  return scene;
+}
+
+Scene by(Scene scene, SteppingMethod method, double dt, double tolerance) {
+  scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
+  scene.solver = {.tolerance = tolerance};
+  scene.solver.preconditioner = PreconditionerKind::block_diagonal;
+  scene.time->method = method;
+  scene.time->dt = dt;
+  return scene;
+}
+
+Scene extension(Size) {
+  return until(shipped("extension.toml"), 6.0);
+}
+
+Scene disks(Size) {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  scene.reverse_at = {20.0};
+  scene.bodies.assign(2, Body{.shape = Circle{0.5}});
+  scene.bodies[0].position = {-8.0, 0.5};
+  return until(scene, 40.0);
+}
+
+Scene lobed_row(Size) {
+  return until(shipped("lobed_row.toml"), 6.0);
+}
+
+// Walls with as few nodes as do: what was published is not known.
+Scene injection_and_back(Size) {
+  Scene scene = shipped("injection.toml");
+  scene.reverse_at = {2.5};
+  return until(scene, 5.0, 64);
+}
+
+// Until shortly before the first contact.
+Scene vortices(Size size) {
+  Scene scene = test::ellipses_in_vortices();
+  if (size == Size::quick) {
+    std::erase_if(scene.bodies,
+                  [](const Body& body) { return std::abs(body.position.imag()) > 0.5; });
+  }
+  return until(scene, 2.0);
+}
+
+Scene couette(Size size) {
+  Scene scene = shipped("couette.toml");
+  std::vector<Body> kept;
+  for (std::size_t k = 0; k < scene.bodies.size(); k += size == Size::full ? 1 : 4) {
+    kept.push_back(scene.bodies[k]);
+  }
+  scene.bodies = kept;
+  scene.contact = ContactSettings{0.03};
+  scene = until(scene, 1.0);
+  scene.output.dt_write = 0.25;
+  return scene;
+}
+
+// Effective viscosity, in the mean over the written times.
+std::vector<double> viscosity(const std::vector<Frame>& frames) {
+  const double sum = std::accumulate(
+      frames.begin(), frames.end(), 0.0,
+      [](double so_far, const Frame& frame) { return so_far + frame.rheology.torque_ratio; });
+  return {sum / static_cast<double>(frames.size())};
+}
+
+// Steps are the published ones where these are known. References take equal steps of another length
+// or another method; where bodies return, none is needed.
+const Trial extension_trial{
+    .key = "extension",
+    .title = "Two disks that meet in extension and slide round each other, at t = 6",
+    .error = "largest error of a position or angle, radius 1/2",
+    .scene = extension,
+    .adapted = SteppingMethod::heun,
+    .steps = {0.05, 0.025, 0.0125},
+    .tolerances = {0.3, 0.1, 0.03, 0.01},
+    .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.005, 1e-6); }};
+
+const Trial disks_trial{.key = "disks",
+                        .title = "Two disks that pass each other in shear, and come back",
+                        .error = "largest distance from the start, or angle, radius 1/2",
+                        .scene = disks,
+                        .adapted = SteppingMethod::dormand_prince54,
+                        .steps = {0.04, 0.02, 0.01, 0.005},
+                        .tolerances = {0.03, 1e-2, 1e-3, 1e-4}};
+
+const Trial lobed_trial{
+    .key = "lobed",
+    .title = "Eight lobed bodies in shear, kept 0.03 apart, at t = 6",
+    .error = "largest error of a position or angle, radius 1/2",
+    .scene = lobed_row,
+    .adapted = SteppingMethod::heun,
+    .steps = {0.1, 0.05, 0.025},
+    .tolerances = {0.1, 0.03, 0.01, 3e-3},
+    .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.025, 3e-4); }};
+
+const Trial injection_trial{.key = "injection",
+                            .title = "Injection through a ring of held disks, and back",
+                            .error = "largest distance from the start, or angle",
+                            .scene = injection_and_back,
+                            .adapted = SteppingMethod::dormand_prince54,
+                            .steps = {0.1, 0.05, 0.025},
+                            .tolerances = {0.3, 0.1, 1e-2}};
+
+const Trial vortices_trial{
+    .key = "vortices",
+    .title = "Ellipses in Taylor-Green vortices at t = 2, in the quick study 16 of 48",
+    .error = "largest error of a position or angle",
+    .scene = vortices,
+    .adapted = SteppingMethod::dormand_prince54,
+    .steps = {0.025, 0.0125, 0.00625},
+    .tolerances = {0.1, 0.03, 0.01},
+    .reference = [](Scene scene) { return by(scene, SteppingMethod::rk4, 0.05, 1e-5); }};
+
+const Trial couette_trial{
+    .key = "couette",
+    .title = "Couette cell with 80 ellipses 3:1, in the quick study 20, over the first radian",
+    .error = "error of the effective viscosity, mean of five times",
+    .scene = couette,
+    .adapted = SteppingMethod::heun,
+    .steps = {0.125, 0.0625, 0.03125},
+    .tolerances = {0.3, 0.1},
+    .observed = viscosity,
+    .reference = [](Scene scene) {
+      scene.contact.reset();
+      return by(scene, SteppingMethod::rk4, 0.05, 1e-5);
+    }};
+
+Measure points(const Trial& trial, Way way) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (const Outcome& outcome : outcomes(trial, way, size)) {
+      measurements.push_back({.x = outcome.pairs,
+                              .error = outcome.error,
+                              .operations = outcome.pairs,
+                              .seconds = outcome.seconds});
+    }
+    std::ranges::sort(measurements, {}, &Measurement::x);
+    return measurements;
+  };
+}
+
+Experiment figure(const Trial& trial) {
+  return {.key = "methods_" + trial.key,
+          .title = trial.title,
+          .x = "million node pairs W",
+          .error = trial.error,
+          .lines = {{.key = "published",
+                     .label = "published: equal nodes, Euler",
+                     .measure = points(trial, Way::published)},
+                    {.key = "steps",
+                     .label = "equal nodes, adapted steps",
+                     .measure = points(trial, Way::steps)},
+                    {.key = "ours",
+                     .label = "ours: automatic nodes, adapted steps",
+                     .measure = points(trial, Way::ours)}},
+          .work_precision = true,
+          .operation = "million node pairs"};
+}
+
+/// For the error of each published run, the least of ours that are at least as good over what the
+/// published one takes.
+Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
+  return [=](Size size) {
+    const std::vector<Outcome> contenders = outcomes(trial, way, size);
+    std::vector<Measurement> measurements;
+    for (const Outcome& published : outcomes(trial, Way::published, size)) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Outcome& ours : contenders) {
+        if (ours.error <= published.error) least = std::min(least, ours.*cost);
+      }
+      measurements.push_back({.x = published.error, .error = least / published.*cost});
+    }
+    std::ranges::sort(measurements, {}, &Measurement::x);
+    return measurements;
+  };
+}
+
+/// @param  share  of the work, in any of the runs or in their median
+Line share_of_work(const std::string& id, const std::string& label, const Trial& trial,
+                   const Law& share) {
+  return {.key = trial.key,
+          .label = label,
+          .measure = shares(trial, &Outcome::pairs, Way::ours),
+          .claim = Claim{.id = id,
+                         .statement = "For the error of a published run, " + label +
+                                      " take no more than this share of its work.",
+                         .law = share,
+                         .reason = "steps of a higher order, where they are needed; nodes where "
+                                   "they are needed",
+                         .api = {"stokesbook::Simulation"}},
+          .control = Control{"the published method in both places",
+                             shares(trial, &Outcome::pairs, Way::published)}};
+}
+
+Line share_of_steps(const std::string& label, const Trial& trial) {
+  return {.key = trial.key, .label = label, .measure = shares(trial, &Outcome::steps, Way::ours)};
+}
+
+Experiment shares_of_work() {
+  return {.key = "methods_work",
+          .title = "Work for the error of a published run, over its own",
+          .x = "error of the published run e",
+          .error = "node pairs of ours over those of the published run",
+          .lines = {
+              share_of_work("12_40", "two disks in extension", extension_trial, Identity{0.6}),
+              share_of_work("12_41", "two disks in shear, reversed", disks_trial, Identity{0.5}),
+              share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, Identity{0.6}),
+              share_of_work("12_43", "injection, reversed", injection_trial, Identity{0.6}),
+              share_of_work("12_44", "ellipses in vortices", vortices_trial, Floor{0.2, 3.0}),
+              share_of_work("12_45", "viscosity of a Couette cell", couette_trial, Identity{0.5})}};
+}
+
+Experiment shares_of_steps() {
+  return {.key = "methods_steps",
+          .title = "Steps for the error of a published run, over its own",
+          .x = "error of the published run e",
+          .error = "steps of ours over those of the published run",
+          .lines = {share_of_steps("two disks in extension", extension_trial),
+                    share_of_steps("two disks in shear, reversed", disks_trial),
+                    share_of_steps("eight lobed bodies in shear", lobed_trial),
+                    share_of_steps("injection, reversed", injection_trial),
+                    share_of_steps("ellipses in vortices", vortices_trial),
+                    share_of_steps("viscosity of a Couette cell", couette_trial)}};
+}
+
+}  // namespace
+
+std::vector<Experiment> methods_compared() {
+  return {figure(extension_trial), figure(disks_trial),    figure(lobed_trial),
+          figure(injection_trial), figure(vortices_trial), figure(couette_trial),
+          shares_of_work(),        shares_of_steps()};
+}
+
+}  // namespace stokesbook::verification::suspension

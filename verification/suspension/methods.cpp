@@ -1,0 +1,125 @@
+// Runs published experiments by the published method and by ours.
+#include "methods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+#include <tuple>
+
+#include "support/once.hpp"
+#include "suspension/simulation.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using study::Size;
+
+namespace {
+
+struct Run {
+  std::vector<Frame> frames;
+  RunTotals totals;
+  double nodes, seconds;
+};
+
+Run run(const Scene& scene) {
+  Run run;
+  Observer observer;
+  observer.frame = [&](const Frame& frame) { run.frames.push_back(frame); };
+  const std::clock_t start = std::clock();
+  const SuspensionSolver solver(scene);
+  Simulation simulation(solver, observer);
+  simulation.run();
+  run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  run.totals = simulation.totals();
+  const std::vector<int>& nodes = simulation.resolution().most_nodes;
+  run.nodes = std::accumulate(nodes.begin(), nodes.end(), 0.0);
+  return run;
+}
+
+// The loosest tolerance of velocities that estimates are made for; what the published nodes meet.
+constexpr double loosest = 1e-2;
+
+Scene stepped(Scene scene, Way way, const Trial& trial, double parameter) {
+  scene.solver = {.tolerance = loosest};
+  scene.solver.preconditioner = PreconditionerKind::block_diagonal;
+  if (way == Way::ours) {
+    scene.solver.tolerance = std::min(loosest, parameter);
+    scene = with_nodes(scene, automatic_nodes, automatic_nodes);
+  } else {
+    scene.solver.gmres_tol = 1e-6;
+    scene.solver.near_singular = NearSingular::interpolation;
+  }
+  if (way == Way::published) {
+    scene.time->method = SteppingMethod::euler;
+    scene.time->dt = parameter;
+  } else {
+    scene.time->method = trial.adapted;
+    scene.time->tolerance = parameter;
+    scene.time->dt = 0.1;  // the first
+  }
+  return scene;
+}
+
+std::vector<double> bodies_at_end(const std::vector<Frame>& frames) {
+  std::vector<double> values;
+  for (const BodyState& body : frames.back().bodies) {
+    values.insert(values.end(), {body.position.real(), body.position.imag(), body.orientation});
+  }
+  return values;
+}
+
+std::vector<double> observed(const Trial& trial, const std::vector<Frame>& frames) {
+  return trial.observed != nullptr ? trial.observed(frames) : bodies_at_end(frames);
+}
+
+const std::vector<double>& expected(const Trial& trial, const Scene& scene, const Run& any) {
+  static test::Once<std::pair<std::string, std::size_t>, std::vector<double>> found;
+  return found({trial.key, scene.bodies.size()}, [&] {
+    if (trial.reference == nullptr) return observed(trial, {any.frames.front()});
+    return observed(trial, run(trial.reference(scene)).frames);
+  });
+}
+
+Outcome outcome(const Trial& trial, Way way, Size size, double parameter) {
+  static test::Once<std::tuple<std::string, Way, Size, double>, Outcome> found;
+  return found({trial.key, way, size, parameter}, [&] {
+    const Scene scene = trial.scene(size);
+    const Run done = run(stepped(scene, way, trial, parameter));
+    const std::vector<double> values = observed(trial, done.frames),
+                              right = expected(trial, scene, done);
+    double error = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      error = std::max(error, std::abs(values[k] - right[k]));
+    }
+    // GMRES applies the operator once an iteration, and once to its guess.
+    const long long applications =
+        way == Way::published
+            ? done.totals.gmres_iterations + done.totals.solves + done.totals.contact_solves
+            : done.totals.matvecs;
+    return Outcome{error, 1e-6 * static_cast<double>(applications) * done.nodes * done.nodes,
+                   static_cast<double>(done.totals.steps), done.seconds};
+  });
+}
+
+}  // namespace
+
+Scene with_nodes(Scene scene, int a_body, int a_wall) {
+  for (Body& body : scene.bodies) body.n_nodes = a_body;
+  for (Wall& wall : scene.walls) wall.n_nodes = a_wall;
+  return scene;
+}
+
+std::vector<Outcome> outcomes(const Trial& trial, Way way, Size size) {
+  const bool published = way == Way::published;
+  std::vector<double> parameters = published ? trial.steps : trial.tolerances;
+  if (size == Size::full) {
+    const double factor = published ? 2.0 : 3.0;
+    for (int k = 0; k < 2; ++k) parameters.push_back(parameters.back() / factor);
+  }
+  std::vector<Outcome> found;
+  for (const double parameter : parameters) found.push_back(outcome(trial, way, size, parameter));
+  return found;
+}
+
+}  // namespace stokesbook::verification::suspension
