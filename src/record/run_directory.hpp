@@ -41,10 +41,10 @@ struct ResumedRun;
 
 /// The files of one run, written so that a kill at any moment leaves a run that can be resumed.
 ///
-/// Tables and the animation grow by whole lines; all other files are replaced as a whole. save() brings all of them
-/// to the disk, and then replaces the checkpoint, which holds their lengths and the
-/// times of the frames; resume() cuts both back, so that what follows is written as if nothing had
-/// happened.
+/// Tables and the animation grow by whole lines; all other files are replaced as a whole. save()
+/// brings all of them to the disk, and then replaces the checkpoint, which holds their lengths and
+/// the times of the frames; resume() cuts both back, so that what follows is written as if nothing
+/// had happened.
 class RunDirectory {
  public:
   /// Makes the directory, if need be, and the files that grow with their headers.

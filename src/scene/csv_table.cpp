@@ -10,16 +10,6 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = 0; end != std::string_view::npos;) {
-    end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end != std::string_view::npos) text.remove_prefix(end + 1);
-  }
-  return parts;
-}
-
 std::string_view trim(std::string_view text) {
   constexpr std::string_view space = " \t\r";
   text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
@@ -67,6 +57,16 @@ std::string without_spaces(std::string_view line) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end != std::string_view::npos) text.remove_prefix(end + 1);
+  }
+  return parts;
+}
 
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers) {

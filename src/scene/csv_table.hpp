@@ -19,6 +19,13 @@ struct CsvTable {
   std::vector<CsvRow> rows;  ///< in file order
 };
 
+/// Splits a text.
+///
+/// @param  text       any
+/// @param  separator  that parts end with, all but the last
+/// @return            views of the text
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// Parses comma-separated numbers below a header line. Blank lines and comments (`#` to the end of
 /// the line) do not count; lines end in LF or CRLF.
 ///

@@ -265,10 +265,10 @@ struct TimeSettings {
   std::optional<double> dt{};                     ///< longest step, > 0, time; of methods that
                                                   ///< adapt steps the first, none: chosen
   SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
-  std::optional<double> tolerance{};  ///< error of positions in units of the largest body's radius,
-                                      ///< and of angles, radians, to which steps are adapted; none:
-  ///< the default for methods that adapt them, and steps stay as they
-  ///< are for Heun's, which adapts them in scenes with contact
+  /// Error of positions in units of the largest body's radius, and of angles, radians, to which steps
+  /// are adapted; none: the default for methods that adapt them, and steps stay as they are for
+  /// Heun's, which adapts them in scenes with contact.
+  std::optional<double> tolerance{};
   std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of dt, or of t_final
                                    ///< where the method adapts steps
   std::optional<double> dt_max{};  ///< longest step of methods that adapt, and by effort

@@ -5,11 +5,22 @@
 
 #include "scene/scene.hpp"
 #include "suspension/gaps.hpp"
+#include "suspension/numerics_refused.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// Refuses where there is a reason to.
+///
+/// @tparam Refused  what is thrown
+/// @param  message  the reason; empty: none
+/// @throws Refused with the message, unless it is empty
+template <class Refused = NumericsRefused>
+void refuse(const std::string& message) {
+  if (!message.empty()) throw Refused(message);
+}
 
 /// Explains which components overlap, or touch to rounding.
 ///

@@ -185,12 +185,16 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
   }
 }
 
+DensityGuess Simulation::guess(double t, const Configuration& configuration) const {
+  return [this, t, &configuration](const References& references) {
+    return latest_.densities.guess(t, configuration, references);
+  };
+}
+
 Solution Simulation::solve_by_guess(double t, const Configuration& configuration,
                                     bool estimated) const {
   const DensityHistory& densities = latest_.densities;
-  const DensityGuess guess = [&](const References& references) {
-    return densities.guess(t, configuration, references);
-  };
+  const DensityGuess guess = this->guess(t, configuration);
   const bool local = solver_.scene().solver.coupling == Coupling::local;
   if (local && !densities.empty()) return solver_.solve_lagged(configuration, guess, drive_);
   return estimated

@@ -94,12 +94,12 @@ class Simulation {
   // What solves take from those before.
   struct SolveMemory {
     DensityHistory densities;
-    AnsweredLoads contacts{};      // of the stage before
+    AnsweredLoads contacts{};                // of the stage before
     std::array<Eigen::VectorXd, 2> added{};  // by contact to velocities, in a step's stages
-    Resolutions in_contact{};      // that its forces asked for
-    double gmres_tolerance = 0.0;  // of these forces
-    double error_estimate = 0.0;   // the latest
-    int since = 0;                 // solves since then
+    Resolutions in_contact{};                // that its forces asked for
+    double gmres_tolerance = 0.0;            // of these forces
+    double error_estimate = 0.0;             // the latest
+    int since = 0;                           // solves since then
   };
   struct Solved {
     Solution solution;
@@ -138,6 +138,7 @@ class Simulation {
   };
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
+  DensityGuess guess(double t, const Configuration& configuration) const;
   Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
   Solved advance(const Solved& first);
   Begun begin_in_contact(Solved first, double t_end);

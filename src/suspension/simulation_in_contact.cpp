@@ -86,10 +86,9 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
                           latest_.gmres_tolerance);
     const VectorXd free_velocity = stage.known + stage.share * to_rate(free.solution);
     InContact found{std::move(free), {}, {}, {}};
-    found.outcome = resolve(
-        {stage.start, free_velocity, stage.dt, stage.acting, stage.share,
-         latest_.added[stage.index], stage.most_iterations},
-        response);
+    found.outcome = resolve({stage.start, free_velocity, stage.dt, stage.acting, stage.share,
+                             latest_.added[stage.index], stage.most_iterations},
+                            response);
     take_note(response);
     cost += response.cost();
     if (found.outcome.result.status == ContactStatus::resolved) {
@@ -130,12 +129,10 @@ LoadedCheck Simulation::check(const Stage& stage, const InContact& found) const 
 
 Simulation::Solved Simulation::on_more_nodes(const Stage& stage, Solved free) {
   const auto start = std::chrono::steady_clock::now();
-  const DensityGuess guess = [&](const References& references) {
-    return latest_.densities.guess(stage.t, stage.acting, references);
-  };
   const SolveCost before = free.solution.cost;
   const double estimate = free.solution.error_estimate;
-  free.solution = solver_.solve_nearby(stage.acting, latest_.in_contact, drive_, guess);
+  free.solution =
+      solver_.solve_nearby(stage.acting, latest_.in_contact, drive_, guess(stage.t, stage.acting));
   free.solution.error_estimate = estimate;
   note_solve(free.solution);
   free.solution.cost += before;
@@ -229,9 +226,9 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
       std::optional<Corrected> corrected;
       if (stepping_.method == Method::heun) corrected = this->corrected(begun, info);
       const ContactOutcome& outcome = corrected ? corrected->outcome : begun.stage.outcome;
-      const bool jumps =
-          pairs_in_contact(begun.stage.outcome.forces) != pairs_in_contact(outcome.forces);
       const bool too_long = time_.tolerance && corrected->error > 1.0;
+      const bool jumps = too_long && pairs_in_contact(begun.stage.outcome.forces) !=
+                                         pairs_in_contact(outcome.forces);
       if (too_long && !(jumps && rejected_at_a_jump == most_rejections_at_a_jump)) {
         rejected_at_a_jump += jumps ? 1 : 0;
         ++rejected;

@@ -2,43 +2,19 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "double_layer/double_layer.hpp"
-#include "krylov/direct.hpp"
 #include "record/number_text.hpp"
-#include "suspension/background_flow.hpp"
-#include "suspension/clusters.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/density_history.hpp"
-#include "suspension/grading_for_gaps.hpp"
-#include "suspension/layer_blocks.hpp"
 #include "suspension/node_choice.hpp"
-#include "suspension/preconditioner_choice.hpp"
 #include "suspension/refusal.hpp"
 
 namespace stokesbook {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 namespace {
-
-// A component's reference from the shelf, or the reason why it cannot be used.
-std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
-                                      std::size_t component, const Resolution& resolution) {
-  const std::size_t bodies = scene.bodies.size();
-  const auto get = [&](const auto& source) {
-    return shelf.get(source.shape, resolution, kind_of(source));
-  };
-  try {
-    return component < bodies ? get(scene.bodies[component]) : get(scene.walls[component - bodies]);
-  } catch (const std::domain_error& error) {
-    throw NumericsRefused(
-        component_name(scene, component) + ": " + error.what() +
-        "; a gauge_length close to the size of a held component is a degenerate scale");
-  }
-}
 
 // What a component asks for alone.
 Resolution own_resolution(const Scene& scene, std::size_t component) {
@@ -49,12 +25,6 @@ Resolution own_resolution(const Scene& scene, std::size_t component) {
   };
   return {component < bodies ? nodes(scene.bodies[component])
                              : nodes(scene.walls[component - bodies])};
-}
-
-// A refusal's text, if there is any, ends the solve.
-template <class Refused = NumericsRefused>
-void refuse(const std::string& message) {
-  if (!message.empty()) throw Refused(message);
 }
 
 // Nodes are raised as often on the estimate's word alone.
@@ -87,25 +57,6 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
   return tails;
 }
 
-// Sums fast or directly, whichever takes less for the targets that come.
-PlainSum planned_sum(const Plan& plan) {
-  const auto choice = [=](const SolvedFlow& flow, const ComplexVector& targets) {
-    const bool fast = plan.is_fast_at(targets.size(), flow.density().size());
-    return fast ? fast_sum(plan.sum_tolerance) : direct_sum();
-  };
-  return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
-            return choice(flow, targets).velocity(flow, targets);
-          },
-          [=](const SolvedFlow& flow, const ComplexVector& targets) {
-            return choice(flow, targets).derivatives(flow, targets);
-          }};
-}
-
-// A component that is alone has none: only the flow near it asks for one.
-std::shared_ptr<const CauchyCurve> cauchy_of(const Reference& reference) {
-  return reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
-}
-
 }  // namespace
 
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
@@ -136,87 +87,6 @@ Configuration SuspensionSolver::initial_configuration() const {
   return configuration;
 }
 
-StokesProblem SuspensionSolver::problem(const Configuration& configuration,
-                                        const References& references, double drive) const {
-  StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const auto [position, orientation] = configuration[k];
-    const Curve curve = place(references[k]->curve, position, orientation);
-    Component component{references[k]->kind, curve, position, {}, 0.0, {}};
-    if (k >= scene_.bodies.size()) {
-      const Wall& wall = scene_.walls[k - scene_.bodies.size()];
-      component.velocity = drive * wall_velocity(wall.motion, curve, position);
-    } else if (const Body& body = scene_.bodies[k]; body.held) {
-      const auto arm = curve.x.array() - position;
-      component.velocity = (drive * (body.velocity + imaginary * body.omega * arm)).matrix();
-    } else {
-      component.force = drive * body.force;
-      component.torque = drive * body.torque;
-    }
-    problem.components.push_back(std::move(component));
-  }
-  if (!is_bounded(problem)) {
-    problem.background = drive * background_velocity(scene_.flow, all_nodes(curves_of(problem)));
-  }
-  return problem;
-}
-
-std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configuration,
-                                                  const References& references) const {
-  std::vector<PlacedCurve> placed;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Reference& reference = *references[k];
-    CloseScheme scheme = cauchy_of(reference);
-    if (reference.interpolation) scheme = reference.interpolation;
-    placed.push_back({scheme, configuration[k].position, configuration[k].orientation});
-  }
-  return placed;
-}
-
-DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
-                                             const References& references, double drive) const {
-  return discretise(problem(configuration, references, drive), configuration, gaps(configuration),
-                    references);
-}
-
-std::vector<PlacedCurve> SuspensionSolver::near_curves(const Configuration& configuration,
-                                                       const References& references) const {
-  return plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
-}
-
-DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
-                                                   const Configuration& configuration,
-                                                   const References& references) const {
-  return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
-}
-
-DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
-                                             const Configuration& configuration,
-                                             const std::vector<Gap>& gaps,
-                                             const References& references) const {
-  DiscreteProblem discrete = unpreconditioned(problem, configuration, references);
-  const std::vector<PlacedCurve> near = near_curves(configuration, references);
-  switch (chosen_preconditioner(plan_, gaps, references)) {
-    case PreconditionerKind::direct:
-      discrete.precondition =
-          DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
-      return discrete;
-    case PreconditionerKind::clusters:
-      discrete.precondition = cluster_preconditioner(problem, configuration, references, near);
-      return discrete;
-    case PreconditionerKind::none:
-      return discrete;
-    default:
-      break;
-  }
-  std::vector<BlockDiagonalPreconditioner::Member> members;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({references[k]->inverse_block, configuration[k].orientation});
-  }
-  discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
-  return discrete;
-}
-
 std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
   return find_gaps(configuration, references_, scene_.solver.tolerance);
 }
@@ -225,41 +95,6 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
   std::vector<Gap> gaps = this->gaps(configuration);
   refuse<ConfigurationRefused>(overlap_refusal(scene_, gaps, configuration));
   return gaps;
-}
-
-Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
-  Solution solution;
-  solution.references = system.references;
-  solution.system = system.discrete;
-  solution.gmres = std::move(gmres);
-  solution.density = deinterleaved(solution.gmres.solution);
-  const Completion completion = system.discrete->system.closure().complete(solution.density);
-  solution.motions = completion.motions;
-  solution.loads = completion.loads;
-  solution.uniform_velocity = completion.uniform_velocity;
-  for (std::size_t k = 0; k < system.references.size(); ++k) {
-    if (k >= scene_.bodies.size()) {
-      const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
-      solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
-    } else if (const Body& body = scene_.bodies[k]; body.held) {
-      solution.motions[k] = {drive * body.velocity, drive * body.omega};
-    }
-  }
-  return solution;
-}
-
-SuspensionSolver::System SuspensionSolver::system(const Configuration& configuration,
-                                                  const std::vector<Gap>& gaps,
-                                                  const Resolutions& resolutions,
-                                                  double drive) const {
-  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
-  References references = this->references(resolutions);
-  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
-  const StokesProblem problem = this->problem(configuration, references, drive);
-  refuse(data_refusal(scene_, problem));
-  auto discrete =
-      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
-  return {std::move(references), std::move(discrete)};
 }
 
 Solution SuspensionSolver::attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
@@ -297,20 +132,6 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
   }
 }
 
-// Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
-StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuration,
-                                               const References& references,
-                                               const Solution& solution, double drive) const {
-  StokesProblem problem = this->problem(configuration, references, drive);
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    Component& component = problem.components[k];
-    if (component.kind != ComponentKind::free_body) continue;
-    component.force = solution.loads[k].force;
-    component.torque = solution.loads[k].torque;
-  }
-  return problem;
-}
-
 LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
                                            const Solution& loaded, double gmres_tolerance,
                                            double drive) const {
@@ -330,6 +151,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
 }
 
 // [solve]
+
 Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
                                  const DensityGuess& guess, const Resolutions& least) const {
   const std::vector<Gap> gaps = open_gaps(configuration);
@@ -411,103 +233,6 @@ Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
   solution.error_estimate = estimate.error;
   solution.cost = {0, 1 + estimate.matvecs};
   return solution;
-}
-
-ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
-                                         const Solution& solution, const ComplexVector& points,
-                                         double drive) const {
-  const StokesProblem problem = this->problem(configuration, solution.references, drive);
-  const auto near_curves = scene_.solver.near_singular == NearSingular::off
-                               ? std::vector<PlacedCurve>{}
-                               : placed(configuration, solution.references);
-  ComplexVector velocity =
-      SolvedFlow(problem, near_curves, solution.density, {plan_.near_tolerance, planned_sum(plan_)})
-          .velocity(points);
-  if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
-  return velocity;
-}
-
-SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
-                                         const Solution& solution, double drive) const {
-  std::vector<PlacedCurve> curves;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const auto [position, orientation] = configuration[k];
-    curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
-  }
-  return {problem(configuration, solution.references, drive),
-          std::move(curves),
-          solution.density,
-          {plan_.near_tolerance, planned_sum(plan_)}};
-}
-
-std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& configuration,
-                                                           const Solution& solution,
-                                                           const ComplexVector& points,
-                                                           double drive) const {
-  const SolvedFlow flow = disturbance(configuration, solution, drive);
-  std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
-  if (is_bounded(flow.problem())) return derivatives;
-  const std::vector<FlowDerivatives> background = background_derivatives(scene_.flow, points);
-  for (std::size_t i = 0; i < derivatives.size(); ++i) {
-    const auto& [pressure, vorticity, strain] = background[i];
-    derivatives[i] += {drive * pressure, drive * vorticity, drive * strain};
-  }
-  return derivatives;
-}
-
-std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
-  return recommended_nodes(configuration, gaps(configuration));
-}
-
-std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
-                                                     const std::vector<Gap>& gaps) const {
-  const double tolerance = scene_.solver.tolerance;
-  std::map<const Reference*, int> shape_nodes;
-  std::vector<int> nodes;
-  for (const auto& reference : references_) {
-    const auto [entry, is_new] = shape_nodes.try_emplace(reference.get());
-    if (is_new) {
-      entry->second = nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16);
-    }
-    nodes.push_back(entry->second);
-  }
-  for (const Gap& gap : gaps) {
-    if (gap.points.gap <= 0.0) continue;
-    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
-    nodes[gap.a] = std::max(nodes[gap.a], stokesbook::recommended_nodes(decay.a, tolerance));
-    nodes[gap.b] = std::max(nodes[gap.b], stokesbook::recommended_nodes(decay.b, tolerance));
-  }
-  return nodes;
-}
-
-Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
-  return first_resolutions(configuration, gaps(configuration));
-}
-
-Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
-                                                const std::vector<Gap>& gaps) const {
-  Resolutions resolutions = resolutions_of(references_);
-  std::vector<std::vector<GapDemand>> demands(resolutions.size());
-  for (const Gap& gap : gaps) {
-    if (gap.points.gap <= 0.0) continue;
-    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
-    demands[gap.a].push_back({gap.points.parameter_a, decay.a});
-    demands[gap.b].push_back({gap.points.parameter_b, decay.b});
-  }
-  for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    if (given_nodes(scene_, k) != automatic_nodes || demands[k].empty()) continue;
-    resolutions[k] = nodes_for_gaps(demands[k], resolutions[k].n_nodes, scene_.solver.tolerance);
-    resolutions[k].n_nodes = rounded_nodes(resolutions[k].n_nodes);
-  }
-  return resolutions;
-}
-
-References SuspensionSolver::references(const Resolutions& resolutions) const {
-  References references;
-  for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    references.push_back(take(*shelf_, scene_, k, resolutions[k]));
-  }
-  return references;
 }
 
 }  // namespace stokesbook

@@ -7,11 +7,11 @@
 #include <string_view>
 
 #include "record/csv.hpp"
+#include "scene/csv_table.hpp"
 #include "scene/nearest_word.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_value.hpp"
-#include "sweep/table_column.hpp"
 
 namespace stokesbook {
 
@@ -139,14 +139,14 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
 }
 
 void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
-  const std::vector<std::string_view> columns = cells_of(header);
+  header.remove_suffix(1);  // the end of its line
+  const std::vector<std::string_view> columns = scene_text::split(header, ',');
   const Node& node = table.at("column", "a column of " + quantity.table);
   quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
   if (std::ranges::find(columns, quantity.column) == columns.end()) {
     const auto meant = nearest_word(quantity.column, columns);
     fail(node, "is no column of " + quantity.table + (meant ? ", did you mean '" : ", whose are ") +
-                   (meant ? std::string(*meant) + "'?"
-                          : std::string(header.substr(0, header.size() - 1))));
+                   (meant ? std::string(*meant) + "'?" : std::string(header)));
   }
   for (const std::string_view item : {"body", "wall"}) {
     if (columns[1] == item) {

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "record/atomic_file.hpp"
 #include "record/number_text.hpp"
 #include "record/record_error.hpp"
+#include "scene/csv_table.hpp"
 
 namespace stokesbook {
 
@@ -34,7 +37,7 @@ Column read_column(const std::filesystem::path& path, const Quantity& quantity) 
   const auto next_line = [&] {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    return cells_of(line);
+    return scene_text::split(line, ',');
   };
   const std::vector<std::string_view> header = next_line();
   const auto found = std::ranges::find(header, quantity.column);
@@ -52,17 +55,6 @@ Column read_column(const std::filesystem::path& path, const Quantity& quantity) 
 }
 
 }  // namespace
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  if (line.ends_with('\n')) line.remove_suffix(1);
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 double time_average(std::span<const double> t, std::span<const double> y, double from, double to) {
   if (to > t.back()) {

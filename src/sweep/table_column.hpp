@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "sweep/sweep.hpp"
 
@@ -12,12 +10,6 @@ namespace stokesbook {
 
 /// @addtogroup sweep
 /// @{
-
-/// Splits a line of a run's table at its commas.
-///
-/// @param  line  with or without its end
-/// @return       views of the line
-std::vector<std::string_view> cells_of(std::string_view line);
 
 /// Averages a function of time over an interval: the integral of its piecewise linear interpolant,
 /// by the trapezoid rule, over the length of the interval.

@@ -47,11 +47,7 @@ Wall container(double radius) {
 
 // Least gap of all written states, by the curves' formulas.
 double least_gap(const Scene& scene, const RecordedRun& run) {
-  double least = 10.0;
-  for (const Frame& frame : run.frames) {
-    least = std::min(least, least_exact_gap(placed_shapes(scene, frame), 10.0));
-  }
-  return least;
+  return least_exact_gap(scene, run.frames, 10.0);
 }
 
 auto mentions(const std::vector<std::string>& words) {

@@ -29,10 +29,7 @@ Finding run(const Scene& scene, double tolerance, const RunMeasure& error) {
 // By how much the least gap of any written state falls short of the separation, relative to it.
 double shortfall(const Scene& scene, const RecordedRun& recorded) {
   const double separation = scene.contact->minimum_separation;
-  double least = 2.0 * separation;
-  for (const Frame& frame : recorded.frames) {
-    least = std::min(least, least_exact_gap(placed_shapes(scene, frame), least));
-  }
+  const double least = least_exact_gap(scene, recorded.frames, 2.0 * separation);
   return std::max(0.0, 1.0 - least / separation);
 }
 

@@ -185,4 +185,12 @@ double least_exact_gap(const std::vector<PlacedShape>& shapes, double limit, int
   return least;
 }
 
+double least_exact_gap(const Scene& scene, const std::vector<Frame>& frames, double limit) {
+  double least = limit;
+  for (const Frame& frame : frames) {
+    least = std::min(least, least_exact_gap(placed_shapes(scene, frame), least));
+  }
+  return least;
+}
+
 }  // namespace stokesbook::test

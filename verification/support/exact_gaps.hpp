@@ -26,4 +26,7 @@ std::vector<PlacedShape> placed_shapes(const Scene& scene, const Frame& frame);
 /// Least gap of all pairs that are nearer than a limit by their bounding circles, or the limit.
 double least_exact_gap(const std::vector<PlacedShape>& shapes, double limit, int samples = 256);
 
+/// Least gap of all frames of a run, or the limit.
+double least_exact_gap(const Scene& scene, const std::vector<Frame>& frames, double limit);
+
 }  // namespace stokesbook::test

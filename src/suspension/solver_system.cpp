@@ -1,0 +1,127 @@
+// The linear system of a configuration, and what its solution means.
+#include "double_layer/double_layer.hpp"
+#include "krylov/direct.hpp"
+#include "suspension/background_flow.hpp"
+#include "suspension/clusters.hpp"
+#include "suspension/component_data.hpp"
+#include "suspension/layer_blocks.hpp"
+#include "suspension/preconditioner_choice.hpp"
+#include "suspension/refusal.hpp"
+#include "suspension/solver.hpp"
+
+namespace stokesbook {
+
+StokesProblem SuspensionSolver::problem(const Configuration& configuration,
+                                        const References& references, double drive) const {
+  StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const auto [position, orientation] = configuration[k];
+    const Curve curve = place(references[k]->curve, position, orientation);
+    Component component{references[k]->kind, curve, position, {}, 0.0, {}};
+    if (k >= scene_.bodies.size()) {
+      const Wall& wall = scene_.walls[k - scene_.bodies.size()];
+      component.velocity = drive * wall_velocity(wall.motion, curve, position);
+    } else if (const Body& body = scene_.bodies[k]; body.held) {
+      const auto arm = curve.x.array() - position;
+      component.velocity = (drive * (body.velocity + imaginary * body.omega * arm)).matrix();
+    } else {
+      component.force = drive * body.force;
+      component.torque = drive * body.torque;
+    }
+    problem.components.push_back(std::move(component));
+  }
+  if (!is_bounded(problem)) {
+    problem.background = drive * background_velocity(scene_.flow, all_nodes(curves_of(problem)));
+  }
+  return problem;
+}
+
+// Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
+StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuration,
+                                               const References& references,
+                                               const Solution& solution, double drive) const {
+  StokesProblem problem = this->problem(configuration, references, drive);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    Component& component = problem.components[k];
+    if (component.kind != ComponentKind::free_body) continue;
+    component.force = solution.loads[k].force;
+    component.torque = solution.loads[k].torque;
+  }
+  return problem;
+}
+
+DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
+                                             const References& references, double drive) const {
+  return discretise(problem(configuration, references, drive), configuration, gaps(configuration),
+                    references);
+}
+
+DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const std::vector<Gap>& gaps,
+                                             const References& references) const {
+  const std::vector<PlacedCurve> near = near_curves(configuration, references);
+  DiscreteProblem discrete{problem, SuspensionOperator(problem, near, plan_)};
+  switch (chosen_preconditioner(plan_, gaps, references)) {
+    case PreconditionerKind::direct:
+      discrete.precondition =
+          DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
+      return discrete;
+    case PreconditionerKind::clusters:
+      discrete.precondition = cluster_preconditioner(problem, configuration, references, near);
+      return discrete;
+    case PreconditionerKind::none:
+      return discrete;
+    default:
+      break;
+  }
+  std::vector<BlockDiagonalPreconditioner::Member> members;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    members.push_back({references[k]->inverse_block, configuration[k].orientation});
+  }
+  discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
+  return discrete;
+}
+
+DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
+                                                   const Configuration& configuration,
+                                                   const References& references) const {
+  return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
+}
+
+SuspensionSolver::System SuspensionSolver::system(const Configuration& configuration,
+                                                  const std::vector<Gap>& gaps,
+                                                  const Resolutions& resolutions,
+                                                  double drive) const {
+  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
+  References references = this->references(resolutions);
+  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
+  const StokesProblem problem = this->problem(configuration, references, drive);
+  refuse(data_refusal(scene_, problem));
+  auto discrete =
+      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
+  return {std::move(references), std::move(discrete)};
+}
+
+Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
+  Solution solution;
+  solution.references = system.references;
+  solution.system = system.discrete;
+  solution.gmres = std::move(gmres);
+  solution.density = deinterleaved(solution.gmres.solution);
+  const Completion completion = system.discrete->system.closure().complete(solution.density);
+  solution.motions = completion.motions;
+  solution.loads = completion.loads;
+  solution.uniform_velocity = completion.uniform_velocity;
+  for (std::size_t k = 0; k < system.references.size(); ++k) {
+    if (k >= scene_.bodies.size()) {
+      const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
+      solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
+    } else if (const Body& body = scene_.bodies[k]; body.held) {
+      solution.motions[k] = {drive * body.velocity, drive * body.omega};
+    }
+  }
+  return solution;
+}
+
+}  // namespace stokesbook
