@@ -185,7 +185,7 @@ Experiment couette_digits() {
            .measure = when_moved(on_published_nodes, recomputed),
            .claim = Claim{.id = "12_39",
                           .statement = "On the published nodes, with the published near integrals, "
-                                       "the first instant has the value that was recomputed so.",
+                                       "the first instant is 1.29694, as was recomputed.",
                           .law = Identity{1.0},
                           .reason = "half a unit of its last digit, and as much for the positions",
                           .api = {"stokesbook::Rheometer"}},
