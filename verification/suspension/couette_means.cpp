@@ -9,6 +9,7 @@
 #include "scene/parse.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
+#include "suspension/fill.hpp"
 #include "sweep/estimate.hpp"
 #include "sweep/parse.hpp"
 #include "sweep/table_column.hpp"
@@ -146,7 +147,7 @@ const std::vector<std::vector<Series>>& random_runs() {
     const Sweep sweep = read_sweep(STOKESBOOK_SWEEPS "/couette_published.toml");
     std::vector<std::vector<Series>> cells(printed_of_cells.size());
     for (std::size_t k = 0; k < task_count(sweep); ++k) {
-      const Scene scene = scene_of(sweep, task_of(sweep, k));
+      const Scene scene = with_fills_placed(scene_of(sweep, task_of(sweep, k)));
       cells.at(k / runs_per_combination(sweep)).push_back(series_of(scene));
     }
     return cells;
