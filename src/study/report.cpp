@@ -1,5 +1,6 @@
 #include "study/report.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -112,6 +113,10 @@ struct Part {
 };
 
 std::vector<Part> parts_of(const Experiment& experiment, const std::vector<LineResult>& lines) {
+  if (std::ranges::all_of(lines,
+                          [](const LineResult& line) { return line.measurements.empty(); })) {
+    return {{"_table.html", "<p>The full size of the study measures this.</p>\n"}};
+  }
   std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
                           {"_table.html", convergence_table(experiment, lines)}};
   if (experiment.work_precision) {

@@ -94,6 +94,23 @@ BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
 }
 
+BOOST_AUTO_TEST_CASE(what_only_the_full_size_measures_is_said) {
+  Study study = sample_study();
+  const Measure large = [](Size size) {
+    return size == Size::full ? std::vector<Measurement>{{.x = 1.0, .error = 2.0}}
+                              : std::vector<Measurement>{};
+  };
+  Experiment& experiment = study.experiments.emplace_back();
+  experiment.key = "large";
+  experiment.lines = {{.key = "line", .label = "a line", .measure = large}};
+  std::ostringstream progress;
+  const std::string quick = study_page(run(study, Size::quick, progress), here);
+  BOOST_TEST(contains(quick, "_large_table.html"));
+  BOOST_TEST(!contains(quick, "_large_figure.html"));
+  const std::string full = study_page(run(study, Size::full, progress), here);
+  BOOST_TEST(contains(full, "_large_figure.html"));
+}
+
 BOOST_AUTO_TEST_CASE(text_is_escaped) {
   BOOST_TEST(contains(claims_table(sample_result()), "a &lt; b &amp; c"));
   BOOST_TEST(contains(claims_page({sample_result()}), "@anchor claim_99_1"));

@@ -1,10 +1,9 @@
 // Bodies that a flow carries out through a ring of held disks, and back when all is reversed.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "experiments.hpp"
-#include "scene/parse.hpp"
+#include "scenes.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
 
@@ -21,7 +20,7 @@ constexpr double reversal = 2.5;
 RecordedRun run(double dt, SteppingMethod method) {
   static Once<std::pair<double, SteppingMethod>, RecordedRun> runs;
   return runs({dt, method}, [&] {
-    Scene scene = read_scene(std::filesystem::path(STOKESBOOK_SCENES) / "injection.toml");
+    Scene scene = shipped_scene("injection");
     scene.solver.tolerance = 1e-4;
     scene.time->dt = dt;
     scene.time->method = method;

@@ -15,16 +15,8 @@ namespace {
 
 using MakeScene = Scene (*)();
 
-/// The bodies of the published run, at the spacing of chapter 06.
 Scene lobed_row() {
-  Scene scene;
-  scene.flow = ShearFlow{1.0};
-  scene.solver.tolerance = 1e-4;
-  for (const int arms : {2, 3, 4, 5, 5, 4, 3, 2}) {
-    const double along = 1.25 * static_cast<double>(scene.bodies.size());
-    scene.bodies.push_back({.shape = Star{0.5, 0.2, arms}, .position = along});
-  }
-  return scene;
+  return shipped_scene("lobed_row");
 }
 
 Scene vortices() {

@@ -2,13 +2,12 @@
 // error the share of work.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <numeric>
 
 #include "experiments.hpp"
 #include "methods.hpp"
-#include "scene/parse.hpp"
+#include "scenes.hpp"
 #include "support/recorded_run.hpp"
 #include "support/touching.hpp"
 
@@ -17,10 +16,6 @@ namespace stokesbook::verification::suspension {
 using namespace study;
 
 namespace {
-
-Scene shipped(const char* name) {
-  return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / name);
-}
 
 // With as many nodes a body as published, and up to a time.
 Scene until(Scene scene, double t_final, int nodes_a_wall = 256) {
@@ -40,7 +35,7 @@ Scene by(Scene scene, SteppingMethod method, double dt, double tolerance) {
 }
 
 Scene extension(Size) {
-  return until(shipped("extension.toml"), 6.0);
+  return until(shipped_scene("extension"), 6.0);
 }
 
 Scene disks(Size) {
@@ -53,12 +48,12 @@ Scene disks(Size) {
 }
 
 Scene lobed_row(Size) {
-  return until(shipped("lobed_row.toml"), 6.0);
+  return until(shipped_scene("lobed_row"), 6.0);
 }
 
 // Walls with as few nodes as do: what was published is not known.
 Scene injection_and_back(Size) {
-  Scene scene = shipped("injection.toml");
+  Scene scene = shipped_scene("injection");
   scene.reverse_at = {2.5};
   return until(scene, 5.0, 64);
 }
@@ -74,7 +69,7 @@ Scene vortices(Size size) {
 }
 
 Scene couette(Size size) {
-  Scene scene = shipped("couette.toml");
+  Scene scene = shipped_scene("couette");
   std::vector<Body> kept;
   for (std::size_t k = 0; k < scene.bodies.size(); k += size == Size::full ? 1 : 4) {
     kept.push_back(scene.bodies[k]);

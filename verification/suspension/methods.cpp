@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "scenes.hpp"
 #include "support/once.hpp"
 #include "suspension/simulation.hpp"
 
@@ -103,12 +104,6 @@ Outcome outcome(const Trial& trial, Way way, Size size, double parameter) {
 }
 
 }  // namespace
-
-Scene with_nodes(Scene scene, int a_body, int a_wall) {
-  for (Body& body : scene.bodies) body.n_nodes = a_body;
-  for (Wall& wall : scene.walls) wall.n_nodes = a_wall;
-  return scene;
-}
 
 std::vector<Outcome> outcomes(const Trial& trial, Way way, Size size) {
   const bool published = way == Way::published;

@@ -46,7 +46,4 @@ struct Outcome {
 /// estimates, but for their seconds.
 std::vector<Outcome> outcomes(const Trial& trial, Way way, study::Size size);
 
-/// Gives all bodies and all walls so many nodes.
-Scene with_nodes(Scene scene, int a_body, int a_wall);
-
 }  // namespace stokesbook::verification::suspension

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "double_layer/double_layer.hpp"
+#include "scene/parse.hpp"
 #include "support/smooth_curve.hpp"
 #include "suspension/gaps.hpp"
 
@@ -71,6 +73,16 @@ Wall random_container(std::mt19937_64& random, const std::vector<Body>& bodies) 
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+Scene shipped_scene(const std::string& name) {
+  return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / (name + ".toml"));
+}
+
+Scene with_nodes(Scene scene, int a_body, int a_wall) {
+  for (Body& body : scene.bodies) body.n_nodes = a_body;
+  for (Wall& wall : scene.walls) wall.n_nodes = a_wall;
+  return scene;
 }
 
 Scene random_scene(std::mt19937_64& random) {

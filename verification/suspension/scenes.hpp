@@ -1,6 +1,7 @@
 #pragma once
 
 #include <random>
+#include <string>
 
 #include "suspension/error_estimate.hpp"
 #include "suspension/node_choice.hpp"
@@ -10,6 +11,12 @@ namespace stokesbook::verification::suspension {
 
 /// A number between two bounds, the same on every machine.
 double uniform(std::mt19937_64& random, double low, double high);
+
+/// A scene of chapter 12, as it is shipped.
+Scene shipped_scene(const std::string& name);
+
+/// Gives all bodies and all walls so many nodes.
+Scene with_nodes(Scene scene, int a_body, int a_wall);
 
 /// Two to five circles, ellipses up to 6:1 and stars at gaps from 1e-3 to 1, in shear or extension
 /// or in a container; free, loaded or held. Asks for solutions as good as rounding allows, with 16
