@@ -73,10 +73,10 @@ int run_program(int argc, char** argv) {
   CLI::Option* resume =
       run.add_flag("--resume", options.resume, "go on from the directory's last checkpoint");
   resume->excludes("--overwrite");
-  run.add_flag("--dry-run", options.dry_run, "check the scene and print the plan, nothing else");
+  run.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);
-  solve.add_flag("--dry-run", options.dry_run, "check the scene and print the plan, nothing else");
+  solve.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   SweepOptions sweep_options;
   sweep_options.program = argv[0];
   CLI::App& sweep = *app.add_subcommand("sweep", "run a scene with many values, with error bars");

@@ -30,7 +30,7 @@ FieldSettings read_fields(const Node& node) {
 std::string adaptive_methods() {
   std::string names;
   for (const auto& [name, method] : stepping_methods) {
-    if (!adapts_steps(*method)) continue;
+    if (!adapts_steps(method)) continue;
     names += (names.empty() ? "" : ", ") + std::string(name);
   }
   return names;

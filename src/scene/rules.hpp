@@ -110,7 +110,7 @@ std::string describe(const Requirement<T>& rule) {
   return std::string(rule.expected);
 }
 
-/// Lists the words, without those of later releases.
+/// Lists the words.
 ///
 /// @param  words  all that may stand in one place
 /// @return        "outer, inner"
@@ -118,7 +118,6 @@ template <class T, std::size_t N>
 std::string list_of(const Words<T, N>& words) {
   std::string names;
   for (const Word<T>& word : words) {
-    if (!word.meaning) continue;
     if (!names.empty()) names += ", ";
     names += word.name;
   }
@@ -139,15 +138,13 @@ std::string describe(const Words<T, N>& words) {
 /// @param  node   the value
 /// @param  words  all that may stand in its place
 /// @return        its meaning
-/// @throws SceneError when it is another word, or one of a later release
+/// @throws SceneError when it is another word
 template <class T, std::size_t N>
 T read(const Node& node, const Words<T, N>& words) {
   const std::string expected = describe(words);
   const std::string name = value_as<std::string>(node, expected);
   for (const Word<T>& word : words) {
-    if (word.name != name) continue;
-    if (!word.meaning) fail(node, "not available yet: must be " + expected);
-    return *word.meaning;
+    if (word.name == name) return word.meaning;
   }
   fail(node, "must be " + expected);
 }

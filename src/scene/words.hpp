@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "scene/scene.hpp"
@@ -13,16 +12,13 @@ namespace stokesbook::scene_text {
 /// A word of the scene file.
 template <class T>
 struct Word {
-  std::string_view name;     ///< as it is written
-  std::optional<T> meaning;  ///< none: a later release will have it
+  std::string_view name;  ///< as it is written
+  T meaning;              ///< what it stands for
 };
 
 /// All the words that may stand in one place.
 template <class T, std::size_t N>
 using Words = std::array<Word<T>, N>;
-
-/// Meaning of a word that a later release will have.
-inline constexpr std::nullopt_t not_yet = std::nullopt;
 
 /// Returns the word for an enumerator.
 ///
@@ -31,7 +27,7 @@ inline constexpr std::nullopt_t not_yet = std::nullopt;
 /// @return          its name
 template <class T, std::size_t N>
 std::string_view name_of(T meaning, const Words<T, N>& words) {
-  return std::ranges::find(words, std::optional(meaning), &Word<T>::meaning)->name;
+  return std::ranges::find(words, meaning, &Word<T>::meaning)->name;
 }
 
 /// The word for automatic_nodes in `n_nodes`.
