@@ -292,13 +292,16 @@ class SuspensionSolver {
   System system(const Configuration& configuration, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions, double drive) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
+  References taken(ReferenceShelf& shelf, const Resolutions& resolutions) const;
   Solution completed(const System& system, GmresResult gmres, double drive) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;
 
   Scene scene_;
   Plan plan_;
-  std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
+  // Shared by copies; solve() is const, and may fill them.
+  std::shared_ptr<ReferenceShelf> shelf_;
+  std::shared_ptr<ReferenceShelf> finer_shelf_;  // of estimates, whose preconditioner is the solve's
   References references_;
 };
 

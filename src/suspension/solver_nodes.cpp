@@ -78,9 +78,13 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
 }
 
 References SuspensionSolver::references(const Resolutions& resolutions) const {
+  return taken(*shelf_, resolutions);
+}
+
+References SuspensionSolver::taken(ReferenceShelf& shelf, const Resolutions& resolutions) const {
   References references;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    references.push_back(take(*shelf_, scene_, k, resolutions[k]));
+    references.push_back(take(shelf, scene_, k, resolutions[k]));
   }
   return references;
 }
