@@ -13,6 +13,7 @@ struct RecordedRun {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
   RunTotals totals;
+  RunResolution resolution;
   std::string stopped;  ///< why it did not reach its end; empty where it did
 };
 
@@ -34,6 +35,7 @@ inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals
     run.stopped = error.what();
   }
   run.totals = simulation.totals();
+  run.resolution = simulation.resolution();
   return run;
 }
 

@@ -37,8 +37,7 @@ std::vector<Scene> scenes(int count) {
     const std::vector<Gap> gaps =
         find_gaps(probe.initial_configuration(), probe.references(), tolerance);
     if (gaps.front().points.gap < 1e-2 || scene.bodies.size() > 3) continue;
-    for (Body& body : scene.bodies) body.n_nodes = stokesbook::automatic_nodes;
-    for (Wall& wall : scene.walls) wall.n_nodes = stokesbook::automatic_nodes;
+    scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
     if (is_solvable(scene)) found.push_back(scene);
   }
   return found;

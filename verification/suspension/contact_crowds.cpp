@@ -114,14 +114,16 @@ const Tallies& tallies(Size size, Contact contact) {
   });
 }
 
+std::vector<Measurement> measured(double (*quantity)(const Tally&), const Tallies& tallies) {
+  std::vector<Measurement> measurements;
+  for (const auto& [number, tally] : tallies) {
+    measurements.push_back({.x = static_cast<double>(number), .error = quantity(tally)});
+  }
+  return measurements;
+}
+
 Measure over_families(double (*quantity)(const Tally&), Contact contact = Contact::resolved) {
-  return [=](Size size) {
-    std::vector<Measurement> measurements;
-    for (const auto& [family, tally] : tallies(size, contact)) {
-      measurements.push_back({.x = static_cast<double>(family), .error = quantity(tally)});
-    }
-    return measurements;
-  };
+  return [=](Size size) { return measured(quantity, tallies(size, contact)); };
 }
 
 double lost(const Tally& tally) {
@@ -153,11 +155,7 @@ Measure over_flows(double (*quantity)(const Tally&)) {
       sum.iterations += tally.iterations;
       sum.one_by_one += tally.one_by_one;
     }
-    std::vector<Measurement> measurements;
-    for (const auto& [flow, sum] : sums) {
-      measurements.push_back({.x = static_cast<double>(flow), .error = quantity(sum)});
-    }
-    return measurements;
+    return measured(quantity, sums);
   };
 }
 

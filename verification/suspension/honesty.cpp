@@ -34,8 +34,7 @@ double largest_tail(const Solved& solved) {
 // Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps are
 // narrow.
 Completion reference_of(Scene scene) {
-  for (Body& body : scene.bodies) body.n_nodes = stokesbook::automatic_nodes;
-  for (Wall& wall : scene.walls) wall.n_nodes = stokesbook::automatic_nodes;
+  scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
   scene.solver.tolerance = 1e-12;
   const SuspensionSolver solver(scene);
   const Resolutions first = solver.first_resolutions(solver.initial_configuration());

@@ -26,8 +26,7 @@ Scene vortices() {
 double iterations(MakeScene make_scene, int nodes, PreconditionerKind preconditioner) {
   static test::Once<std::tuple<MakeScene, int, PreconditionerKind>, double> counted;
   return counted({make_scene, nodes, preconditioner}, [&] {
-    Scene scene = make_scene();
-    for (Body& body : scene.bodies) body.n_nodes = nodes;
+    Scene scene = with_nodes(make_scene(), nodes, nodes);
     scene.solver.preconditioner = preconditioner;
     const SuspensionSolver solver(scene);
     return static_cast<double>(

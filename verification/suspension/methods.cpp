@@ -9,34 +9,13 @@
 
 #include "scenes.hpp"
 #include "support/once.hpp"
-#include "suspension/simulation.hpp"
+#include "support/recorded_run.hpp"
 
 namespace stokesbook::verification::suspension {
 
 using study::Size;
 
 namespace {
-
-struct Run {
-  std::vector<Frame> frames;
-  RunTotals totals;
-  double nodes, seconds;
-};
-
-Run run(const Scene& scene) {
-  Run run;
-  Observer observer;
-  observer.frame = [&](const Frame& frame) { run.frames.push_back(frame); };
-  const std::clock_t start = std::clock();
-  const SuspensionSolver solver(scene);
-  Simulation simulation(solver, observer);
-  simulation.run();
-  run.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  run.totals = simulation.totals();
-  const std::vector<int>& nodes = simulation.resolution().most_nodes;
-  run.nodes = std::accumulate(nodes.begin(), nodes.end(), 0.0);
-  return run;
-}
 
 // The loosest tolerance of velocities that estimates are made for; what the published nodes meet.
 constexpr double loosest = 1e-2;
@@ -74,11 +53,12 @@ std::vector<double> observed(const Trial& trial, const std::vector<Frame>& frame
   return trial.observed != nullptr ? trial.observed(frames) : bodies_at_end(frames);
 }
 
-const std::vector<double>& expected(const Trial& trial, const Scene& scene, const Run& any) {
+const std::vector<double>& expected(const Trial& trial, const Scene& scene,
+                                    const test::RecordedRun& any) {
   static test::Once<std::pair<std::string, std::size_t>, std::vector<double>> found;
   return found({trial.key, scene.bodies.size()}, [&] {
     if (trial.reference == nullptr) return observed(trial, {any.frames.front()});
-    return observed(trial, run(trial.reference(scene)).frames);
+    return observed(trial, test::recorded_run(trial.reference(scene)).frames);
   });
 }
 
@@ -86,7 +66,11 @@ Outcome outcome(const Trial& trial, Way way, Size size, double parameter) {
   static test::Once<std::tuple<std::string, Way, Size, double>, Outcome> found;
   return found({trial.key, way, size, parameter}, [&] {
     const Scene scene = trial.scene(size);
-    const Run done = run(stepped(scene, way, trial, parameter));
+    const std::clock_t start = std::clock();
+    const test::RecordedRun done = test::recorded_run(stepped(scene, way, trial, parameter));
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const std::vector<int>& most = done.resolution.most_nodes;
+    const double nodes = std::accumulate(most.begin(), most.end(), 0.0);
     const std::vector<double> values = observed(trial, done.frames),
                               right = expected(trial, scene, done);
     double error = 0.0;
@@ -98,8 +82,8 @@ Outcome outcome(const Trial& trial, Way way, Size size, double parameter) {
         way == Way::published
             ? done.totals.gmres_iterations + done.totals.solves + done.totals.contact_solves
             : done.totals.matvecs;
-    return Outcome{error, 1e-6 * static_cast<double>(applications) * done.nodes * done.nodes,
-                   static_cast<double>(done.totals.steps), done.seconds};
+    return Outcome{error, 1e-6 * static_cast<double>(applications) * nodes * nodes,
+                   static_cast<double>(done.totals.steps), seconds};
   });
 }
 

@@ -46,7 +46,7 @@ double speed(const Drive& drive, double gap, double relative_error, int n_nodes,
              NearSingular near = NearSingular::automatic) {
   Scene scene = drive.scene(gap);
   scene.solver.near_singular = near;
-  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
+  scene = with_nodes(std::move(scene), n_nodes, n_nodes);
   // In units of the data's largest velocity, which is about 2 in extension and 1 / 4 under forces;
   // no more than rounding allows.
   scene.solver.tolerance = std::clamp(
