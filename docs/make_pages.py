@@ -3,8 +3,7 @@
 make_pages.py ROOT FOLDER
 
 Methods and what each adds are the table of the README; what builds on what is the rule of includes
-that tests/house checks. A chapter is there when its chapter.md is, an
-exercise when its README.md is.
+that tests/house checks. An exercise is there when its README.md is.
 """
 
 import html
@@ -61,7 +60,7 @@ def arrow(used, user):
     return f'<path class="arrow" d="M{x1:g} {y1:g} L{x2:g} {y2 - 5:g}" marker-end="url(#tip)"/>'
 
 
-def graph(methods, uses, written):
+def graph(methods, uses):
     names = [method for _, method, _ in methods]
     lines = ['<div class="chapter-graph">',
              f'<svg viewBox="0 0 {5 * PITCH + WIDTH + 4} {LAST_ROW * ROW + HEIGHT + 4}" role="img" '
@@ -76,12 +75,9 @@ def graph(methods, uses, written):
         middle = left + width / 2
         text = "".join(f'<text x="{middle:g}" y="{top + 24 + 10 * k}">{word}</text>'
                        for k, word in enumerate(words))
-        there = number in written
-        node = (f'<g class="{"written" if there else "to-come"}"><title>{html.escape(adds)}'
-                f'{"" if there else " (to come)"}</title>'
-                f'<rect x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="6"/>'
-                f'<text class="number" x="{middle:g}" y="{top + 12}">{number}</text>{text}</g>')
-        lines.append(f'<a href="chapter_{number}.html">{node}</a>' if there else node)
+        lines.append(f'<a href="chapter_{number}.html"><title>{html.escape(adds)}</title>'
+                     f'<rect x="{left}" y="{top}" width="{width}" height="{HEIGHT}" rx="6"/>'
+                     f'<text class="number" x="{middle:g}" y="{top + 12}">{number}</text>{text}</a>')
     return "\n".join([*lines, "</svg>", "</div>", ""])
 
 
@@ -108,16 +104,13 @@ def exercise_page(chapter, exercise, text):
     return f"{title} {{#exercise_{chapter}_{exercise}}}\n{''.join(parts)}"
 
 
-def chapters_page(methods, written):
+def chapters_page(methods):
     lines = ["# Chapters {#chapters}", "",
              "In reading order. Each is a text, a program, a study and exercises about one library.",
              "",
              "| | chapter | library | what it adds |", "|---|---|---|---|"]
-    for number, method, adds in methods:
-        if number in written:
-            lines.append(f"| {number} | @subpage chapter_{number} | @ref {method} | {adds} |")
-        else:
-            lines.append(f"| {number} | to come | `{method}` | {adds} |")
+    lines += [f"| {number} | @subpage chapter_{number} | @ref {method} | {adds} |"
+              for number, method, adds in methods]
     return "\n".join([*lines, ""])
 
 
@@ -131,8 +124,6 @@ def exercises_page(methods, exercises):
                  for chapter, exercise, _ in exercises if chapter == number]
         if pages:
             lines += [f"## Chapter {number}: {method.replace('_', ' ')}", "", *pages, ""]
-    if not exercises:
-        lines += ["None is written yet.", ""]
     return "\n".join(lines)
 
 
@@ -141,12 +132,11 @@ def main(root, folder):
     for old in folder.iterdir():
         old.unlink()
     methods, exercises = methods_of(root), exercises_of(root)
-    written = {path.parent.name[:2] for path in (root / "chapters").glob("*/chapter.md")}
     for chapter, exercise, readme in exercises:
         (folder / f"exercise_{chapter}_{exercise}.md").write_text(
             exercise_page(chapter, exercise, readme.read_text()))
-    (folder / "chapters.md").write_text(chapters_page(methods, written))
-    (folder / "chapter_graph.html").write_text(graph(methods, may_use(root), written))
+    (folder / "chapters.md").write_text(chapters_page(methods))
+    (folder / "chapter_graph.html").write_text(graph(methods, may_use(root)))
     (folder / "exercises.md").write_text(exercises_page(methods, exercises))
 
 
