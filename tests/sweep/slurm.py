@@ -70,6 +70,9 @@ class Slurm:
         configuration.write_text(CONFIGURATION.format(
             host=socket.gethostname().split(".")[0], user=getpass.getuser(), folder=self.folder,
             ctld_port=free_port(), slurmd_port=free_port(), cpus=self.cpus))
+        # No task of these tests is held by cgroups, but only their older plugin starts without a
+        # /sys, as in a chroot.
+        (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         self.environment = {**os.environ, "SLURM_CONF": str(configuration),
                             "PATH": os.environ["PATH"] + ":/usr/sbin"}
         try:
