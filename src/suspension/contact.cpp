@@ -20,21 +20,6 @@ namespace {
 // Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
 constexpr double relative_sag = 1e-3, relative_tolerance = 1e-5;
 
-double mean_spacing(const Scene& scene, const References& references) {
-  double length = 0.0, nodes = 0.0;
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    length += perimeter(references[k]->curve);
-    nodes += static_cast<double>(references[k]->curve.size());
-  }
-  return length / nodes;
-}
-
-double separation_of(const SuspensionSolver& solver) {
-  const ContactSettings& contact = *solver.scene().contact;
-  const double unit = contact.in_spacings ? mean_spacing(solver.scene(), solver.references()) : 1.0;
-  return unit * contact.minimum_separation;
-}
-
 // Components of one shape and side share their polygon.
 ContactShapes shapes_of(const References& references, double sag_limit) {
   ContactShapes shapes;
@@ -99,7 +84,7 @@ CloserPairs to_pairs(const VectorXd& numbers) {
 
 SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
     : solver_(solver),
-      separation_(separation_of(solver)),
+      separation_(solver.separation()),
       shapes_(shapes_of(solver.references(), relative_sag * separation_)) {
   double sag = 0.0;
   for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
@@ -184,8 +169,8 @@ bool SuspensionContact::admits(const Configuration& configuration,
   const Separation kept{separation_, closer};
   return std::ranges::all_of(gaps(configuration), [&](const PolygonGap& found) {
     if (found.gap <= 0.0) return false;
-    // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points from
-    // elsewhere.
+    // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points
+    // from elsewhere.
     return curve_gap(found, configuration) >=
            kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
   });

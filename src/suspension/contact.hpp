@@ -60,10 +60,10 @@ struct ContactOutcome {
 /// Keeps the components of a scene at their minimum separation.
 ///
 /// Contact is seen ahead by interferences() of the polygons of all components, which lie within a
-/// thousandth of the separation of their curves, and resolved by resolve_contact() with the mobility
-/// of the whole suspension and the gaps of the curves. Where a force acts, these are one separation
-/// to a part in 1e5, or up to 1.004 separations where polygons and curves disagree on which points
-/// are the closest.
+/// thousandth of the separation of their curves, and resolved by resolve_contact() with the
+/// mobility of the whole suspension and the gaps of the curves. Where a force acts, these are one
+/// separation to a part in 1e5, or up to 1.004 separations where polygons and curves disagree on
+/// which points are the closest.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
@@ -79,8 +79,8 @@ class SuspensionContact {
   ///
   /// @param  configuration  where the components are
   /// @return                their gaps, length
-  /// @throws ConfigurationRefused on overlap, naming all pairs and depths; and on narrower gaps unless
-  ///                contact.allow_close
+  /// @throws ConfigurationRefused on overlap, naming all pairs and depths; and on narrower gaps
+  ///                unless contact.allow_close
   CloserPairs admit_start(const Configuration& configuration) const;
 
   /// Tells how much pairs that began closer may close now: gaps that have opened stay open.

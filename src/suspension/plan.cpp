@@ -170,7 +170,6 @@ Plan make_plan(const Scene& scene) {
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
   plan.near_tolerance = std::max(1e-15, 0.01 * tolerance);
-  plan.contact = scene.contact.has_value();
   plan.summation = scene.solver.summation;
   plan.sum_tolerance = 0.1 * plan.gmres_tolerance;
 

@@ -33,7 +33,6 @@ struct Plan {
   PreconditionerKind preconditioner = PreconditionerKind::none;  ///< where gaps are wide
   bool direct_at_tight_gaps = false;           ///< factorise small systems where gaps are tight
   bool clusters_at_tight_gaps = false;         ///< precondition by clusters where gaps are tight
-  bool contact = false;                        ///< components are kept apart
   double gmres_tolerance = 0.0;                ///< relative residual
   double near_tolerance = 0.0;                 ///< of the sums' quadrature, relative to the density
   double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm

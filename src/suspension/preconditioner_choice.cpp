@@ -9,10 +9,13 @@ namespace stokesbook {
 
 namespace {
 
-// In radii of gyration: gaps that slow GMRES down, and those that may soon be contacts.
-constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005, soon = 0.2;
+// In radii of gyration: gaps that slow GMRES down.
+constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_contact = 400,
+// In separations: pairs that a step may press.
+constexpr double in_contact = 1.1;
+
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 200,
                        most_nodes_in_clusters = 256;
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
@@ -39,12 +42,14 @@ std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& refe
 
 }  // namespace
 
-bool direct_pays(const std::vector<Gap>& gaps, const References& references, bool contact) {
+bool direct_pays(const std::vector<Gap>& gaps, const References& references, double separation) {
   Eigen::Index nodes = 0;
   for (const auto& reference : references) nodes += reference->curve.size();
   if (nodes > most_nodes_of_direct) return false;
-  const double reach = contact && nodes <= most_nodes_in_contact ? soon : tight_for_direct;
-  return 3 * pairs_within(reach, gaps, references) >= references.size();
+  const auto contacts = std::ranges::count_if(
+      gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
+  return nodes <= most_nodes_a_contact * contacts ||
+         3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
 }
 
 bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
@@ -60,8 +65,8 @@ bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
 }
 
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
-                                         const References& references) {
-  if (plan.direct_at_tight_gaps && direct_pays(gaps, references, plan.contact)) {
+                                         const References& references, double separation) {
+  if (plan.direct_at_tight_gaps && direct_pays(gaps, references, separation)) {
     return PreconditionerKind::direct;
   }
   if (plan.clusters_at_tight_gaps && clusters_pay(gaps, references)) {

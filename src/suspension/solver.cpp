@@ -27,6 +27,15 @@ Resolution own_resolution(const Scene& scene, std::size_t component) {
                              : nodes(scene.walls[component - bodies])};
 }
 
+double mean_spacing(const Scene& scene, const References& references) {
+  double length = 0.0, nodes = 0.0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    length += perimeter(references[k]->curve);
+    nodes += static_cast<double>(references[k]->curve.size());
+  }
+  return length / nodes;
+}
+
 // Nodes are raised as often on the estimate's word alone.
 constexpr int most_suspicions = 3;
 
@@ -76,6 +85,12 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
+}
+
+double SuspensionSolver::separation() const {
+  if (!scene_.contact) return 0.0;
+  const double unit = scene_.contact->in_spacings ? mean_spacing(scene_, references_) : 1.0;
+  return unit * scene_.contact->minimum_separation;
 }
 
 Configuration SuspensionSolver::initial_configuration() const {
@@ -196,7 +211,8 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
     next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
   }
-  // Few nodes may hide what they leave: a tail that is small by chance, a point that is nearly near.
+  // Few nodes may hide what they leave: a tail that is small by chance, a
+  // point that is nearly near.
   if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance &&
       effort.suspicions < most_suspicions) {
     next.resolutions = finer_automatic(scene_, effort.resolutions);

@@ -86,6 +86,10 @@ class SuspensionSolver {
   /// @return bodies, then walls, in the scene's order
   Configuration initial_configuration() const;
 
+  /// Returns how far contact keeps components apart.
+  /// @return least gap, length; 0 in scenes without contact
+  double separation() const;
+
   /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
   ///
   /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
@@ -301,7 +305,7 @@ class SuspensionSolver {
   Plan plan_;
   // Shared by copies; solve() is const, and may fill them.
   std::shared_ptr<ReferenceShelf> shelf_;
-  std::shared_ptr<ReferenceShelf> finer_shelf_;  // of estimates, whose preconditioner is the solve's
+  std::shared_ptr<ReferenceShelf> finer_shelf_;  // of estimates; the solve preconditions them
   References references_;
 };
 

@@ -62,7 +62,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
                                              const References& references) const {
   const std::vector<PlacedCurve> near = near_curves(configuration, references);
   DiscreteProblem discrete{problem, SuspensionOperator(problem, near, plan_)};
-  switch (chosen_preconditioner(plan_, gaps, references)) {
+  switch (chosen_preconditioner(plan_, gaps, references, separation())) {
     case PreconditionerKind::direct:
       discrete.precondition =
           DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));

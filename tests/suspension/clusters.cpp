@@ -144,13 +144,20 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   const auto chosen = [](const Scene& scene) {
     const Discretised start(with_preconditioner(scene, none));
     return chosen_preconditioner(make_plan(scene), start.solver.gaps(start.configuration),
-                                 start.references);
+                                 start.references, start.solver.separation());
+  };
+  const auto in_contact = [](Scene scene, double separation) {
+    scene.contact = ContactSettings{separation};
+    return scene;
   };
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == none));  // too many nodes for the one, gaps too wide
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));
+  BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
+  BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
+  BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
   BOOST_TEST((chosen(disk_packing(20)) == none));
   BOOST_TEST((chosen(disk_packing(150)) == clusters));
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));
