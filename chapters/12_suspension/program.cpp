@@ -1,5 +1,6 @@
 // Chapter 12: one scene through the whole solver. What it needs; one instant at several tolerances,
-// with what their errors are; its way to the floor, step by step, with the forces that keep it apart.
+// with what their errors are; its way to the floor, step by step, with the
+// forces that keep it apart.
 //
 //   chapter_12    prints tables
 #include <algorithm>

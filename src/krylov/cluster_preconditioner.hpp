@@ -30,8 +30,8 @@ enum class ClusterForm {
   resistance  ///< held, and let go together by a resistance problem
 };
 
-/// Assembles a component's own block as it is in clusters: of a free body in the mobility form as it
-/// is, of any other inner component that of a prescribed one at a gauge.
+/// Assembles a component's own block as it is in clusters: of a free body in the mobility form as
+/// it is, of any other inner component that of a prescribed one at a gauge.
 ///
 /// @param  component  of any kind, in any frame
 /// @param  form       of the clusters
@@ -66,9 +66,9 @@ struct Neighbour {
 /// long as the suspension meet little resistance, and what clusters leave out of it makes the
 /// iterations grow with the number of bodies.
 ///
-/// With \f$ (I + B)D \f$ for the operator in question, D the components alone, clusters are solved in the few directions
-/// Q of each component that it feels its neighbours through or is felt by them:
-/// \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
+/// With \f$ (I + B)D \f$ for the operator in question, D the components alone, clusters are solved
+/// in the few directions Q of each component that it feels its neighbours through or is felt by
+/// them: \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
 /// @par Accuracy  residuals fall by a digit an iteration or more on seven disks at gaps of 0.01,
 /// @ref claim_05_29; iterations of bodies that nearly touch, @ref claim_05_26; what clusters leave
 /// out falls with the square of the distance, @ref claim_05_27

@@ -15,10 +15,11 @@ namespace stokesbook {
 /// narrow that iterations are many.
 ///
 /// With the layer \f$ L = -\frac12 + D + N_0 \f$ between all nodes, rigid motions K of the inner
-/// components and their projection \f$ P = K\Pi \f$, the closure C acts on P alone, and the system is
+/// components and their projection \f$ P = K\Pi \f$, the closure C acts on P
+/// alone, and the system is
 /// \f[ A = L(I-P) + CP = L + (CK - LK)\Pi. \f]
-/// As a preconditioner it leaves to GMRES what the factorisation's rounding and the tolerance of the
-/// layer's near corrections leave.
+/// As a preconditioner it leaves to GMRES what the factorisation's rounding and the tolerance of
+/// the layer's near corrections leave.
 /// @par Accuracy  that of the layer; iterations of bodies that nearly touch, @ref claim_05_30
 class DirectPreconditioner {
  public:

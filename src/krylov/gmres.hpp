@@ -35,8 +35,8 @@ struct GmresResult {
 ///
 /// Right preconditioning leaves the residual that of A x = b. The preconditioned basis is kept and
 /// combined (flexible GMRES): what a preconditioner errs by rounding, of relative size
-/// \f$ 10^{-7} \f$ where it cancels large loads, then does no harm. The basis is orthogonalised twice
-/// (classical Gram-Schmidt, whose two matrix-vector products are fast and exact enough when
+/// \f$ 10^{-7} \f$ where it cancels large loads, then does no harm. The basis is orthogonalised
+/// twice (classical Gram-Schmidt, whose two matrix-vector products are fast and exact enough when
 /// repeated), so that counts do not suffer from lost orthogonality at 1e-12. Eigen's GMRES
 /// (unsupported module) was not used: it has no residual history, restarts by default, and
 /// preconditions from the left, so that its tolerance would depend on the preconditioner.
@@ -51,10 +51,11 @@ struct GmresResult {
 ///                residual that the recurrence converged to, as A is singular to rounding
 /// @par Accuracy  residuals by the recurrence and true ones agree to rounding, @ref claim_05_7; of
 /// the reduced form, error and tolerance within a factor 10, @ref claim_05_23
-/// @par Cost      k + 1 applications of the operator, one more with a guess, k of the preconditioner,
-/// 4 n k^2 operations and n k numbers of memory for k iterations, 2 n k with a preconditioner
-/// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; Saad, SIAM J. Sci. Comput. 14
-/// (1993) 461
+/// @par Cost      k + 1 applications of the operator, one more with a guess, k of the
+/// preconditioner, 4 n k^2 operations and n k numbers of memory for k
+/// iterations, 2 n k with a preconditioner
+/// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; Saad, SIAM J. Sci. Comput.
+/// 14 (1993) 461
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
                   const GmresOptions& options, const Eigen::VectorXd& guess = {});
 

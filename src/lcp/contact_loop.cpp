@@ -173,8 +173,8 @@ class ContactLoop {
     result_.gaps = gaps_now(result_.keys, rows_);
   }
 
-  // Whether an iterate is farther off than the free motion ever was: the next would be farther still,
-  // and its long paths take long to follow.
+  // Whether an iterate is farther off than the free motion ever was: the next would be farther
+  // still, and its long paths take long to follow.
   bool diverges() const {
     const double allowed = std::max(result_.violations.front(), step_.separation);
     return result_.violations.back() > options_.divergence * allowed;
@@ -232,8 +232,8 @@ class ContactLoop {
     return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
   }
 
-  // Resolved, or given up because of a force across an open gap. Gaps with a force are closed to the
-  // tolerance; where that takes too long, less is enough.
+  // Resolved, or given up because of a force across an open gap. Gaps with a force are closed to
+  // the tolerance; where that takes too long, less is enough.
   bool settled() {
     const Index widest = widest_with_force();
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];

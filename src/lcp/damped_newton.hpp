@@ -26,8 +26,8 @@ struct NewtonMethod {
       step;
 };
 
-/// Iterates with steps halved until the merit function descends by a part of what its slope promises
-/// (Armijo); 100 steps unless the options say otherwise.
+/// Iterates with steps halved until the merit function descends by a part of what its slope
+/// promises (Armijo); 100 steps unless the options say otherwise.
 ///
 /// @param  method   merit and steps
 /// @param  problem  any

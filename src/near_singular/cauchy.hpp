@@ -37,8 +37,8 @@ struct CauchyDerivativeData {
 /// \f$ \chi = \psi + \bar t\phi' = \overline{\phi - U} \f$ on the curve,
 /// \f[ U(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]} \f]
 /// with the weights of Barycentric.
-/// Derivatives have the same form: pressure over viscosity and vorticity are \f$ -4\,\mathrm{Re} \f$
-/// and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$, and with
+/// Derivatives have the same form: pressure over viscosity and vorticity are
+/// \f$ -4\,\mathrm{Re} \f$ and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$, and with
 /// \f$ g = d\chi/dt - \phi'\,d\bar t/dt \f$ along the curve
 /// \f[ \partial u/\partial\bar z = -\overline{\sum_j w_j[g_j + (\bar z - \bar t_j)\phi''_j]}. \f]
 /// @par Accuracy  1e-13 relative at any distance, once the density is resolved: @ref claim_06_1,

@@ -15,8 +15,8 @@ namespace stokesbook {
 /// Parameters of the interpolation scheme.
 ///
 /// The error of a resolved density is about
-/// \f$ \max(100\,e^{-2\pi\sigma\beta},\ K(\beta h/l)^{m+1}) \f$, l being the distance of the nearest
-/// singularity of the continued flow.
+/// \f$ \max(100\,e^{-2\pi\sigma\beta},\ K(\beta h/l)^{m+1}) \f$, l being the distance of the
+/// nearest singularity of the continued flow.
 struct InterpolationSettings {
   /// Which node spacing h the distances of the interpolation points are measured in.
   enum class Spacing {

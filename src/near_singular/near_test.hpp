@@ -29,7 +29,8 @@ Eigen::Index nearest_node(const Curve& curve, Complex target);
 /// Returns \f$ N|\mathrm{Im}\,s| \f$ below which the trapezoid rule misses a relative tolerance:
 /// \f$ \ln(200/\varepsilon) \f$.
 ///
-/// On resolved circles, ellipses and stars the error is at most 200 exp(-N |Im s|) down to rounding,
+/// On resolved circles, ellipses and stars the error is at most 200 exp(-N
+/// |Im s|) down to rounding,
 /// @ref claim_06_23, and typically 10 to 20 times less.
 /// @param  tolerance  relative to the density, > 0
 /// @return            bound of N |Im s|, dimensionless

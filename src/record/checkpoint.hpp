@@ -19,8 +19,8 @@ struct Checkpoint {
   double t = 0.0;         ///< time reached, or the beginning of a step that is to be repeated
   long long step = 0;     ///< steps done
   Eigen::VectorXd state;  ///< what the solver advances, in its own order
-  /// What the time stepper remembers, by name (one word each): earlier rates, the next step's length,
-  /// the last time on record.
+  /// What the time stepper remembers, by name (one word each): earlier rates, the next step's
+  /// length, the last time on record.
   std::map<std::string, Eigen::VectorXd> history;
 };
 

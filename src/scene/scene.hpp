@@ -265,9 +265,9 @@ struct TimeSettings {
   std::optional<double> dt{};                     ///< longest step, > 0, time; of methods that
                                                   ///< adapt steps the first, none: chosen
   SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
-  /// Error of positions in units of the largest body's radius, and of angles, radians, to which steps
-  /// are adapted; none: the default for methods that adapt them, and steps stay as they are for
-  /// Heun's, which adapts them in scenes with contact.
+  /// Error of positions in units of the largest body's radius, and of angles, radians, to which
+  /// steps are adapted; none: the default for methods that adapt them, and steps stay as they are
+  /// for Heun's, which adapts them in scenes with contact.
   std::optional<double> tolerance{};
   std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of dt, or of t_final
                                    ///< where the method adapts steps

@@ -62,15 +62,16 @@ struct PathPair {
 ///
 /// With the world normal n = R(theta_B) n_I, the derivative has the arms of the vertex at the end,
 /// \f$ (n, a_A\times n) \f$ for the vertex's component and \f$ (-n, -a_B\times n) \f$ for the
-/// polygon's. The force has the orientations when the event was measured, the centres at the start, where the Stokes
-/// equations are solved, and arms to the mean of the vertex and the point it touches.
+/// polygon's. The force has the orientations when the event was measured, the centres at the start,
+/// where the Stokes equations are solved, and arms to the mean of the vertex
+/// and the point it touches.
 /// @param  event      of a vertex
 /// @param  vertex     of its component's polygon, in its own frame, length
 /// @param  of_a       true where the vertex is one of a's
 /// @param  paths      of both components
 /// @return            row with gap and wrenches
-/// @par Accuracy      the derivative is exact for the closest edge of the polygon, @ref claim_10_10;
-/// forces balance to rounding, @ref claim_10_11
+/// @par Accuracy      the derivative is exact for the closest edge of the polygon,
+/// @ref claim_10_10; forces balance to rounding, @ref claim_10_11
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);
 
 /// @}

@@ -119,7 +119,8 @@ std::vector<Group> connected_groups(const PairEvents& pair, const Condition& sel
   return groups;
 }
 
-// Where in a run the gap has local minima, between which it rises and falls by more than a threshold.
+// Where in a run the gap has local minima, between which it rises and falls
+// by more than a threshold.
 std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double threshold) {
   std::vector<std::size_t> found;
   std::size_t turning = 0;  // lowest or highest place since the last turn

@@ -56,8 +56,8 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 /// Runs of consecutive vertices belong together, and so do runs of either polygon where an edge
 /// that one comes near to is within two vertices of the other. Rows are at local minima of the gap,
 /// between which it rises by more than the two sags: less is the polygons', not the curves'. A
-/// minimum along which more than four vertices are that near is a flat contact, and has rows at both
-/// ends too.
+/// minimum along which more than four vertices are that near is a flat contact, and has rows at
+/// both ends too.
 /// @param  pair       its events
 /// @param  tolerance  of gaps: events below its negative are violations, length
 /// @param  rows       which rows to return

@@ -22,7 +22,8 @@ struct PolygonGap {
 /// whatever found it.
 ///
 /// Every vertex in reach is asked for its signed distance, and edges that cross count as overlap
-/// also where no vertex lies inside. A body in a body, or outside the enclosing wall, is an overlap.
+/// also where no vertex lies inside. A body in a body, or outside the
+/// enclosing wall, is an overlap.
 /// @param  shapes  of n components
 /// @param  poses   of the same
 /// @param  reach   gaps that are as wide as that are left out, length, > 0

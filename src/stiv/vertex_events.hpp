@@ -66,9 +66,9 @@ struct VertexEvents {
 /// the touched point,
 /// \f[ g = d(z_I) - \delta + n_I\cdot(z(1) - z_I), \f]
 /// however far beyond B the vertex ends. This holds for vertices that go deep, nearer than
-/// (1 - dip) delta. For all others the end alone counts, \f$ g = d(z(1)) - \delta \f$ with the normal
-/// there: what slides along B at a distance of delta, up to the tolerance, would meet tilted lines at
-/// every bend that it passes.
+/// (1 - dip) delta. For all others the end alone counts, \f$ g = d(z(1)) - \delta \f$ with the
+/// normal there: what slides along B at a distance of delta, up to the tolerance, would meet tilted
+/// lines at every bend that it passes.
 ///
 /// The search advances by \f$ (d-\delta)/L \f$, with a bound L of the speed: that cannot skip a
 /// contact, however fast. Where this creeps, as along a wall, it tries chords of the path that grow

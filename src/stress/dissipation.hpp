@@ -13,8 +13,8 @@ namespace stokesbook {
 /// Integrates the power that every component's surface does on the fluid,
 /// \f$ \oint u\cdot\sigma n\,ds \f$.
 ///
-/// Their sum is what the fluid dissipates, where it is enclosed; in an unbounded fluid that rests at
-/// infinity too, when the total force vanishes.
+/// Their sum is what the fluid dissipates, where it is enclosed; in an unbounded fluid that rests
+/// at infinity too, when the total force vanishes.
 /// @param  flow      problem and motions
 /// @param  traction  of the whole flow, from boundary_traction()
 /// @return           one entry a component, force length / time a unit of depth

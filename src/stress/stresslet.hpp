@@ -11,8 +11,8 @@ namespace stokesbook {
 /// Computes the stresslet of a component from its density, \f$ S_{11} + iS_{12} =
 /// -\mu\oint n\eta\,ds \f$ (complex product; \f$ S_{22} = -S_{11} \f$).
 ///
-/// The symmetric dipole of the forces that the fluid exerts on the component (Batchelor's sign): for
-/// a rigid body the traceless symmetric part of \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with
+/// The symmetric dipole of the forces that the fluid exerts on the component (Batchelor's sign):
+/// for a rigid body the traceless symmetric part of \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with
 /// \f$ \nu = -n \f$ into the fluid. The rigid part of the density, Stokeslet and rotlet contribute
 /// nothing.
 /// @param  curve    N nodes

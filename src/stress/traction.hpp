@@ -39,8 +39,8 @@ ComplexVector boundary_traction(const StokesProblem& problem,
 /// @param  problem   components with n nodes in all
 /// @param  traction  from boundary_traction()
 /// @return           force and torque of each component on the fluid, about its centre
-/// @par Accuracy     1e-14 of the loads of the same solution: @ref claim_07_14; the loads themselves
-/// geometric in the nodes, @ref claim_07_17
+/// @par Accuracy     1e-14 of the loads of the same solution: @ref claim_07_14; the loads
+/// themselves geometric in the nodes, @ref claim_07_17
 /// @par Cost         O(n)
 std::vector<Load> integrated_loads(const StokesProblem& problem, const ComplexVector& traction);
 

@@ -43,7 +43,8 @@ ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
 /// @param  form           of the clusters; as cluster_form() chooses where none is given
 /// @return                the approximate inverse of its SuspensionOperator
 /// @throws std::domain_error as cluster_block() and ClusterPreconditioner do
-/// @par Cost              that of ClusterPreconditioner, and of a cluster_block() a distinct reference
+/// @par Cost              that of ClusterPreconditioner, and of a
+/// cluster_block() a distinct reference
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const References& references,

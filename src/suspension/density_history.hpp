@@ -44,7 +44,8 @@ class DensityHistory {
   void add(double t, const Configuration& configuration, const References& references,
            Eigen::MatrixXcd densities);
 
-  /// Reverses flow, walls and loads: what was done is then undone, with densities of the other sign.
+  /// Reverses flow, walls and loads: what was done is then undone, with
+  /// densities of the other sign.
   ///
   /// @param  t  time of the reversal; densities from a time before belong as long after it
   void reverse(double t);

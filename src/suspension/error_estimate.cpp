@@ -37,8 +37,8 @@ ComplexVector transferred(const ComplexVector& density, const DiscreteProblem& f
   return result;
 }
 
-// The coarse system's preconditioner for the fine one. Of modes beyond the coarse nodes the operator
-// leaves little but the jump -1/2.
+// The coarse system's preconditioner for the fine one. Of modes beyond the coarse nodes the
+// operator leaves little but the jump -1/2.
 LinearMap refined_preconditioner(const DiscreteProblem& coarse, const DiscreteProblem& fine) {
   if (!coarse.precondition) return {};
   return [&](const Eigen::VectorXd& v) {

@@ -18,8 +18,8 @@ namespace {
 // Relative difference of loads that count as one: what it changes is below the solver's tolerance.
 constexpr double same_load = 1e-9;
 
-// Each refinement leaves a few hundredths of what was missing; where one leaves more than half, or as
-// many are needed, columns are too coarse: between flat gaps weights may go to and fro.
+// Each refinement leaves a few hundredths of what was missing; where one leaves more than half, or
+// as many are needed, columns are too coarse: between flat gaps weights may go to and fro.
 constexpr double least_progress = 0.5;
 constexpr int most_refinements = 6;
 

@@ -15,8 +15,8 @@ class NumericsRefused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Components overlap, or their nodes do not resolve the gaps; a time step that leads there is tried
-/// again, shorter.
+/// Components overlap, or their nodes do not resolve the gaps; a time step that leads there is
+/// tried again, shorter.
 class ConfigurationRefused : public NumericsRefused {
  public:
   /// Takes the message.

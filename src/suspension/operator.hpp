@@ -17,8 +17,8 @@ namespace stokesbook {
 
 /// The matrix-free operator of one configuration: density in, velocity at the nodes out.
 ///
-/// \f$ (-\frac12 + D)(I-P)\eta \f$ as direct or fast sum, diagonal and near correction, plus what closure and
-/// null-space fix add.
+/// \f$ (-\frac12 + D)(I-P)\eta \f$ as direct or fast sum, diagonal and near correction, plus what
+/// closure and null-space fix add.
 class SuspensionOperator {
  public:
   /// Plans sum, near correction and closure of one configuration.

@@ -49,8 +49,8 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const Clo
 /// @return          relative error, dimensionless; 0 where the gap asks for nothing
 double resolution_error(double decay, Eigen::Index n_nodes);
 
-/// Recommends the number of nodes for which resolution_error() meets a tenth of a tolerance, so that
-/// estimate_error() mostly meets the tolerance too.
+/// Recommends the number of nodes for which resolution_error() meets a tenth of a tolerance, so
+/// that estimate_error() mostly meets the tolerance too.
 ///
 /// @param  decay      alpha, from density_decay()
 /// @param  tolerance  of velocities relative to their scale, > 0

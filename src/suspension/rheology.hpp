@@ -22,8 +22,8 @@ bool is_couette_cell(const Scene& scene);
 /// \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
 ///
 /// @param  curve  N nodes
-/// @return        angle, radians; none where \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as for
-///                circles, and for stars of three arms or more
+/// @return        angle, radians; none where \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as
+///                for circles, and for stars of three arms or more
 /// @par Accuracy  that of the rule: geometric in N for analytic curves, @ref claim_01_9
 std::optional<double> long_axis(const Curve& curve);
 

@@ -28,10 +28,11 @@ struct Observer {
 ///
 /// Reversals and the end are hit exactly. Methods that interpolate take their steps through written
 /// times; all others even out their steps to hit them too. A step that leads into an
-/// overlap, or too close for the nodes, is halved, see Stepper. The order in time.dt is that of the method.
+/// overlap, or too close for the nodes, is halved, see Stepper. The order in
+/// time.dt is that of the method.
 ///
-/// With [contact], a step's velocity is that which keeps the separation at its end; it acts from the
-/// step's beginning, and is what frames show. Steps that cannot be resolved are halved. With
+/// With [contact], a step's velocity is that which keeps the separation at its end; it acts from
+/// the step's beginning, and is what frames show. Steps that cannot be resolved are halved. With
 /// time.tolerance, steps by Heun's method are adapted: the error of a step is the largest distance
 /// of boundary points after its first half, by Euler's method, from where they are in the end, and
 /// the next one is \f$ 0.9\,(tol/err)^{1/2} \f$ times as long, at least 0.3 and at most 1.5 times.

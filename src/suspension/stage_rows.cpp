@@ -135,8 +135,8 @@ StageRows::Gap StageRows::gap_at(const Configuration& end, const StageRow& row) 
   return same ? Gap{points.gap - kept, points} : Gap{by_polygons - kept, {}};
 }
 
-// By the polygons, or by the curves, which come closer: a pair that is kept apart by the one measure
-// and let go by the other would jump to and fro.
+// By the polygons, or by the curves, which come closer: a pair that is kept apart by the one
+// measure and let go by the other would jump to and fro.
 bool StageRows::is_violated(const Contact& contact, const Configuration& end) const {
   return contact.is_violated() || std::ranges::any_of(contact.rows, [&](const ContactRow& own) {
            const StageRow row{contact.a, contact.b, own};
@@ -144,8 +144,8 @@ bool StageRows::is_violated(const Contact& contact, const Configuration& end) co
          });
 }
 
-// By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the closest
-// point.
+// By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
+// closest point.
 double StageRows::sags(const StageRow& row) const {
   return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
 }

@@ -45,8 +45,8 @@ struct StageRules {
   std::function<bool(std::size_t a, std::size_t b)> concerns;  ///< pairs that forces can move
 };
 
-/// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows that
-/// it has returned.
+/// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows
+/// that it has returned.
 ///
 /// Rows are those of interferences() of pairs that were violated at some velocity. Their gaps are
 /// those of the curves at the end of the step; forces act at the closest points of the acting
@@ -62,8 +62,8 @@ class StageRows {
   StageRows(const ContactStage& stage, const References& references, const ContactShapes& shapes,
             const StageRules& rules);
 
-  /// Runs the loop, with the exact derivative of gaps, which converges fast, or else with that of the
-  /// forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
+  /// Runs the loop, with the exact derivative of gaps, which converges fast, or else with that of
+  /// the forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
   ///
   /// @param  step  all but its rows
   /// @return       of the last loop, with the iterations of both, at most those of the stage

@@ -45,7 +45,8 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest);
 /// @param  sweep  the sweep
 /// @param  task   number of the task
 /// @throws SceneError as scene_of() does
-/// @throws RecordError when the folder holds no sweep, or the task has other values or another scene
+/// @throws RecordError when the folder holds no sweep, or the task has other
+/// values or another scene
 void require_sweep(const std::filesystem::path& out, const Sweep& sweep, std::size_t task);
 
 /// @}

@@ -33,8 +33,8 @@ std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sw
 ///
 /// @param  sweep  the sweep
 /// @param  rows   its results
-/// @return        the axes, `runs,failed,unfinished`, and for each quantity its mean under its name,
-///                `_standard_error` and `_interval`, with 17 digits; see Estimate
+/// @return        the axes, `runs,failed,unfinished`, and for each quantity its mean under its
+///                name, `_standard_error` and `_interval`, with 17 digits; see Estimate
 std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows);
 
 /// Writes results for people: mean +- half the width of the 95 % confidence interval.

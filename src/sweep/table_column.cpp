@@ -30,7 +30,8 @@ double number_in(std::string_view cell, const std::filesystem::path& path) {
   return number;
 }
 
-/// The first column, which is time, and another; only rows of the item, the second, if there is one.
+/// The first column, which is time, and another; only rows of the item, the
+/// second, if there is one.
 Column read_column(const std::filesystem::path& path, const Quantity& quantity) {
   const std::string text = read_text(path);
   std::string_view rest = text;

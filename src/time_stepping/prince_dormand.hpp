@@ -22,8 +22,8 @@ struct EstimatedEnd {
 /// @param  start  of the step, n numbers
 /// @param  dt     h, the step, time
 /// @return        state at t + h and the estimate of its error
-/// @par Accuracy  order 8, @ref claim_09_7; the estimate is a fifth of GSL's, which is the error of the
-///                lower order alone, of order h^8, @ref claim_09_19
+/// @par Accuracy  order 8, @ref claim_09_7; the estimate is a fifth of GSL's, which is the error of
+///                the lower order alone, of order h^8, @ref claim_09_19
 /// @par Cost      12 evaluations of f
 /// @sa source: Prince, Dormand, J. Comput. Appl. Math. 7 (1981), 67
 EstimatedEnd prince_dormand87_step(const Rate& f, const Moment& start, double dt);

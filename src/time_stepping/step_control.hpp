@@ -38,8 +38,8 @@ double step_factor(double error, double previous, int order);
 /// @param  start  n numbers
 /// @param  bound  of a step's error
 /// @param  order  k: a step's estimate is of order h^k
-/// @return        h > 0, time; infinite where the state does not move; the trial step where it meets an
-///                InadmissibleState
+/// @return        h > 0, time; infinite where the state does not move; the trial step where it
+///                meets an InadmissibleState
 /// @par Cost      one evaluation of f
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.4
 double first_step(const Rate& f, const Moment& start, const ErrorBound& bound, int order);

@@ -94,8 +94,8 @@ double evened_end(double t, double event, double longest);
 /// the estimate by a power of h, so that those at a given time are in proportion to the tolerance.
 /// A step that meets an InadmissibleState is halved; methods of fixed steps come back to theirs
 /// where the step that was halved would have ended.
-/// @par Accuracy  orders of Method, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors in
-///                proportion to the bound, @ref claim_09_17 to @ref claim_09_19
+/// @par Accuracy  orders of Method, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors
+///                in proportion to the bound, @ref claim_09_17 to @ref claim_09_19
 class Stepper {
  public:
   /// Takes the settings.

@@ -18,8 +18,8 @@ enum class Side : int {
   fluid_inside = +1    ///< the enclosing wall
 };
 
-/// Collocation nodes \f$ x(t_j), t_j = 2\pi j/N \f$ of a smooth closed curve, counter-clockwise; t is
-/// whatever parameter they are equidistant in, see Grading.
+/// Collocation nodes \f$ x(t_j), t_j = 2\pi j/N \f$ of a smooth closed curve, counter-clockwise; t
+/// is whatever parameter they are equidistant in, see Grading.
 struct Curve {
   ComplexVector x;                  ///< nodes, length
   ComplexVector dx;                 ///< \f$ x'(t_j) \f$, length

@@ -1,5 +1,5 @@
-// Wrenches of rows: the derivative against finite differences, forces that balance, gaps that do not
-// change when both components move together.
+// Wrenches of rows: the derivative against finite differences, forces that balance, gaps that do
+// not change when both components move together.
 #include <cmath>
 #include <map>
 

@@ -1,5 +1,6 @@
 // Tractions integrate to forces and torques, those given and those solved for, whatever the
-// viscosity and the unit of length; tractions of disks and pressures between circles in closed form.
+// viscosity and the unit of length; tractions of disks and pressures between
+// circles in closed form.
 #include "stress/traction.hpp"
 
 #include <cmath>

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(nearby_solves_keep_the_nodes) {
   const Solved solved(slender_beside_circle(automatic_nodes, automatic_nodes));
   Configuration moved = solved.configuration;
   moved[0].position += 1e-3;
-  const Solution nearby = solved.solver.solve_nearby(moved, resolutions_of(solved.solution.references));
+  const Solution nearby =
+      solved.solver.solve_nearby(moved, resolutions_of(solved.solution.references));
   BOOST_TEST(nodes_of(nearby) == nodes_of(solved.solution), boost::test_tools::per_element());
   BOOST_TEST(std::isnan(nearby.error_estimate));
   const Solution estimated = solved.solver.solve(moved);

@@ -94,8 +94,8 @@ BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
   }
 }
 
-// Radius 1/2 on the axis of u = (-x, y), held at a gap of so many h = pi / 32: forces by a prototype
-// of the specification, which tend to 3 pi with the gap.
+// Radius 1/2 on the axis of u = (-x, y), held at a gap of so many h = pi / 32: forces by a
+// prototype of the specification, which tend to 3 pi with the gap.
 BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
   const double h = std::numbers::pi / 32;
   const std::vector<std::pair<double, double>> known{{4.0, 10.1758}, {3.0, 9.9867}, {2.0, 9.7982},

@@ -1,5 +1,5 @@
-// Scenes that are hard on contact: deep overlaps ahead, slots, oblique slides, moving walls, and what
-// must be refused.
+// Scenes that are hard on contact: deep overlaps ahead, slots, oblique slides, moving walls, and
+// what must be refused.
 
 #include <boost/test/unit_test.hpp>
 
@@ -202,7 +202,8 @@ BOOST_AUTO_TEST_CASE(starts_outside_of_the_container_are_refused) {
   }
 }
 
-// Nodes that do not resolve the gap would answer a force with an attraction: no step is short enough.
+// Nodes that do not resolve the gap would answer a force with an attraction:
+// no step is short enough.
 BOOST_AUTO_TEST_CASE(too_few_nodes_stop_the_run) {
   const double h = pi / 32, x = 0.5 + 0.125 * h;
   Scene scene =

@@ -52,7 +52,8 @@ Scene with_nodes(Scene scene, int n_nodes) {
   return scene;
 }
 
-// The fewest nodes from a number on, the same for all bodies, with which the solver accepts a scene.
+// The fewest nodes from a number on, the same for all bodies, with which the
+// solver accepts a scene.
 Solved accepted(const Scene& scene, int at_least) {
   for (int n = at_least;; n += n < 64 ? 8 : 16) {
     try {

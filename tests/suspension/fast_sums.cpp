@@ -1,6 +1,6 @@
-// The fast sum is the direct one to its tolerance: in the operator and its right-hand side for every
-// kind of problem and in units of any size, in flows away from the nodes, and in the motions and
-// loads of every scene that ships.
+// The fast sum is the direct one to its tolerance: in the operator and its right-hand side for
+// every kind of problem and in units of any size, in flows away from the nodes, and in the motions
+// and loads of every scene that ships.
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// Steps that lead into an overlap, or too close for the nodes, are halved, down to time.dt_min; steps by solver effort double and
-// halve.
+// Steps that lead into an overlap, or too close for the nodes, are halved, down to time.dt_min;
+// steps by solver effort double and halve.
 
 #include <boost/test/unit_test.hpp>
 

@@ -10,8 +10,8 @@ namespace stokesbook {
 /// @param  budget  seconds to spend on each number
 Table time_close_evaluation(double budget);
 
-/// Times near corrections by explicit rows beside factored ones, by the number of near targets that a
-/// curve has: thirty applications and what they need once, one thread.
+/// Times near corrections by explicit rows beside factored ones, by the number of near targets that
+/// a curve has: thirty applications and what they need once, one thread.
 ///
 /// @param  budget  seconds to spend on each number
 Table time_near_storage(double budget);

@@ -154,8 +154,8 @@ double relative_error(const NearlyTouching& circles, const Speeds& got) {
                   std::abs(got.of_pull / exact.of_pull - 1.0));
 }
 
-/// The largest of three errors, of speeds and turn over the scales of all velocities. The turn falls
-/// as g^(1/2) only: tolerances above the speeds themselves still ask for something.
+/// The largest of three errors, of speeds and turn over the scales of all velocities. The turn
+/// falls as g^(1/2) only: tolerances above the speeds themselves still ask for something.
 double scaled_error(const NearlyTouching& circles, double nodes, const Grading& grading) {
   const Speeds exact = circles.exact(), got = computed(circles, nodes, grading);
   const double turn = std::abs(computed_turn(circles, nodes, grading)) - circles.exact_turn();

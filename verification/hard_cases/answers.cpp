@@ -1,5 +1,5 @@
-// Hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by, units far
-// from one. Errors are against closed forms, symmetries, or a solution to more digits.
+// Hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by, units
+// far from one. Errors are against closed forms, symmetries, or a solution to more digits.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

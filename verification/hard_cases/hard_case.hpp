@@ -32,8 +32,8 @@ struct HardCase {
   std::vector<std::string> words = {};  ///< of a refusal
 };
 
-/// Tells whether a case went as it must: an answer whose error and estimate are within the tolerance,
-/// or a refusal that says what it is about.
+/// Tells whether a case went as it must: an answer whose error and estimate are within the
+/// tolerance, or a refusal that says what it is about.
 bool is_met(const HardCase& hard, const Finding& finding);
 
 /// Distance of a solution from what is known, a velocity.

@@ -1,5 +1,5 @@
-// The hard cases of the book: what was asked, and what happened. Fails where an answer is not as good
-// as was asked, or where there is one and should not be.
+// The hard cases of the book: what was asked, and what happened. Fails where an answer is not as
+// good as was asked, or where there is one and should not be.
 #include <algorithm>
 #include <chrono>
 #include <fstream>

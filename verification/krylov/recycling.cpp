@@ -1,4 +1,5 @@
-// Krylov recycling: what a step's solve gains from directions of the step before, and what they cost.
+// Krylov recycling: what a step's solve gains from directions of the step
+// before, and what they cost.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

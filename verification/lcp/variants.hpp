@@ -18,8 +18,8 @@ LcpResult try_all_sets(const LcpProblem& problem);
 /// Solves M z = -q, and drops what pulls.
 VectorXd clipped_equation(const LcpProblem& problem);
 
-/// z after sweeps from zero that set z_i to max(0, z_i - w_i / M_ii), w_i with the new z of the rows
-/// before (`in_turn`), or with the old z of all rows.
+/// z after sweeps from zero that set z_i to max(0, z_i - w_i / M_ii), w_i with the new z of the
+/// rows before (`in_turn`), or with the old z of all rows.
 VectorXd swept(const LcpProblem& problem, int sweeps, bool in_turn);
 
 /// r of a pair (z_i, w_i) in Fischer's Jacobian, whose entries are z_i/r - 1 and w_i/r - 1.

@@ -71,8 +71,8 @@ Measure over_nodes(int degree, int upsampling) {
   };
 }
 
-/// Order of the polynomial's error between the spacings of two numbers of nodes. Above a pole of the
-/// flow at the distance l, u ~ 1/(l + d) with the error prod_j (d - j h)/(l + j h)/(l + d).
+/// Order of the polynomial's error between the spacings of two numbers of nodes. Above a pole of
+/// the flow at the distance l, u ~ 1/(l + d) with the error prod_j (d - j h)/(l + j h)/(l + d).
 double order_above_a_pole(int degree, double first, double last) {
   constexpr double depth = 0.49, speed = 1.0;  // of the pole at 0.1 + 0.01 i, below the flat side
   double order = degree + 1.0;
@@ -177,8 +177,8 @@ Line table_line(const std::string& key, const std::string& id, Index n,
           .control = Control{"half of the step", beside_table(n, entries, 0.55)}};
 }
 
-/// One entry of the specification's sweep of parameters, steps being a spacing. Inside, errors of the
-/// polynomial are another flow's; those of the fine rule are any flow's.
+/// One entry of the specification's sweep of parameters, steps being a spacing. Inside, errors of
+/// the polynomial are another flow's; those of the fine rule are any flow's.
 struct SweepEntry {
   int degree, upsampling;
   double error;

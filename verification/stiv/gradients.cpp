@@ -38,8 +38,8 @@ bool touches_a_corner(const Polygon& polygon, const VertexEvent& event) {
          event.point == polygon.vertex((event.edge + 1) % polygon.size());
 }
 
-// The largest difference over all vertices that touch one edge throughout: from edge to edge there is
-// no derivative.
+// The largest difference over all vertices that touch one edge throughout: from edge to edge there
+// is no derivative.
 double worst_difference(const Step& step, double h, PairWrench ContactRow::*form) {
   const PathPair paths{0, 1, step.paths[0], step.paths[1]};
   const Polygon &a = step.shapes[0]->polygon, &b = step.shapes[1]->polygon;

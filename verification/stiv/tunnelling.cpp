@@ -1,4 +1,5 @@
-// Two circles that come together however fast: what the end of the step, or some instants of it, tell.
+// Two circles that come together however fast: what the end of the step, or
+// some instants of it, tell.
 #include <algorithm>
 #include <cmath>
 

@@ -62,8 +62,8 @@ double distance(const PlacedShape& a, const PlacedShape& b, double s, double t) 
   return std::abs(at(a, s).x - at(b, t).x);
 }
 
-// Minimises the distance from a pair of parameters: Newton's method, or Gauss's where the Hessian is
-// not positive, with steps halved until they go down.
+// Minimises the distance from a pair of parameters: Newton's method, or Gauss's where the Hessian
+// is not positive, with steps halved until they go down.
 double descended(const PlacedShape& a, const PlacedShape& b, double s, double t) {
   double found = distance(a, b, s, t);
   for (int iteration = 0; iteration < 50; ++iteration) {

@@ -15,8 +15,8 @@ Scene disk_chain(double gap);
 /// shear; resolved to a tolerance.
 Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 
-/// Disks of radius 1 at random, with gaps of 0.001 or more, in shear: hard disks at an area fraction
-/// of 0.6 after many random moves, the same on every machine.
+/// Disks of radius 1 at random, with gaps of 0.001 or more, in shear: hard disks at an area
+/// fraction of 0.6 after many random moves, the same on every machine.
 Scene disk_packing(int count);
 
 /// The 48 ellipses of the published Taylor-Green run at its start, resolved to a tolerance.

@@ -81,8 +81,8 @@ void add(Tally& tally, const Scene& scene, double separation) {
   }
 }
 
-// Without contact an overlap stops the run, at once where steps may not be halved: a planted defect,
-// on few scenes.
+// Without contact an overlap stops the run, at once where steps may not be halved: a planted
+// defect, on few scenes.
 enum class Contact { resolved, left_out };
 
 using Tallies = std::map<int, Tally>;

@@ -29,8 +29,9 @@ Complex end(double dt, SteppingMethod method, double kept) {
   });
 }
 
-// A reference with another separation is a planted defect. Steps shorter than its own are pointless:
-// where contact acts the gap is anywhere from 1 to 1.002 separations, which such steps show.
+// A reference with another separation is a planted defect. Steps shorter than its own are
+// pointless: where contact acts the gap is anywhere from 1 to 1.002
+// separations, which such steps show.
 Measure errors(SteppingMethod method, double kept_by_reference) {
   return [=](Size size) {
     const Complex reference = end(0.005, SteppingMethod::heun, kept_by_reference);

@@ -14,7 +14,8 @@ using namespace study;
 
 namespace {
 
-/// A published cell: its scene, and what is printed that bodies add to the viscosity, in thousandths.
+/// A published cell: its scene, and what is printed that bodies add to the
+/// viscosity, in thousandths.
 struct Cell {
   const char* scene;
   double printed;

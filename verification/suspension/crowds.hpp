@@ -19,8 +19,8 @@ struct Family {
 };
 
 /// Five to fifteen bodies in a flow, to eight in a container, at an area fraction of 0.2 to 0.6 as
-/// far as they find room, with contact; steps 1 to 20 times 1/50 of the flow's time, Euler's or Heun's. Shear and extension
-/// reverse every two units of time, which keeps the bodies together.
+/// far as they find room, with contact; steps 1 to 20 times 1/50 of the flow's time, Euler's or
+/// Heun's. Shear and extension reverse every two units of time, which keeps the bodies together.
 ///
 /// @return  the same scene on every machine
 Scene crowded_scene(const Family& family, unsigned seed, int steps);

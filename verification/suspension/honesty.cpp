@@ -31,8 +31,8 @@ double largest_tail(const Solved& solved) {
   return largest;
 }
 
-// Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps are
-// narrow.
+// Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps
+// are narrow.
 Completion reference_of(Scene scene) {
   scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
   scene.solver.tolerance = 1e-12;

@@ -1,5 +1,5 @@
-// Iterations of published scenes by preconditioner, whatever the number of nodes: eight lobed bodies
-// in shear, and the start of 48 ellipses in vortices.
+// Iterations of published scenes by preconditioner, whatever the number of nodes: eight lobed
+// bodies in shear, and the start of 48 ellipses in vortices.
 #include <tuple>
 
 #include "experiments.hpp"

@@ -42,8 +42,8 @@ struct Outcome {
 
 /// Runs a trial a way, from the longest step or loosest tolerance on.
 ///
-/// The published method, which estimates no errors, is not charged for the operator's applications in
-/// estimates, but for their seconds.
+/// The published method, which estimates no errors, is not charged for the operator's applications
+/// in estimates, but for their seconds.
 std::vector<Outcome> outcomes(const Trial& trial, Way way, study::Size size);
 
 }  // namespace stokesbook::verification::suspension

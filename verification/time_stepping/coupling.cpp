@@ -87,8 +87,8 @@ enum class Event { none, reversal, reversal_that_is_told };
 
 /// Error of the velocity after a unit of time of the lagged coupling: two circles that turn about
 /// each other, carried by the clock, their densities lagging by a step. The last hundred steps
-/// count: a hundred sweeps leave a thousandth of what was before at a gap of 0.05, and less at wider
-/// ones.
+/// count: a hundred sweeps leave a thousandth of what was before at a gap of 0.05, and less at
+/// wider ones.
 double error_of_lagged(double gap, int steps, Event event) {
   const SuspensionSolver solver(pair_of_nodes(gap, 96));
   const auto at = [gap](double t) -> Configuration {

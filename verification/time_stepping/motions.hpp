@@ -33,12 +33,12 @@ Motion approaching_circles(double t_final);
 /// Scene of two unit circles that pass each other in shear, u = (y, 0), in 12 units of time (NT1).
 Scene passing_circles();
 
-/// Their motion by full solves: position of the first in radii, and its angle. Known at t = 12 from an
-/// independent code (NT1), and at 0.5, 1, ..., 11.5 by the pair 8(7) to 1e-12.
+/// Their motion by full solves: position of the first in radii, and its angle. Known at t = 12 from
+/// an independent code (NT1), and at 0.5, 1, ..., 11.5 by the pair 8(7) to 1e-12.
 Motion passing();
 
-/// Nine circles in three rows that shear slides past each other, by full solves; known at the end, by
-/// the pair 8(7).
+/// Nine circles in three rows that shear slides past each other, by full solves; known at the end,
+/// by the pair 8(7).
 Motion nine_circles();
 
 /// Six ellipses in a Couette cell that turns a seventh of a turn, likewise.

@@ -1,5 +1,5 @@
-// Two disks of radius a in a quiescent fluid, pulled apart by forces F and -F: their velocities, and
-// the closed form, F / (4 pi mu) (alpha - tanh(2 alpha) / 2) for centres 2 a cosh(alpha) apart.
+// Two disks of radius a in a quiescent fluid, pulled apart by forces F and -F: their velocities,
+// and the closed form, F / (4 pi mu) (alpha - tanh(2 alpha) / 2) for centres 2 a cosh(alpha) apart.
 
 #include <cmath>
 #include <iostream>

@@ -71,8 +71,8 @@ std::vector<double> lagrange(int degree, double point) {
   //@ end
 }
 
-// Task 4: velocity at a distance in spacings, from the density and the layer's integral at the foot,
-// and the velocities at 1, 2, ... spacings.
+// Task 4: velocity at a distance in spacings, from the density and the layer's integral at the
+// foot, and the velocities at 1, 2, ... spacings.
 Complex close_velocity(Complex density_at_foot, Complex layer_at_foot,
                        const std::vector<Complex>& farther, double distance) {
   //@ starter

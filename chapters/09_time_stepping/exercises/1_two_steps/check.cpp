@@ -1,5 +1,5 @@
-// Check of exercise 09.1: polynomials, which the formulas have to integrate exactly, and the steps of
-// the library.
+// Check of exercise 09.1: polynomials, which the formulas have to integrate exactly, and the steps
+// of the library.
 #include "chapters/check.hpp"
 
 #include "time_stepping/adams_bashforth.hpp"

@@ -1,5 +1,5 @@
-// Check of exercise 09.3: sweeps over two circles by the solver of the library, and powers of complex
-// numbers.
+// Check of exercise 09.3: sweeps over two circles by the solver of the library, and powers of
+// complex numbers.
 #include "chapters/check.hpp"
 
 #include <numbers>
