@@ -132,6 +132,16 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
       short_number(totals.energy_injected).c_str());
 }
 
+// Without contact an estimate above the tolerance is refused.
+void warn_of_estimate(const RunInfo& info, double tolerance) {
+  if (info.resolution.error_estimate <= tolerance) return;
+  std::fprintf(stderr,
+               "stokes: with the forces of contact the error estimate is up to %s, above "
+               "solver.tolerance = %s; steps.csv has it for each step\n",
+               short_number(info.resolution.error_estimate).c_str(),
+               short_number(tolerance).c_str());
+}
+
 void print_motions(const Frame& frame) {
   std::printf("%6s %24s %24s %24s\n", "body", "ux", "uy", "omega");
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
@@ -202,6 +212,7 @@ int run_scene(const RunOptions& options) {
   }
   finish(exit_done, "done");
   if (!options.quiet) print_report(info, out);
+  warn_of_estimate(info, scene.solver.tolerance);
   return exit_done;
 }
 

@@ -199,6 +199,35 @@ class Records(Program):
         refused = self.run_scene(*contact, code=1)
         self.assertIn("adams_bashforth2", refused.stderr)
 
+    def test_estimates_above_the_tolerance_are_told(self):
+        """An ellipse that steps press to a turning wall: nodes do for the flow, not for the force."""
+        text = """
+            [[bodies]]
+            shape = { kind = "ellipse", semi_axes = [0.8, 0.3] }
+            position = [0.0, 1.677]
+            n_nodes = %d
+            [[walls]]
+            role = "outer"
+            shape = { kind = "circle", radius = 2.0 }
+            motion = { kind = "rotating", omega = 1.0 }
+            n_nodes = %d
+            [solver]
+            tolerance = 1e-3
+            [contact]
+            minimum_separation = 0.02
+            [time]
+            t_final = 0.2
+            dt = 0.1
+            method = "euler"
+            [output]
+            dt_write = 0.1"""
+        for name, nodes in (("few", (40, 96)), ("enough", (48, 128))):
+            result = self.run_scene("--out", name, text=text % nodes)
+            steps = numpy.genfromtxt(self.folder / name / "steps.csv", names=True, delimiter=",")
+            above = steps["error_estimate"].max() > 1e-3
+            self.assertEqual(above, name == "few")
+            self.assertEqual("above solver.tolerance = 0.001" in result.stderr, above)
+
     def test_automatic_nodes_follow_the_gap(self):
         """Circles driven together: nodes grow, the tolerance is kept, and resuming changes nothing."""
         text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")

@@ -1,5 +1,6 @@
 // Random dense crowds in steps that are far too long: what contact must hold in every one of them.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -26,6 +27,7 @@ struct Tally {
   double most_iterations = 0.0, most_one_by_one = 0.0;  // in a step
   double narrowest = 4.0;                               // gap of any written state, in separations
   double unbalanced = 0.0, unbalanced_but_one = 0.0;
+  double seconds = 0.0, seconds_of_contact = 0.0;
 };
 
 /// Net force and torque of what contact adds to the loads of bodies, and of the reactions that the
@@ -57,7 +59,11 @@ double imbalance(const Scene& scene, const Frame& frame, std::size_t left_out) {
 }
 
 void add(Tally& tally, const Scene& scene, double separation) {
+  const auto start = std::chrono::steady_clock::now();
   const RecordedRun run = recorded_run(scene, Refusals::recorded);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  tally.seconds += passed.count();
+  tally.seconds_of_contact += run.totals.contact_seconds;
   tally.scenes += 1.0;
   tally.stopped += run.stopped.empty() ? 0.0 : 1.0;
   tally.steps += static_cast<double>(run.totals.steps);
@@ -143,6 +149,10 @@ double most_iterations(const Tally& tally) {
 }
 double most_one_by_one(const Tally& tally) {
   return tally.most_one_by_one;
+}
+
+double share_of_time(const Tally& tally) {
+  return tally.seconds_of_contact / tally.seconds;
 }
 
 /// Families of one flow together: steps in contact, and their iterations.
@@ -237,7 +247,8 @@ Experiment random_crowds() {
                           .law = Identity{9.0},
                           .reason = "one that needs more is halved; the published most is nine",
                           .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs seen to one by one", over_families(most_one_by_one)}}}};
+           .control = Control{"pairs seen to one by one", over_families(most_one_by_one)}},
+          counted("share", "share of the time that contact takes", share_of_time)}};
 }
 
 }  // namespace stokesbook::verification::suspension
