@@ -30,11 +30,11 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
     reference.interpolation = std::make_shared<InterpolationCurve>(
         reference.curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
   }
-  if (needs.inverse_block) {
-    const Component alone{kind, reference.curve, {}, {}, 0.0, {}};
-    reference.inverse_block =
-        std::make_shared<Eigen::MatrixXd>(invert_block(self_block(alone, needs.gauge_length)));
-  }
+  const Component alone{kind, reference.curve, {}, {}, 0.0, {}};
+  reference.inverse_block = std::async(std::launch::deferred, [alone, needs] {
+                              return std::make_shared<const Eigen::MatrixXd>(
+                                  invert_block(self_block(alone, needs.gauge_length)));
+                            }).share();
   return reference;
 }
 

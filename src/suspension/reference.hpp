@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -47,15 +48,14 @@ struct Reference {
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
       interpolation;  ///< none unless velocities are to be interpolated
-  std::shared_ptr<const Eigen::MatrixXd>
-      inverse_block;  ///< none unless a preconditioner is planned
+  std::shared_future<std::shared_ptr<const Eigen::MatrixXd>>
+      inverse_block;  ///< of the preconditioner; found when first it is asked for, at O(N^3)
 };
 
 /// What a reference is to hold beside its nodes.
 struct ReferenceNeeds {
   bool cauchy = false;                            ///< matrices of the near corrections
   std::optional<double> interpolation_tolerance;  ///< of velocities by interpolation, if wanted
-  bool inverse_block = false;                     ///< of the preconditioner
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
 
@@ -88,8 +88,7 @@ class ReferenceShelf {
   /// @param  kind        of the component
   /// @return             the one that all such components share
   /// @throws std::invalid_argument when N is odd or too small
-  /// @throws std::domain_error when its own block is singular
-  /// @par Cost        O(N^3) for a new one, O(N^2) without near corrections and preconditioner
+  /// @par Cost        O(N^3) for a new one, O(N^2) without near corrections
   std::shared_ptr<const Reference> get(const Shape& shape, const Resolution& resolution,
                                        ComponentKind kind);
 

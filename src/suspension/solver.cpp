@@ -74,13 +74,10 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   const std::size_t count = scene_.bodies.size() + scene_.walls.size();
   // A solve asks for one a component, and so does its estimate: some sixty solves long.
   const std::size_t patience = 64 * count;
-  ReferenceNeeds needs{plan_.near_correction,
-                       interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
-                       plan_.preconditioner == PreconditionerKind::block_diagonal,
-                       bounded ? std::nullopt : scene.gauge_length};
+  const ReferenceNeeds needs{plan_.near_correction,
+                             interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
+                             bounded ? std::nullopt : scene.gauge_length};
   shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
-  needs.inverse_block = false;
-  finer_shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
   refuse(limit_refusal(scene_, own, {}));
@@ -137,8 +134,7 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
                                          const Configuration& configuration,
                                          const Solution& solution, double drive) const {
   if (solution.velocity_scale == 0.0) return {};
-  const References finer =
-      taken(*finer_shelf_, stokesbook::finer(resolutions_of(solution.references)));
+  const References finer = references(stokesbook::finer(resolutions_of(solution.references)));
   const DiscreteProblem fine =
       unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
   try {

@@ -296,16 +296,13 @@ class SuspensionSolver {
   System system(const Configuration& configuration, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions, double drive) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
-  References taken(ReferenceShelf& shelf, const Resolutions& resolutions) const;
   Solution completed(const System& system, GmresResult gmres, double drive) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;
 
   Scene scene_;
   Plan plan_;
-  // Shared by copies; solve() is const, and may fill them.
-  std::shared_ptr<ReferenceShelf> shelf_;
-  std::shared_ptr<ReferenceShelf> finer_shelf_;  // of estimates; the solve preconditions them
+  std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
   References references_;
 };
 

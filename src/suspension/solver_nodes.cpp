@@ -5,30 +5,9 @@
 #include "suspension/component_data.hpp"
 #include "suspension/grading_for_gaps.hpp"
 #include "suspension/node_choice.hpp"
-#include "suspension/refusal.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook {
-
-namespace {
-
-// A component's reference from the shelf, or the reason why it cannot be used.
-std::shared_ptr<const Reference> take(ReferenceShelf& shelf, const Scene& scene,
-                                      std::size_t component, const Resolution& resolution) {
-  const std::size_t bodies = scene.bodies.size();
-  const auto get = [&](const auto& source) {
-    return shelf.get(source.shape, resolution, kind_of(source));
-  };
-  try {
-    return component < bodies ? get(scene.bodies[component]) : get(scene.walls[component - bodies]);
-  } catch (const std::domain_error& error) {
-    throw NumericsRefused(
-        component_name(scene, component) + ": " + error.what() +
-        "; a gauge_length close to the size of a held component is a degenerate scale");
-  }
-}
-
-}  // namespace
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
   return recommended_nodes(configuration, gaps(configuration));
@@ -78,13 +57,13 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
 }
 
 References SuspensionSolver::references(const Resolutions& resolutions) const {
-  return taken(*shelf_, resolutions);
-}
-
-References SuspensionSolver::taken(ReferenceShelf& shelf, const Resolutions& resolutions) const {
+  const std::size_t bodies = scene_.bodies.size();
   References references;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    references.push_back(take(shelf, scene_, k, resolutions[k]));
+    const auto get = [&](const auto& source) {
+      return shelf_->get(source.shape, resolutions[k], kind_of(source));
+    };
+    references.push_back(k < bodies ? get(scene_.bodies[k]) : get(scene_.walls[k - bodies]));
   }
   return references;
 }

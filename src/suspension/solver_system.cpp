@@ -11,6 +11,22 @@
 
 namespace stokesbook {
 
+namespace {
+
+// The inverse of a component's own block, or the reason why there is none.
+std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::size_t component,
+                                                     const Reference& reference) {
+  try {
+    return reference.inverse_block.get();
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused(
+        component_name(scene, component) + ": " + error.what() +
+        "; a gauge_length close to the size of a held component is a degenerate scale");
+  }
+}
+
+}  // namespace
+
 StokesProblem SuspensionSolver::problem(const Configuration& configuration,
                                         const References& references, double drive) const {
   StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
@@ -77,7 +93,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
   }
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({references[k]->inverse_block, configuration[k].orientation});
+    members.push_back({inverse_block(scene_, k, *references[k]), configuration[k].orientation});
   }
   discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
   return discrete;

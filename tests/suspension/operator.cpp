@@ -25,7 +25,9 @@ LinearMap as_linear_map(const SuspensionOperator& system) {
 int iterations(const SuspensionSolver& solver, bool preconditioned) {
   const SuspensionOperator system = plain_operator(solver);
   std::vector<BlockDiagonalPreconditioner::Member> members;
-  for (const auto& reference : solver.references()) members.push_back({reference->inverse_block});
+  for (const auto& reference : solver.references()) {
+    members.push_back({reference->inverse_block.get()});
+  }
   LinearMap precondition;
   if (preconditioned) precondition = BlockDiagonalPreconditioner(members);
   const ComplexVector rhs = system.right_hand_side();
