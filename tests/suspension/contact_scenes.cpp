@@ -261,7 +261,9 @@ BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
   const VectorXd free_velocity = to_rate(free);
   const LcpProblem problem{0.5 * (unsymmetric + unsymmetric.transpose()),
                            forces.transpose() * free_velocity};
-  const LcpResult by_pivots = lemke(problem), by_newton = fischer_newton(problem);
+  // Of 42 forces 7 are not unique: there the matrix is singular, and Newton's method linear.
+  const LcpResult by_pivots = lemke(problem),
+                  by_newton = fischer_newton(problem, {.tolerance = 1e-9});
   BOOST_REQUIRE((by_pivots.status == LcpStatus::solved));
   BOOST_REQUIRE((by_newton.status == LcpStatus::solved));
   const VectorXd pivots = free_velocity + response * by_pivots.z,
