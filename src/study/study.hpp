@@ -43,6 +43,7 @@ struct Line {
 enum class Axes {
   log_log,   ///< algebraic laws
   semi_log,  ///< geometric laws
+  nominal,   ///< cases by their number, with nothing between them: no orders, no rates
 };
 
 /// Several lines over the same quantity.
@@ -51,7 +52,7 @@ struct Experiment {
   std::string title;            ///< heading of table and figure
   std::string x;                ///< what is varied, with its letter last: "nodes N"
   std::string error;            ///< norm, and what the error is relative to
-  Axes axes = Axes::log_log;    ///< of the figure; the table has orders or rates accordingly
+  Axes axes = Axes::log_log;    ///< of the figure; the table has orders, rates or neither
   std::vector<Line> lines;      ///< one a method
   bool work_precision = false;  ///< also draw error against each cost that was measured
   std::string operation = {};   ///< what is counted: "kernel evaluations"

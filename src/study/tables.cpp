@@ -59,37 +59,53 @@ std::optional<CostMeasure> shown_cost(const Experiment& experiment,
   return costs.back();
 }
 
-/// Error and local order of a line at x, and its cost if the table has one; empty where it was not
-/// measured.
+/// What a convergence table has for every line.
+struct LineColumns {
+  std::string slope;                ///< order or rate; empty: none
+  std::optional<CostMeasure> cost;  ///< if the table has one
+  std::size_t count() const { return 1 + (slope.empty() ? 0 : 1) + (cost ? 1 : 0); }
+};
+
+LineColumns line_columns(const Experiment& experiment, const std::vector<LineResult>& lines) {
+  const std::string slope = experiment.axes == Axes::log_log    ? "order"
+                            : experiment.axes == Axes::semi_log ? "rate"
+                                                                : "";
+  return {slope, shown_cost(experiment, lines)};
+}
+
+/// Error, slope and cost of a line at x; empty where it was not measured.
 std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
-                     const std::optional<CostMeasure>& cost, double x) {
+                     const LineColumns& columns, double x) {
   for (std::size_t i = 0; i < line.measurements.size(); ++i) {
     if (line.measurements[i].x != x) continue;
     const bool used = !line.verdict || line.verdict->used[i];
     const std::string grey = used ? "" : " class=\"left-out\"";
     const Measurement& point = line.measurements[i];
-    return cell(html_number(point.error), grey) + cell(html_number(slopes[i]), grey) +
-           (cost ? cell(html_number(point.*cost->value), grey) : "");
+    return cell(html_number(point.error), grey) +
+           (columns.slope.empty() ? "" : cell(html_number(slopes[i]), grey)) +
+           (columns.cost ? cell(html_number(point.*columns.cost->value), grey) : "");
   }
-  return cell("", span(cost ? 3 : 2));
+  return cell("", span(columns.count()));
 }
 
 }  // namespace
 
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  const bool orders = experiment.axes == Axes::log_log;
+  const LineColumns each = line_columns(experiment, lines);
+  const auto& cost = each.cost;
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
-  const std::optional<CostMeasure> cost = shown_cost(experiment, lines);
-  const std::string width = span(cost ? 3 : 2);
+  const std::string width = span(each.count());
   std::vector<std::vector<double>> slopes;
   std::set<double> xs;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Line& line = experiment.lines[k];
     const LineResult& result = lines[k];
-    slopes.push_back(orders ? local_orders(result.measurements) : local_rates(result.measurements));
+    slopes.push_back(experiment.axes == Axes::log_log ? local_orders(result.measurements)
+                                                      : local_rates(result.measurements));
     names += head(escaped(line.label), width);
-    columns += head("error") + head(orders ? "order" : "rate") + (cost ? head("cost") : "");
+    columns +=
+        head("error") + (each.slope.empty() ? "" : head(each.slope)) + (cost ? head("cost") : "");
     for (const Measurement& point : result.measurements) xs.insert(point.x);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
                                      escaped(law_text(line.claim->law, experiment.x))
@@ -101,7 +117,7 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
   for (const double x : xs) {
     std::string cells = head(html_number(x));
-    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], cost, x);
+    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], each, x);
     body += row(cells);
   }
   body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";

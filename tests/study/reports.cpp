@@ -94,6 +94,21 @@ BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
 }
 
+BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
+  Study study = sample_study();
+  const StudyResult result = sample_result();
+  const auto table = [&](Axes axes) {
+    study.experiments[0].axes = axes;
+    return convergence_table(study.experiments[0], result.experiments[0]);
+  };
+  BOOST_TEST(contains(table(Axes::log_log), "<th>order</th>"));
+  BOOST_TEST(contains(table(Axes::semi_log), "<th>rate</th>"));
+  const std::string of_cases = table(Axes::nominal);
+  BOOST_TEST(contains(of_cases, "<th>error</th>"));
+  BOOST_TEST(!contains(of_cases, "<th>order</th>"));
+  BOOST_TEST(!contains(of_cases, "<th>rate</th>"));
+}
+
 BOOST_AUTO_TEST_CASE(what_only_the_full_size_measures_is_said) {
   Study study = sample_study();
   const Measure large = [](Size size) {

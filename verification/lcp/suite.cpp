@@ -148,7 +148,7 @@ Experiment suite() {
                         .title = "Twenty problems: what residual is left",
                         .x = "problem p",
                         .error = "residual, at least 1e-17",
-                        .axes = Axes::semi_log,
+                        .axes = Axes::nominal,
                         .lines = {}};
   for (const Method& method : methods()) {
     experiment.lines.push_back(

@@ -184,6 +184,7 @@ Experiment random_crowds() {
           "15); of each circles, ellipses to 10:1, stars",
       .x = "family f",
       .error = "number, or part of the separation",
+      .axes = Axes::nominal,
       .lines = {
           {.key = "lost",
            .label = "part of the separation that the narrowest gap lacks",

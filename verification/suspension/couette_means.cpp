@@ -276,7 +276,7 @@ Experiment couette_seeds() {
           .title = "Means over the second revolution from random starts, full size only",
           .x = "cell k: 1 to 3 of disks, 4 to 6 of 3:1, 7 to 9 of 6:1, at 5, 10 and 15 %",
           .error = "mean over four starts, in thousandths",
-          .axes = Axes::semi_log,
+          .axes = Axes::nominal,
           .lines = {of_random_runs("viscosity", "added viscosity", viscosity),
                     interval("viscosity", viscosity), off("viscosity", viscosity),
                     of_random_runs("order", "order parameter", order), interval("order", order),

@@ -165,7 +165,7 @@ Experiment couette_digits() {
           "half a unit of the last digit that is known",
       .x = "seed k",
       .error = "difference of the viscosity, in hundred-thousandths",
-      .axes = Axes::semi_log,
+      .axes = Axes::nominal,
       .lines = {
           {.key = "moved",
            .label = "from that without moves",
