@@ -132,12 +132,12 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
       short_number(totals.energy_injected).c_str());
 }
 
-// Without contact an estimate above the tolerance is refused.
+// With forces of contact, and by the lagged coupling: all others are refused.
 void warn_of_estimate(const RunInfo& info, double tolerance) {
   if (info.resolution.error_estimate <= tolerance) return;
   std::fprintf(stderr,
-               "stokes: with the forces of contact the error estimate is up to %s, above "
-               "solver.tolerance = %s; steps.csv has it for each step\n",
+               "stokes: the error estimate is up to %s, above solver.tolerance = %s; steps.csv "
+               "has it for each step\n",
                short_number(info.resolution.error_estimate).c_str(),
                short_number(tolerance).c_str());
 }
