@@ -15,8 +15,8 @@ constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 // In separations: pairs that a step may press.
 constexpr double in_contact = 1.1;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 200,
-                       most_nodes_in_clusters = 256;
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_contact = 1600,
+                       most_nodes_a_contact = 200, most_nodes_in_clusters = 256;
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
   return reference->kind != ComponentKind::enclosing_wall;
@@ -45,10 +45,10 @@ std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& refe
 bool direct_pays(const std::vector<Gap>& gaps, const References& references, double separation) {
   Eigen::Index nodes = 0;
   for (const auto& reference : references) nodes += reference->curve.size();
-  if (nodes > most_nodes_of_direct) return false;
   const auto contacts = std::ranges::count_if(
       gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
-  return nodes <= most_nodes_a_contact * contacts ||
+  if (nodes <= std::min(most_nodes_in_contact, most_nodes_a_contact * contacts)) return true;
+  return nodes <= most_nodes_of_direct &&
          3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
 }
 
