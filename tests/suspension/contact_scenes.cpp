@@ -314,4 +314,24 @@ BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
   BOOST_TEST(least_gap(scene, coarse) >= separation * (1 - 1e-4));
 }
 
+// The density of a film under pressure is thousands of times the velocities. To a body elsewhere,
+// errors of the film's quadrature must not look like those that nodes mend.
+BOOST_AUTO_TEST_CASE(forces_ask_for_no_nodes_but_where_they_act) {
+  Scene scene;
+  scene.walls = {container(1.8773)};
+  scene.walls[0].motion = RotatingWall{1.0};
+  scene.bodies = {body_at(Ellipse{0.6688, 0.3824}, {-0.4357, -1.1251}, automatic_nodes),
+                  body_at(Ellipse{1.2848, 0.1724}, {0.8626, -0.9645}, automatic_nodes)};
+  scene.bodies[0].orientation = -0.184;
+  scene.bodies[1].orientation = 3.8755;
+  scene.solver.tolerance = 1e-3;
+  for (const double separation : {0.027, 0.029, 0.031}) {
+    scene.contact = ContactSettings{separation};
+    const RecordedRun run = recorded_run(over(scene, 0.5, 0.125));
+    BOOST_TEST(run.steps.back().contacts == 1);
+    BOOST_TEST(run.resolution.most_nodes[0] <= 96);
+    for (const StepInfo& step : run.steps) BOOST_TEST(step.error_estimate < 1e-3);
+  }
+}
+
 }  // namespace stokesbook::test
