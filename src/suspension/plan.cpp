@@ -170,11 +170,12 @@ Plan make_plan(const Scene& scene) {
   // rounding.
   plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
   // Densities of films under pressure exceed what velocities are compared with by orders of
-  // magnitude, and errors of the quadrature are rough: as tails of densities they would ask for
-  // ever more nodes.
-  plan.near_tolerance = std::max(1e-15, (scene.contact ? 1e-4 : 1e-2) * tolerance);
+  // magnitude, and errors of sums are rough: as tails of densities they would ask for ever more
+  // nodes.
+  const double closer = scene.contact ? 1e-2 : 1.0;
+  plan.near_tolerance = std::max(1e-15, closer * 0.01 * tolerance);
   plan.summation = scene.solver.summation;
-  plan.sum_tolerance = 0.1 * plan.gmres_tolerance;
+  plan.sum_tolerance = closer * 0.1 * plan.gmres_tolerance;
 
   plan.lines.push_back(problem_line(census, scene));
   plan.lines.push_back(far_field_line(census, scene));
