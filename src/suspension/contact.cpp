@@ -228,7 +228,8 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
-    if (result.response[static_cast<Index>(i)] > 0.0) continue;
+    const bool solved = result.status != ContactStatus::no_linear_solution;
+    if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
     const StageRow& row = rows.seen(result.keys[i]);
     outcome.unseen.emplace_back(row.a, row.b);
   }

@@ -53,7 +53,8 @@ struct ContactOutcome {
   double kkt_residual = 0.0;         ///< of the result, in separations
   int iterations = 0;                ///< linear problems, those on columns too coarse included
   double seconds = 0.0;              ///< wall time, those of the responses included
-  /// Pairs that do not open under their own force, which is what too few nodes do.
+  /// Pairs that do not open under their own force, or under no forces of all of them: what too few
+  /// nodes do.
   std::vector<std::pair<std::size_t, std::size_t>> unseen{};
 };
 

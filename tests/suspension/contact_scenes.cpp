@@ -334,4 +334,26 @@ BOOST_AUTO_TEST_CASE(forces_ask_for_no_nodes_but_where_they_act) {
   }
 }
 
+// On the nodes that the flow of a full container asks for, forces across its films may have
+// responses that no fluid has, and then together no solution, however short the step.
+BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
+  Scene scene;
+  scene.walls = {container(1.4786)};
+  scene.walls[0].motion = RotatingWall{1.0};
+  const auto ellipse = [&](double a, double b, Complex position, double orientation) {
+    scene.bodies.push_back(body_at(Ellipse{a, b}, position, automatic_nodes));
+    scene.bodies.back().orientation = orientation;
+  };
+  ellipse(0.7313, 0.4112, {-0.2567, -0.9849}, 6.0375);
+  ellipse(1.2912, 0.2015, {0.1579, 0.5839}, 2.8759);
+  ellipse(0.6835, 0.3006, {0.6799, -0.3884}, 6.2988);
+  ellipse(0.5926, 0.2749, {-0.7573, -0.2246}, -0.1092);
+  ellipse(1.0274, 0.1932, {-0.2525, 0.2073}, 2.9845);
+  scene.contact = ContactSettings{0.0448};
+  scene.solver.tolerance = 1e-3;
+  const RecordedRun run = recorded_run(over(scene, 0.8, 0.08));
+  BOOST_TEST(run.steps.back().contacts > 1);
+  BOOST_TEST(run.totals.rejected_steps <= 2);
+}
+
 }  // namespace stokesbook::test
