@@ -227,8 +227,8 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
         {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
+  const bool solved = result.status != ContactStatus::no_linear_solution;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
-    const bool solved = result.status != ContactStatus::no_linear_solution;
     if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
     const StageRow& row = rows.seen(result.keys[i]);
     outcome.unseen.emplace_back(row.a, row.b);

@@ -20,10 +20,15 @@ using Eigen::VectorXd;
 
 constexpr double pi = std::numbers::pi;
 
-Body held(const Shape& shape, Complex position, double orientation = 0.0) {
+Body turned(const Shape& shape, Complex position, double orientation) {
   Body body = body_at(shape, position, automatic_nodes);
-  body.held = true;
   body.orientation = orientation;
+  return body;
+}
+
+Body held(const Shape& shape, Complex position, double orientation = 0.0) {
+  Body body = turned(shape, position, orientation);
+  body.held = true;
   return body;
 }
 
@@ -43,6 +48,17 @@ Scene loaded(const std::vector<Body>& bodies, double separation) {
 
 Wall container(double radius) {
   return {.role = WallRole::outer, .shape = Circle{radius}};
+}
+
+// Bodies in a container that turns once in 2 pi.
+Scene in_turning_container(double radius, const std::vector<Body>& bodies, double separation) {
+  Scene scene;
+  scene.walls = {container(radius)};
+  scene.walls[0].motion = RotatingWall{1.0};
+  scene.bodies = bodies;
+  scene.contact = ContactSettings{separation};
+  scene.solver.tolerance = 1e-3;
+  return scene;
 }
 
 // Least gap of all written states, by the curves' formulas.
@@ -285,16 +301,13 @@ BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
 // resolve the force that keeps the two apart in a step that is too long.
 BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
   const double separation = 0.033;
-  Scene scene;
-  scene.walls = {container(2.75)};
-  scene.walls[0].motion = RotatingWall{1.0};
-  scene.bodies = {body_at(Ellipse{1.2, 0.18}, {0.0, -2.2}, automatic_nodes)};
+  Scene scene = in_turning_container(
+      2.75, {body_at(Ellipse{1.2, 0.18}, {0.0, -2.2}, automatic_nodes)}, separation);
   Complex& position = scene.bodies[0].position;
   const PlacedShape wall{Circle{2.75}, {}, 0.0, true};
   while (exact_gap({scene.bodies[0].shape, position}, wall) > 1.01 * separation) {
     position -= Complex(0.0, 1e-4);
   }
-  scene.contact = ContactSettings{separation};
   scene = over(scene, 0.3, 0.1);
   const auto run_to = [&](double tolerance) {
     scene.solver.tolerance = tolerance;
@@ -317,16 +330,10 @@ BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
 // The density of a film under pressure is thousands of times the velocities. To a body elsewhere,
 // errors of the film's quadrature must not look like those that nodes mend.
 BOOST_AUTO_TEST_CASE(forces_ask_for_no_nodes_but_where_they_act) {
-  Scene scene;
-  scene.walls = {container(1.8773)};
-  scene.walls[0].motion = RotatingWall{1.0};
-  scene.bodies = {body_at(Ellipse{0.6688, 0.3824}, {-0.4357, -1.1251}, automatic_nodes),
-                  body_at(Ellipse{1.2848, 0.1724}, {0.8626, -0.9645}, automatic_nodes)};
-  scene.bodies[0].orientation = -0.184;
-  scene.bodies[1].orientation = 3.8755;
-  scene.solver.tolerance = 1e-3;
+  const std::vector<Body> bodies{turned(Ellipse{0.6688, 0.3824}, {-0.4357, -1.1251}, -0.184),
+                                 turned(Ellipse{1.2848, 0.1724}, {0.8626, -0.9645}, 3.8755)};
   for (const double separation : {0.027, 0.029, 0.031}) {
-    scene.contact = ContactSettings{separation};
+    const Scene scene = in_turning_container(1.8773, bodies, separation);
     const RecordedRun run = recorded_run(over(scene, 0.5, 0.125));
     BOOST_TEST(run.steps.back().contacts == 1);
     BOOST_TEST(run.resolution.most_nodes[0] <= 96);
@@ -337,20 +344,12 @@ BOOST_AUTO_TEST_CASE(forces_ask_for_no_nodes_but_where_they_act) {
 // On the nodes that the flow of a full container asks for, forces across its films may have
 // responses that no fluid has, and then together no solution, however short the step.
 BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
-  Scene scene;
-  scene.walls = {container(1.4786)};
-  scene.walls[0].motion = RotatingWall{1.0};
-  const auto ellipse = [&](double a, double b, Complex position, double orientation) {
-    scene.bodies.push_back(body_at(Ellipse{a, b}, position, automatic_nodes));
-    scene.bodies.back().orientation = orientation;
-  };
-  ellipse(0.7313, 0.4112, {-0.2567, -0.9849}, 6.0375);
-  ellipse(1.2912, 0.2015, {0.1579, 0.5839}, 2.8759);
-  ellipse(0.6835, 0.3006, {0.6799, -0.3884}, 6.2988);
-  ellipse(0.5926, 0.2749, {-0.7573, -0.2246}, -0.1092);
-  ellipse(1.0274, 0.1932, {-0.2525, 0.2073}, 2.9845);
-  scene.contact = ContactSettings{0.0448};
-  scene.solver.tolerance = 1e-3;
+  const std::vector<Body> bodies{turned(Ellipse{0.7313, 0.4112}, {-0.2567, -0.9849}, 6.0375),
+                                 turned(Ellipse{1.2912, 0.2015}, {0.1579, 0.5839}, 2.8759),
+                                 turned(Ellipse{0.6835, 0.3006}, {0.6799, -0.3884}, 6.2988),
+                                 turned(Ellipse{0.5926, 0.2749}, {-0.7573, -0.2246}, -0.1092),
+                                 turned(Ellipse{1.0274, 0.1932}, {-0.2525, 0.2073}, 2.9845)};
+  const Scene scene = in_turning_container(1.4786, bodies, 0.0448);
   const RecordedRun run = recorded_run(over(scene, 0.8, 0.08));
   BOOST_TEST(run.steps.back().contacts > 1);
   BOOST_TEST(run.totals.rejected_steps <= 2);
