@@ -1,9 +1,8 @@
 #include "study/tables.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "study/html.hpp"
 
@@ -59,19 +58,30 @@ std::optional<CostMeasure> shown_cost(const Experiment& experiment,
   return costs.back();
 }
 
-/// What a convergence table has for every line.
-struct LineColumns {
-  std::string slope;                ///< order or rate; empty: none
-  std::optional<CostMeasure> cost;  ///< if the table has one
-  std::size_t count() const { return 1 + (slope.empty() ? 0 : 1) + (cost ? 1 : 0); }
+/// How fast errors fall between neighbouring points, as axes show it: by the order or the rate.
+struct Slope {
+  std::string name;
+  std::vector<double> (*between)(std::span<const Measurement>);
 };
 
-LineColumns line_columns(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  const std::string slope = experiment.axes == Axes::log_log    ? "order"
-                            : experiment.axes == Axes::semi_log ? "rate"
-                                                                : "";
-  return {slope, shown_cost(experiment, lines)};
+std::optional<Slope> shown_slope(Axes axes) {
+  switch (axes) {
+    case Axes::log_log:
+      return Slope{"order", local_orders};
+    case Axes::semi_log:
+      return Slope{"rate", local_rates};
+    case Axes::nominal:
+      break;
+  }
+  return std::nullopt;
 }
+
+/// What a convergence table has for every line.
+struct LineColumns {
+  std::optional<Slope> slope;
+  std::optional<CostMeasure> cost;
+  std::size_t count() const { return 1 + (slope ? 1 : 0) + (cost ? 1 : 0); }
+};
 
 /// Error, slope and cost of a line at x; empty where it was not measured.
 std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
@@ -82,7 +92,7 @@ std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
     const std::string grey = used ? "" : " class=\"left-out\"";
     const Measurement& point = line.measurements[i];
     return cell(html_number(point.error), grey) +
-           (columns.slope.empty() ? "" : cell(html_number(slopes[i]), grey)) +
+           (columns.slope ? cell(html_number(slopes[i]), grey) : "") +
            (columns.cost ? cell(html_number(point.*columns.cost->value), grey) : "");
   }
   return cell("", span(columns.count()));
@@ -91,7 +101,7 @@ std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
 }  // namespace
 
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  const LineColumns each = line_columns(experiment, lines);
+  const LineColumns each{shown_slope(experiment.axes), shown_cost(experiment, lines)};
   const auto& cost = each.cost;
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
@@ -101,11 +111,10 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Line& line = experiment.lines[k];
     const LineResult& result = lines[k];
-    slopes.push_back(experiment.axes == Axes::log_log ? local_orders(result.measurements)
-                                                      : local_rates(result.measurements));
+    slopes.push_back(each.slope ? each.slope->between(result.measurements) : std::vector<double>{});
     names += head(escaped(line.label), width);
     columns +=
-        head("error") + (each.slope.empty() ? "" : head(each.slope)) + (cost ? head("cost") : "");
+        head("error") + (each.slope ? head(each.slope->name) : "") + (cost ? head("cost") : "");
     for (const Measurement& point : result.measurements) xs.insert(point.x);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
                                      escaped(law_text(line.claim->law, experiment.x))
