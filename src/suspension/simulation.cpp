@@ -58,22 +58,6 @@ constexpr double least_step_of_an_instant = 1e-6;
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
 
-// Vectors of any number in a checkpoint.
-void keep(History& history, const std::string& name, const std::vector<VectorXd>& vectors) {
-  for (std::size_t k = 0; k < vectors.size(); ++k) {
-    history[name + "_" + std::to_string(k)] = vectors[k];
-  }
-}
-
-std::vector<VectorXd> kept(const History& history, const std::string& name) {
-  std::vector<VectorXd> vectors;
-  while (true) {
-    const auto found = history.find(name + "_" + std::to_string(vectors.size()));
-    if (found == history.end()) return vectors;
-    vectors.push_back(found->second);
-  }
-}
-
 }  // namespace
 
 Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
@@ -87,47 +71,6 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       begun_(latest_) {
   latest_.gmres_tolerance = solver.plan().gmres_tolerance;
   if (solver.scene().contact) contact_.emplace(solver);
-}
-
-void Simulation::resume(const Checkpoint& checkpoint) {
-  now_ = {checkpoint.t, checkpoint.state, {}};
-  totals_.steps = checkpoint.step;
-  memory_ = to_memory(checkpoint.history);
-  written_ = checkpoint.history.at("written")[0];
-  const std::size_t components = to_configuration(now_.state).size();
-  latest_.densities.unpack(kept(checkpoint.history, "density"), components);
-  latest_.contacts.densities.unpack(kept(checkpoint.history, "contact_density"), components);
-  latest_.contacts.loads =
-      checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
-  std::ranges::copy(kept(checkpoint.history, "contact_velocity"), latest_.added.begin());
-  for (const double nodes : checkpoint.history.at("nodes_in_contact")) {
-    latest_.in_contact.push_back({static_cast<int>(nodes), {}});
-  }
-  const VectorXd& tolerances = checkpoint.history.at("contact_tolerances");
-  latest_.gmres_tolerance = tolerances[0];
-  latest_.contacts.tolerance = tolerances[1];
-  latest_.error_estimate = checkpoint.history.at("estimate")[0];
-  latest_.since = static_cast<int>(checkpoint.history.at("estimate")[1]);
-  if (contact_) closer_ = to_pairs(checkpoint.history.at("closer"));
-}
-
-// The step under way is taken again after a resume: what it computes is the same to the last bit.
-Checkpoint Simulation::checkpoint() const {
-  Checkpoint checkpoint{now_.t, totals_.steps, now_.state, to_history(memory_)};
-  checkpoint.history["written"] = VectorXd::Constant(1, written_);
-  checkpoint.history["estimate"] =
-      VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};
-  keep(checkpoint.history, "density", begun_.densities.packed());
-  keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
-  checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
-  keep(checkpoint.history, "contact_velocity", {begun_.added.begin(), begun_.added.end()});
-  VectorXd nodes(static_cast<Eigen::Index>(begun_.in_contact.size()));
-  std::ranges::transform(begun_.in_contact, nodes.begin(), &Resolution::n_nodes);
-  checkpoint.history["nodes_in_contact"] = nodes;
-  checkpoint.history["contact_tolerances"] =
-      VectorXd{{begun_.gmres_tolerance, begun_.contacts.tolerance}};
-  if (contact_) checkpoint.history["closer"] = to_numbers(closer_);
-  return checkpoint;
 }
 
 void Simulation::run() {
