@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,27 @@ std::vector<study::Study> all_studies() {
   return {trapezoid_study(),     double_layer_study(),  closure_study(), null_space_study(),
           krylov_study(),        near_singular_study(), stress_study(),  fmm_study(),
           time_stepping_study(), stiv_study(),          lcp_study(),     suspension_study()};
+}
+
+bool named(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Keeps the experiments of these names, and the studies that have one of them.
+void keep_named(std::vector<study::Study>& studies, const std::vector<std::string>& keys) {
+  std::set<std::string> known;
+  for (study::Study& study : studies) {
+    for (const study::Experiment& experiment : study.experiments) known.insert(experiment.key);
+    std::erase_if(study.experiments, [&](const study::Experiment& experiment) {
+      return !named(keys, experiment.key);
+    });
+  }
+  std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
+  const CLI::IsMember one_of_them(known);
+  for (const std::string& key : keys) {
+    const std::string error = one_of_them(key);
+    if (!error.empty()) throw CLI::ValidationError("--experiment", error);
+  }
 }
 
 study::Provenance provenance() {
@@ -60,23 +82,24 @@ int main(int argc, char** argv) {
   omp_set_num_threads(1);  // seconds compare methods, whatever else the machine does
   CLI::App app{"Checks the claims of the book, one study a method"};
   std::vector<study::Study> studies = all_studies();
-  std::vector<std::string> names, known;
-  for (const study::Study& study : studies) known.push_back(study.name);
+  std::vector<std::string> methods, known_methods, experiments;
+  for (const study::Study& study : studies) known_methods.push_back(study.name);
   study::Size size = study::Size::quick;
   std::string directory = "out/study";
-  app.add_option("name", names, "methods to study [all]")->check(CLI::IsMember(known));
+  app.add_option("name", methods, "methods to study [all]")->check(CLI::IsMember(known_methods));
+  app.add_option("--experiment", experiments, "experiments of them to do, by their keys [all]")
+      ->option_text("KEY ...");
   app.add_option("--size", size, "quick: enough for every claim; full: more and harder points")
       ->transform(CLI::CheckedTransformer(std::map<std::string, study::Size>{
           {"quick", study::Size::quick}, {"full", study::Size::full}}));
   app.add_option("--out", directory, "directory of the results [out/study]");
   try {
     app.parse(argc, argv);
+    std::erase_if(studies, [&](const study::Study& study) { return !named(methods, study.name); });
+    keep_named(studies, experiments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
-  std::erase_if(studies, [&](const study::Study& study) {
-    return !names.empty() && std::ranges::find(names, study.name) == names.end();
-  });
   try {
     return run_studies(studies, size, directory);
   } catch (const RecordError& error) {
