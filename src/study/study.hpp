@@ -43,7 +43,7 @@ struct Line {
 enum class Axes {
   log_log,   ///< algebraic laws
   semi_log,  ///< geometric laws
-  nominal,   ///< cases by their number, with nothing between them: no orders, no rates
+  nominal,   ///< what follows no law, as cases by their number do: no orders, no rates
 };
 
 /// Several lines over the same quantity.

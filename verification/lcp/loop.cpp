@@ -403,7 +403,7 @@ Experiment clips() {
           .title = "Gaps whose linearisations contradict each other",
           .x = "free velocity u",
           .error = "error of the velocity",
-          .axes = Axes::semi_log,
+          .axes = Axes::nominal,
           .lines = {
               {.key = "clipped",
                .label = "clipped after a ray",

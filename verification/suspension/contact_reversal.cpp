@@ -107,7 +107,7 @@ Experiment reversal_table() {
       .title = "Two disks of radius 1/2 in shear that reverses: how far they end from their start",
       .x = "separation, in pi/32, d",
       .error = "distance of both centres from their start, over that of the start from the origin",
-      .axes = Axes::semi_log,
+      .axes = Axes::nominal,
       .lines = {
           {.key = "difference",
            .label = "largest difference from the published table, relative",

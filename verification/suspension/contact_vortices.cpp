@@ -142,7 +142,7 @@ Experiment taylor_green_in_contact() {
               "steps of 0.025 unless said, in the quick size ten times as long",
           .x = "time t",
           .error = "part of the separation, or number",
-          .axes = Axes::semi_log,
+          .axes = Axes::nominal,
           .lines = {{.key = "lost",
                      .label = "part of the separation that the narrowest gap lacks",
                      .measure = lost(1.0),

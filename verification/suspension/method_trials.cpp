@@ -59,13 +59,15 @@ Scene injection_and_back(Size) {
 }
 
 // Until shortly before the first contact.
-Scene vortices(Size size) {
-  Scene scene = test::ellipses_in_vortices();
-  if (size == Size::quick) {
-    std::erase_if(scene.bodies,
-                  [](const Body& body) { return std::abs(body.position.imag()) > 0.5; });
-  }
-  return until(scene, 2.0);
+Scene vortices(Size) {
+  return until(test::ellipses_in_vortices(), 2.0);
+}
+
+Scene a_third_of_the_vortices(Size size) {
+  Scene scene = vortices(size);
+  std::erase_if(scene.bodies,
+                [](const Body& body) { return std::abs(body.position.imag()) > 0.5; });
+  return scene;
 }
 
 Scene couette(Size size) {
@@ -127,15 +129,20 @@ const Trial injection_trial{.key = "injection",
                             .steps = {0.1, 0.05, 0.025},
                             .tolerances = {0.3, 0.1, 1e-2}};
 
-const Trial vortices_trial{
-    .key = "vortices",
-    .title = "Ellipses in Taylor-Green vortices at t = 2, in the quick study 16 of 48",
-    .error = "largest error of a position or angle",
-    .scene = vortices,
-    .adapted = SteppingMethod::dormand_prince54,
-    .steps = {0.025, 0.0125, 0.00625},
-    .tolerances = {0.1, 0.03, 0.01},
-    .reference = [](Scene scene) { return by(scene, SteppingMethod::rk4, 0.05, 1e-5); }};
+Trial in_vortices(const std::string& key, const std::string& bodies, Scene (*scene)(Size)) {
+  return {.key = key,
+          .title = bodies + " in Taylor-Green vortices at t = 2",
+          .error = "largest error of a position or angle",
+          .scene = scene,
+          .adapted = SteppingMethod::dormand_prince54,
+          .steps = {0.025, 0.0125, 0.00625},
+          .tolerances = {0.1, 0.03, 0.01, 3e-3},
+          .reference = [](Scene all) { return by(all, SteppingMethod::rk4, 0.05, 1e-5); }};
+}
+
+const Trial vortices_trial =
+                in_vortices("vortices", "16 of the 48 ellipses", a_third_of_the_vortices),
+            all_vortices_trial = in_vortices("all_vortices", "48 ellipses", vortices);
 
 const Trial couette_trial{
     .key = "couette",
@@ -183,13 +190,22 @@ Experiment figure(const Trial& trial) {
           .operation = "million node pairs"};
 }
 
+/// Those that no longer step of theirs is as good as: nobody would take the others.
+std::vector<Outcome> worth_their_steps(const std::vector<Outcome>& runs) {
+  std::vector<Outcome> found;
+  for (const Outcome& run : runs) {
+    if (found.empty() || run.error < found.back().error) found.push_back(run);
+  }
+  return found;
+}
+
 /// For the error of each published run, the least of ours that are at least as good over what the
 /// published one takes.
 Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
   return [=](Size size) {
     const std::vector<Outcome> contenders = outcomes(trial, way, size);
     std::vector<Measurement> measurements;
-    for (const Outcome& published : outcomes(trial, Way::published, size)) {
+    for (const Outcome& published : worth_their_steps(outcomes(trial, Way::published, size))) {
       double least = std::numeric_limits<double>::infinity();
       for (const Outcome& ours : contenders) {
         if (ours.error <= published.error) least = std::min(least, ours.*cost);
@@ -201,16 +217,15 @@ Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
   };
 }
 
-/// @param  share  of the work, in any of the runs or in their median
 Line share_of_work(const std::string& id, const std::string& label, const Trial& trial,
-                   const Law& share) {
+                   double share) {
   return {.key = trial.key,
           .label = label,
           .measure = shares(trial, &Outcome::pairs, Way::ours),
           .claim = Claim{.id = id,
                          .statement = "For the error of a published run, " + label +
                                       " take no more than this share of its work.",
-                         .law = share,
+                         .law = Identity{share},
                          .reason = "steps of a higher order, where they are needed; nodes where "
                                    "they are needed",
                          .api = {"stokesbook::Simulation"}},
@@ -227,13 +242,12 @@ Experiment shares_of_work() {
           .title = "Work for the error of a published run, over its own",
           .x = "error of the published run e",
           .error = "node pairs of ours over those of the published run",
-          .lines = {
-              share_of_work("12_40", "two disks in extension", extension_trial, Identity{0.6}),
-              share_of_work("12_41", "two disks in shear, reversed", disks_trial, Identity{0.5}),
-              share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, Identity{0.6}),
-              share_of_work("12_43", "injection, reversed", injection_trial, Identity{0.6}),
-              share_of_work("12_44", "ellipses in vortices", vortices_trial, Floor{0.2, 3.0}),
-              share_of_work("12_45", "viscosity of a Couette cell", couette_trial, Identity{0.5})}};
+          .lines = {share_of_work("12_40", "two disks in extension", extension_trial, 0.6),
+                    share_of_work("12_41", "two disks in shear, reversed", disks_trial, 0.5),
+                    share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, 0.6),
+                    share_of_work("12_43", "injection, reversed", injection_trial, 0.6),
+                    share_of_work("12_44", "16 ellipses in vortices", vortices_trial, 0.6),
+                    share_of_work("12_45", "viscosity of a Couette cell", couette_trial, 0.5)}};
 }
 
 Experiment shares_of_steps() {
@@ -245,7 +259,7 @@ Experiment shares_of_steps() {
                     share_of_steps("two disks in shear, reversed", disks_trial),
                     share_of_steps("eight lobed bodies in shear", lobed_trial),
                     share_of_steps("injection, reversed", injection_trial),
-                    share_of_steps("ellipses in vortices", vortices_trial),
+                    share_of_steps("16 ellipses in vortices", vortices_trial),
                     share_of_steps("viscosity of a Couette cell", couette_trial)}};
 }
 
@@ -253,8 +267,8 @@ Experiment shares_of_steps() {
 
 std::vector<Experiment> methods_compared() {
   return {figure(extension_trial), figure(disks_trial),    figure(lobed_trial),
-          figure(injection_trial), figure(vortices_trial), figure(couette_trial),
-          shares_of_work(),        shares_of_steps()};
+          figure(injection_trial), figure(vortices_trial), figure(all_vortices_trial),
+          figure(couette_trial),   shares_of_work(),       shares_of_steps()};
 }
 
 }  // namespace stokesbook::verification::suspension
