@@ -17,6 +17,9 @@ constexpr double period = 2.0 * std::numbers::pi;
 // Factor of e^{-rate n}: more than the largest measured on pairs of circles.
 constexpr double error_factor = 1e5;
 
+// Of crowding, tried in turn.
+const std::vector<double> strengths{0.5, 1.0, 2.0, 4.0};
+
 // Crowding must save this many times the nodes that the shape asks for.
 constexpr double worthwhile = 1.5;
 
@@ -46,17 +49,21 @@ std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_d
   return clusters;
 }
 
-// The least depth of all gaps, and of singularities of a shape at one depth all around.
-double least_rate(const Grading& grading, const std::vector<GapDemand>& gaps, double shape_depth) {
+// For each strength the least depth of all gaps, and of singularities of a shape at one depth all
+// around.
+std::vector<double> least_rates(const std::vector<Cluster>& clusters,
+                                const std::vector<GapDemand>& gaps, double shape_depth) {
   constexpr int places = 64;
-  double rate = shape_depth;
-  for (int k = 0; k < places; ++k) {
-    rate = std::min(rate, graded_depth(grading, period * k / places, shape_depth));
-  }
+  std::vector<double> rates(strengths.size(), shape_depth);
+  const auto look_at = [&](double parameter, double depth) {
+    const std::vector<double> depths = graded_depths(clusters, strengths, parameter, depth);
+    for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = std::min(rates[i], depths[i]);
+  };
+  for (int k = 0; k < places; ++k) look_at(period * k / places, shape_depth);
   for (const auto& [parameter, depth] : gaps) {
-    if (std::isfinite(depth)) rate = std::min(rate, graded_depth(grading, parameter, depth));
+    if (std::isfinite(depth)) look_at(parameter, depth);
   }
-  return rate;
+  return rates;
 }
 
 }  // namespace
@@ -74,10 +81,10 @@ Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, d
   const double digits = std::log(error_factor / tolerance);
   const double shape_depth = digits / shape_nodes;
   const std::vector<Cluster> clusters = clusters_for(gaps, shape_depth);
-  for (const double strength : {0.5, 1.0, 2.0, 4.0}) {
-    const Grading grading{clusters, strength};
-    const int n = multiple_of_16(digits / least_rate(grading, gaps, shape_depth));
-    if (n < best.n_nodes) best = {n, grading};
+  const std::vector<double> rates = least_rates(clusters, gaps, shape_depth);
+  for (std::size_t i = 0; i < strengths.size(); ++i) {
+    const int n = multiple_of_16(digits / rates[i]);
+    if (n < best.n_nodes) best = {n, {clusters, strengths[i]}};
   }
   return best;
 }

@@ -29,7 +29,7 @@ struct GapDemand {
 /// @throws std::invalid_argument when shape_nodes, the tolerance or a depth is not positive
 /// @par Accuracy        circles meet the tolerance at gaps down to 1e-5: @ref claim_03_38,
 /// @ref claim_03_39, @ref claim_03_40
-/// @par Cost            256 evaluations of graded_depth() a cluster and gap
+/// @par Cost            an evaluation of graded_depths() a gap, and 64 more
 /// @par Not for         tolerances below what rounding leaves, about 1e-16 gap^(-3/2)
 Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance);
 

@@ -20,8 +20,8 @@ Number carlson_rf(Number x, Number y, Number z) {
   for (;;) {
     const Number mean = (x + y + z) / 3.0;
     const Number dx = 1.0 - x / mean, dy = 1.0 - y / mean, dz = -dx - dy;
-    // The series errs by the sixth power of the differences.
-    if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) < 2e-3) {
+    // The series errs by the sixth power of the differences; norms are their squares.
+    if (std::max({std::norm(dx), std::norm(dy), std::norm(dz)}) < 2e-3 * 2e-3) {
       const Number e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
       return (1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0) /
              std::sqrt(mean);
@@ -118,26 +118,41 @@ class MapFromCluster {
       constants_;               // their integrals at t_c
 };
 
-void require_valid(const Grading& grading) {
+void require_valid(const std::vector<Cluster>& clusters, const std::vector<double>& strengths) {
   const auto require = [](bool valid, const std::string& what, double value) {
     if (!valid)
       throw std::invalid_argument("a grading's " + what + ", got " + std::to_string(value));
   };
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  require(positive(grading.strength), "strength must be positive", grading.strength);
-  for (const Cluster& cluster : grading.clusters) {
+  for (const double strength : strengths) {
+    require(positive(strength), "strength must be positive", strength);
+  }
+  for (const Cluster& cluster : clusters) {
     require(positive(cluster.width), "widths must be positive", cluster.width);
     require(std::isfinite(cluster.parameter), "parameters must be finite", cluster.parameter);
   }
 }
 
-// C, the mean of m.
-double mean_density(const Grading& grading) {
+void require_valid(const Grading& grading) {
+  require_valid(grading.clusters, {grading.strength});
+}
+
+// All clusters' integrals over half a period.
+double half_period_integral(const std::vector<Cluster>& clusters) {
   double sum = 0.0;
-  for (const Cluster& cluster : grading.clusters) {
+  for (const Cluster& cluster : clusters) {
     sum += integral_in_period(std::numbers::pi, cluster.width);
   }
-  return 1.0 + grading.strength * sum / std::numbers::pi;
+  return sum;
+}
+
+// C, the mean of m.
+double mean_density(double strength, double half_integral) {
+  return 1.0 + strength * half_integral / std::numbers::pi;
+}
+
+double mean_density(const Grading& grading) {
+  return mean_density(grading.strength, half_period_integral(grading.clusters));
 }
 
 }  // namespace
@@ -195,15 +210,26 @@ double graded_position(const Grading& grading, double parameter) {
   return graded_positions(grading, {{parameter, 1.0, 0.0}}).front();
 }
 
-double graded_depth(const Grading& grading, double parameter, double depth) {
-  require_valid(grading);
+std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
+                                  const std::vector<double>& strengths, double parameter,
+                                  double depth) {
+  require_valid(clusters, strengths);
   double sum = 0.0;
-  for (const Cluster& cluster : grading.clusters) {
+  for (const Cluster& cluster : clusters) {
     const Complex t{std::remainder(parameter - cluster.parameter, period), depth};
     // Right on a cut of the branch, over a cluster or opposite to it, the sign is that of a zero.
     sum += std::abs(integral_in_period(t, cluster.width).imag());
   }
-  return (depth + grading.strength * sum) / mean_density(grading);
+  const double half_integral = half_period_integral(clusters);
+  std::vector<double> depths;
+  for (const double strength : strengths) {
+    depths.push_back((depth + strength * sum) / mean_density(strength, half_integral));
+  }
+  return depths;
+}
+
+double graded_depth(const Grading& grading, double parameter, double depth) {
+  return graded_depths(grading.clusters, {grading.strength}, parameter, depth).front();
 }
 
 }  // namespace stokesbook

@@ -110,6 +110,19 @@ double graded_position(const Grading& grading, double parameter);
 /// @par Accuracy      1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
 double graded_depth(const Grading& grading, double parameter, double depth);
 
+/// Computes graded_depth() for gradings that differ in their strength only, for the cost of one.
+///
+/// @param  clusters   of all gradings
+/// @param  strengths  of the gradings
+/// @param  parameter  p, radians
+/// @param  depth      d, radians, > 0
+/// @return            rate for each strength, radians
+/// @throws std::invalid_argument as graded_parameters()
+/// @par Cost          two elliptic integrals a cluster
+std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
+                                  const std::vector<double>& strengths, double parameter,
+                                  double depth);
+
 /// @}
 
 }  // namespace stokesbook

@@ -286,18 +286,21 @@ BOOST_AUTO_TEST_CASE(the_depth_of_a_singularity_is_the_integral_up_to_it) {
 }
 
 BOOST_AUTO_TEST_CASE(over_its_cluster_a_singularity_is_as_deep_as_the_arc_sine_says) {
-  const double width = 1e-3, strength = 2.0;
-  const Grading grading{{{0.4, width}}, strength};
-  const double mean = mean_density(grading);
-  for (double ratio : {0.1, 0.5, 0.9}) {
-    const double expected = (ratio * width + strength * std::asin(ratio)) / mean;
-    BOOST_TEST(std::abs(graded_depth(grading, 0.4, ratio * width) / expected - 1.0) < 1e-6);
-  }
+  const double width = 1e-3;
+  const std::vector<Cluster> clusters{{0.4, width}};
+  const std::vector<double> strengths{0.5, 2.0, 4.0};
+  const auto check = [&](double depth, double integral_up_to_it) {
+    const std::vector<double> depths = graded_depths(clusters, strengths, 0.4, depth);
+    for (std::size_t i = 0; i < strengths.size(); ++i) {
+      const Grading grading{clusters, strengths[i]};
+      const double expected = (depth + strengths[i] * integral_up_to_it) / mean_density(grading);
+      BOOST_TEST(std::abs(depths[i] / expected - 1.0) < 1e-6);
+      BOOST_TEST(graded_depth(grading, 0.4, depth) == depths[i]);
+    }
+  };
+  for (double ratio : {0.1, 0.5, 0.9}) check(ratio * width, std::asin(ratio));
   // Deeper ones gain no more than the depth itself.
-  for (double depth : {1e-3, 1e-2, 1.0}) {
-    const double expected = (depth + strength * 0.5 * pi) / mean;
-    BOOST_TEST(std::abs(graded_depth(grading, 0.4, depth) / expected - 1.0) < 1e-6);
-  }
+  for (double depth : {1e-3, 1e-2, 1.0}) check(depth, 0.5 * pi);
   BOOST_TEST(graded_depth({}, 0.4, 0.125) == 0.125);
 }
 
@@ -308,6 +311,8 @@ BOOST_AUTO_TEST_CASE(gradings_that_make_no_sense_are_refused) {
     BOOST_CHECK_THROW(sample(Circle{1.0}, 16, Side::fluid_outside, grading), std::invalid_argument);
     BOOST_CHECK_THROW(graded_parameters(grading, 16), std::invalid_argument);
     BOOST_CHECK_THROW(graded_depth(grading, 0.0, 1.0), std::invalid_argument);
+    BOOST_CHECK_THROW(graded_depths(grading.clusters, {1.0, grading.strength}, 0.0, 1.0),
+                      std::invalid_argument);
   };
   for (double bad : {0.0, -1.0, nan, infinity}) {
     refused({{{0.0, bad}}});
