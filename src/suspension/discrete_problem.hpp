@@ -14,6 +14,7 @@ struct DiscreteProblem {
   StokesProblem problem;        ///< components with their nodes and data
   SuspensionOperator system;    ///< density in, velocity at the nodes out
   LinearMap precondition = {};  ///< interleaved, as GMRES takes it; empty: none
+  bool is_factorised = false;   ///< the preconditioner solves, but for its near corrections' errors
 };
 
 /// Solves a system by GMRES.

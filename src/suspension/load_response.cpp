@@ -4,12 +4,14 @@
 #include <functional>
 #include <utility>
 
+#include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 
 namespace stokesbook {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::SparseMatrix;
 using Eigen::SparseVector;
 using Eigen::VectorXd;
 
@@ -18,13 +20,35 @@ namespace {
 // Relative difference of loads that count as one: what it changes is below the solver's tolerance.
 constexpr double same_load = 1e-9;
 
-// Each refinement leaves a few hundredths of what was missing; where one leaves more than half, or
-// as many are needed, columns are too coarse: between flat gaps weights may go to and fro.
-constexpr double least_progress = 0.5;
-constexpr int most_refinements = 6;
+// Residual to which columns are solved, at most.
+constexpr double most_solved_tolerance = 1e-2;
 
-// Columns of the next configuration: after two refinements or more, and after fewer.
-constexpr double closer_columns = 0.1, coarser_columns = 2.0;
+// Cosine of the angle between loads so alike that the answer to one tells that to the other to
+// AnsweredLoads::most_tolerance.
+constexpr double alike = 0.995;
+
+// What columns ten times as close take, about. Where refinements have taken as many, or weights go
+// to and fro, as between flat gaps, columns are too coarse.
+constexpr int iterations_of_closer_column = 5;
+
+// Columns then, and those of the next configuration.
+constexpr double closer = 0.1, coarser = 10.0;
+
+// Of each load, the part that no other of them tells, up to a factor: 1 where all are well apart.
+VectorXd parts_apart(const SparseMatrix<double>& loads) {
+  const SparseMatrix<double> products = loads.transpose() * loads;
+  const VectorXd squares = products.diagonal();
+  VectorXd parts = VectorXd::Ones(loads.cols());
+  for (Index j = 0; j < products.outerSize(); ++j) {
+    for (SparseMatrix<double>::InnerIterator product(products, j); product; ++product) {
+      const Index i = product.row();
+      const double cosine_squared = product.value() * product.value() / (squares[i] * squares[j]);
+      const bool same = cosine_squared > 1.0 - same_load;
+      if (!same) parts[i] = std::min(parts[i], 2.0 * std::sqrt(1.0 - cosine_squared));
+    }
+  }
+  return parts;
+}
 
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
@@ -54,35 +78,66 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configu
 
 void LoadResponse::begin() {
   flow_ = discrete_->system.right_hand_side().norm();
+  over_lengths_ = VectorXd::Ones(static_cast<Index>(3 * references_.size()));
+  for (std::size_t k = 0; k < references_.size(); ++k) {
+    over_lengths_[static_cast<Index>(3 * k + 2)] =
+        1.0 / RigidModes(references_[k]->curve, {}).gyration_radius();
+  }
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
-    guesses_.push_back({earlier_.loads.col(i).sparseView(), guesses.col(i)});
+    const SparseVector<double> load = earlier_.loads.col(i).sparseView();
+    guesses_.push_back({load, as_forces(load), guesses.col(i)});
   }
+}
+
+SparseVector<double> LoadResponse::as_forces(const SparseVector<double>& load) const {
+  return over_lengths_.asDiagonal() * load;
 }
 
 Closure LoadResponse::closure(const SparseVector<double>& load) const {
   return Closure(under_loads(discrete_->problem, load));
 }
 
-ComplexVector LoadResponse::guess(const SparseVector<double>& load) const {
+LoadResponse::Answer LoadResponse::taken_over(const SparseVector<double>& load) const {
+  const SparseVector<double> forces = as_forces(load);
   const Answer* nearest = nullptr;
   double most = 0.0;
   for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
     for (const Answer& answer : known) {
-      const double likeness = std::abs(load.dot(answer.load)) / answer.load.norm();
+      const double likeness = std::abs(forces.dot(answer.forces)) / answer.forces.norm();
       if (likeness <= most) continue;
       most = likeness;
       nearest = &answer;
     }
   }
-  if (nearest == nullptr) return {};
-  return load.dot(nearest->load) / nearest->load.squaredNorm() * nearest->density;
+  if (nearest == nullptr) return {load, forces, {}};
+  const double part = forces.dot(nearest->forces) / nearest->forces.squaredNorm();
+  Answer answer{load, forces, part * nearest->density};
+  if (most > alike * forces.norm()) {
+    answer.tolerance = AnsweredLoads::most_tolerance;
+    complete(answer);
+  }
+  return answer;
 }
 
-ComplexVector LoadResponse::density(const ComplexVector& rhs, double tolerance,
-                                    const ComplexVector& guess) {
+LoadResponse::Answer LoadResponse::by_factors(const SparseVector<double>& load) const {
+  const ComplexVector rhs = closure(load).right_hand_side();
+  Answer answer{load, as_forces(load), deinterleaved(discrete_->precondition(interleaved(rhs)))};
+  answer.tolerance = exact_;
+  complete(answer);
+  return answer;
+}
+
+void LoadResponse::complete(Answer& answer) const {
+  const Closure closure = this->closure(answer.load);
+  answer.flow = closure.right_hand_side().norm();
+  answer.motions = closure.complete(answer.density).motions;
+}
+
+GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
+                                const ComplexVector& guess) {
   const GmresOptions options{tolerance, solver_.scene().solver.gmres_max_iterations};
-  const GmresResult result = solve(*discrete_, rhs, options, guess);
+  GmresResult result = stokesbook::solve(*discrete_, rhs, options, guess);
   if (!result.converged) {
     throw NumericsRefused("GMRES did not converge for a contact force in " +
                           std::to_string(result.iterations) +
@@ -91,39 +146,42 @@ ComplexVector LoadResponse::density(const ComplexVector& rhs, double tolerance,
   ++solves_;
   cost_.gmres_iterations += result.iterations;
   cost_.matvecs += result.applications;
-  return deinterleaved(result.solution);
+  return result;
 }
 
-std::size_t LoadResponse::answer(const SparseVector<double>& load) {
-  auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
-    return (load - answer.load).norm() <= same_load * load.norm();
+std::size_t LoadResponse::index_of(const SparseVector<double>& load) {
+  const SparseVector<double> forces = as_forces(load);
+  const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+    return (forces - answer.forces).norm() <= same_load * forces.norm();
   });
-  if (known == answers_.end()) {
-    answers_.push_back({load, guess(load)});
-    known = answers_.end() - 1;
-    refinements_ = 0;
-  }
-  if (known->tolerance > tolerance_) {
-    const Closure closure = this->closure(known->load);
-    const ComplexVector rhs = closure.right_hand_side();
-    known->density = density(rhs, tolerance_, known->density);
-    known->flow = rhs.norm();
-    known->motions = closure.complete(known->density).motions;
-    known->tolerance = tolerance_;
-  }
-  return static_cast<std::size_t>(known - answers_.begin());
+  if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
+  answers_.push_back(discrete_->is_factorised ? by_factors(load) : taken_over(load));
+  spent_ = 0;
+  return answers_.size() - 1;
 }
 
-MatrixXd LoadResponse::operator()(const Eigen::SparseMatrix<double>& loads) {
+// Loads that are nearly parallel, of two points of a flat gap, are told apart by as closer solves.
+void LoadResponse::answer(Answer& asked, double part_apart) {
+  if (asked.tolerance <= std::max(exact_, part_apart * tolerance_)) return;
+  asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
+  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
+  complete(asked);
+}
+
+MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
   if (answers_.empty() && guesses_.empty()) begin();
   MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
+  const VectorXd parts = parts_apart(over_lengths_.asDiagonal() * loads);
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
-    latest_.push_back(answer(loads.col(column)));
-    const std::vector<RigidMotion>& motions = answers_[latest_.back()].motions;
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      velocities.block<3, 1>(static_cast<Index>(3 * k), column) << motions[k].velocity.real(),
-          motions[k].velocity.imag(), motions[k].omega;
+    latest_.push_back(index_of(loads.col(column)));
+    Answer& asked = answers_[latest_.back()];
+    answer(asked, parts[column]);
+    for (std::size_t k = 0; k < asked.motions.size(); ++k) {
+      const auto& [velocity, omega] = asked.motions[k];
+      velocities.block<3, 1>(static_cast<Index>(3 * k), column) << velocity.real(), velocity.imag(),
+          omega;
     }
   }
   return velocities;
@@ -150,29 +208,32 @@ double LoadResponse::residual_since(const VectorXd& weights) const {
 }
 
 bool LoadResponse::refine(const VectorXd& multipliers) {
-  if (multipliers.size() == 0 || multipliers.isZero(0.0) || tolerance_ <= exact_) return false;
+  if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
   const VectorXd weights = this->weights(multipliers);
-  const double missing_now = residual_since(weights);
-  if (refined_.size() > 0 && missing_now <= 0.5 * exact_ * flow_) return false;
-  const bool stalls = refinements_ > 0 && missing_now > least_progress * missing_;
-  if (stalls || refinements_ == most_refinements) return tighten();
-  missing_ = missing_now;
+  const double missing = residual_since(weights);
+  if (refined_.size() > 0 && missing <= allowed_) return false;
+  const auto columns = static_cast<int>((weights.array() != 0.0).count());
+  const bool diverges = spent_ > 0 && missing > missing_;
+  if (diverges || spent_ > iterations_of_closer_column * columns) return tighten();
+  missing_ = missing;
   const LoadSolution sum = combined(multipliers);
   const Closure closure = this->closure(combined_load(multipliers));
   const ComplexVector rhs = closure.right_hand_side();
-  const int before = cost_.gmres_iterations;
-  const double tolerance = exact_ * std::max(1.0, flow_ / rhs.norm());
-  const ComplexVector found = density(rhs, tolerance, sum.density);
+  const double strength = std::max(flow_, rhs.norm());
+  const GmresResult found = solve(rhs, exact_ * strength / rhs.norm(), sum.density);
   refined_ = weights;
-  if (cost_.gmres_iterations == before) return false;
-  ++refinements_;
-  ++all_refinements_;
-  const ComplexVector missing = (found - sum.density) / weights.squaredNorm();
+  allowed_ = 0.5 * exact_ * strength;
+  if (found.iterations == 0) return false;
+  spent_ += found.iterations;
+  const double more_than_known = found.history.front() * rhs.norm() / missing;
+  const ComplexVector change =
+      (deinterleaved(found.solution) - sum.density) / weights.squaredNorm();
   for (std::size_t i = 0; i < answers_.size(); ++i) {
     const double weight = weights[static_cast<Index>(i)];
     if (weight == 0.0) continue;
     Answer& answer = answers_[i];
-    answer.density += weight * missing;
+    answer.tolerance *= std::max(1.0, more_than_known);
+    answer.density += weight * change;
     answer.motions = closure.complete(answer.density).motions;
   }
   return true;
@@ -180,7 +241,8 @@ bool LoadResponse::refine(const VectorXd& multipliers) {
 
 bool LoadResponse::tighten() {
   if (tolerance_ <= exact_) return false;
-  tolerance_ = exact_;
+  tolerance_ = std::max(exact_, closer * tolerance_);
+  spent_ = 0;
   return true;
 }
 
@@ -212,8 +274,7 @@ AnsweredLoads LoadResponse::answered() const {
     densities.col(i) = answer.density;
   }
   result.densities.add(0.0, configuration_, references_, std::move(densities));
-  const double factor = all_refinements_ > 1 ? closer_columns : coarser_columns;
-  result.tolerance = std::min(AnsweredLoads::most_tolerance, factor * tolerance_);
+  result.tolerance = std::min(AnsweredLoads::most_tolerance, coarser * tolerance_);
   return result;
 }
 

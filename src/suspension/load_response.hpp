@@ -23,9 +23,10 @@ struct LoadSolution {
 struct AnsweredLoads {
   Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
   DensityHistory densities{1};  ///< that answered them, a column each
-  /// Residual of columns that only weights are to follow from.
-  static constexpr double most_tolerance = 1e-3;
-  double tolerance = most_tolerance;  ///< relative residual to which columns are solved next
+  /// Residual that the answer to a load is taken to leave in a configuration a step later, of a
+  /// load that has turned by a tenth at most.
+  static constexpr double most_tolerance = 0.1;
+  double tolerance = most_tolerance;  ///< relative residual that columns may leave next
 };
 
 /// Answers loads on free bodies of one configuration with the motions that they cause: the mobility
@@ -35,13 +36,17 @@ struct AnsweredLoads {
 /// components go to their supports and move nothing.
 ///
 /// What is wanted in the end is the answer to one combination of the loads, whose weights depend on
-/// the columns themselves. So each column is solved for to a residual of a thousandth only, from
-/// which weights follow to a few hundredths. refine() then solves for their combination as exactly
-/// as the solver does for everything else, and corrects the columns by what was missing. Weights by
-/// these change little. Where that had to be done twice, as between flat gaps, columns of the next
-/// configuration are solved ten times as closely, and less so again by a factor of two each time
-/// that once was enough. Solves begin with the most similar answer, of this configuration or of an
-/// earlier one.
+/// the columns themselves. So columns need not be exact: refine() solves for the combination as
+/// exactly as the solver does for everything else, corrects the columns by what was missing, and
+/// the weights follow from these. A column is
+/// - the factorised system's, where there is one;
+/// - else that of an earlier configuration, where the load has hardly turned since: it costs
+///   nothing, and so contact that lasts costs a few iterations a step, however many the pairs;
+/// - else solved for to a residual of a hundredth, from the most similar answer.
+///
+/// The residual of a combination tells how good columns are. Those that leave more than they were
+/// taken to are solved for; and all are, ten times as closely, where refinements have taken as
+/// many iterations as that will. The next configuration's may leave twice as much again.
 class LoadResponse {
  public:
   /// Takes the configuration; nothing is solved yet.
@@ -63,9 +68,10 @@ class LoadResponse {
   /// @throws NumericsRefused when GMRES does not converge
   /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
   ///                component do not balance
-  /// @par Accuracy  residual of a thousandth of the load's own flow, after tighten() that of the
-  ///                solver; forces found with refine(), @ref claim_12_10
-  /// @par Cost      a solve for each new load
+  /// @par Accuracy  residual of a tenth of the load's own flow, to that of the solver by tighten();
+  ///                forces found with refine(), @ref claim_12_10
+  /// @par Cost      a solve for each load that is new and unlike all others, @ref claim_12_17; back
+  ///                substitutions only where the system is factorised
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
   /// Makes the combination of the latest columns exact: its residual is that which the solver
@@ -74,15 +80,15 @@ class LoadResponse {
   /// What is missing is added to the columns in proportion to their weights, the least change that
   /// makes their combination right (Broyden's), so that they answer alike next time.
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
-  /// @return              true when columns have changed; false when they did
+  /// @return              true when columns have changed, or are to be solved for more closely;
+  ///                      false when the combination is as exact as it gets
   /// @throws NumericsRefused when GMRES does not converge
-  /// @par Cost      a solve; none after tighten(), nor where multipliers have hardly changed
+  /// @par Cost      a solve; none where multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
-  /// Solves for columns as exactly as the solver does for everything else from now on, those
-  /// answered so far included.
+  /// Solves for columns ten times as closely from now on, those answered so far included.
   ///
-  /// @return  false when that was so before
+  /// @return  false when they were as exact before as the solver makes everything else
   bool tighten();
 
   /// Adds up the solutions of the latest call.
@@ -108,18 +114,23 @@ class LoadResponse {
   /// @cond
   struct Answer {
     Eigen::SparseVector<double> load;
+    Eigen::SparseVector<double> forces;  // the same, torques over a component's radius of gyration
     ComplexVector density;
     std::vector<RigidMotion> motions{};
-    double tolerance = 1.0;  // of its residual
+    double tolerance = 1.0;  // of its residual, as far as is known
     double flow = 0.0;       // norm of its right-hand side
   };
   /// @endcond
   void begin();
-  std::size_t answer(const Eigen::SparseVector<double>& load);
-  ComplexVector density(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
+  std::size_t index_of(const Eigen::SparseVector<double>& load);
+  Answer taken_over(const Eigen::SparseVector<double>& load) const;
+  Answer by_factors(const Eigen::SparseVector<double>& load) const;
+  void answer(Answer& asked, double part_apart);
+  void complete(Answer& answer) const;
+  GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
   double residual_since(const Eigen::VectorXd& weights) const;
-  ComplexVector guess(const Eigen::SparseVector<double>& load) const;
+  Eigen::SparseVector<double> as_forces(const Eigen::SparseVector<double>& load) const;
   Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
 
@@ -131,13 +142,14 @@ class LoadResponse {
   double tolerance_;  // of columns
   std::shared_ptr<const DiscreteProblem> discrete_;
   double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
+  Eigen::VectorXd over_lengths_;     // what makes forces of loads, 1 / length for torques
   std::vector<Answer> guesses_;      // earlier answers on the nodes of this configuration
   std::vector<Answer> answers_;      // of all loads so far
   std::vector<std::size_t> latest_;  // those of the latest call's columns
   Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
-  int refinements_ = 0;              // since the latest new column
-  int all_refinements_ = 0;          // of this configuration
-  double missing_ = 0.0;             // residual that weights had brought in at the latest of them
+  double missing_ = 0.0;             // residual that weights had brought in then
+  double allowed_ = 0.0;             // of these weights' combination
+  int spent_ = 0;                    // iterations of refinements since then or the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };

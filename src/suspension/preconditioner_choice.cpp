@@ -15,8 +15,13 @@ constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 // In separations: pairs that a step may press.
 constexpr double in_contact = 1.1;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_contact = 1600,
-                       most_nodes_a_contact = 200, most_nodes_in_clusters = 256;
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_clusters = 256;
+
+// Of systems in contact; within walls, where films are thin and iterations are many, and without.
+struct MostNodes {
+  Eigen::Index in_all, a_contact;
+};
+constexpr MostNodes within_walls{1600, 800}, without_walls{800, 200};
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
   return reference->kind != ComponentKind::enclosing_wall;
@@ -47,7 +52,9 @@ bool direct_pays(const std::vector<Gap>& gaps, const References& references, dou
   for (const auto& reference : references) nodes += reference->curve.size();
   const auto contacts = std::ranges::count_if(
       gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
-  if (nodes <= std::min(most_nodes_in_contact, most_nodes_a_contact * contacts)) return true;
+  const auto [in_all, a_contact] =
+      std::ranges::all_of(references, is_inner) ? without_walls : within_walls;
+  if (nodes <= std::min(in_all, a_contact * contacts)) return true;
   return nodes <= most_nodes_of_direct &&
          3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
 }

@@ -13,8 +13,9 @@ namespace stokesbook {
 
 /// Tells whether a factorisation of the whole system takes less time than the iterations that it
 /// saves: for 1000 nodes or fewer, where a third as many pairs as there are components, or more,
-/// have gaps below 0.02 of the smaller radius of gyration; or for 1600 nodes or fewer, where there
-/// is a pair in contact to 200 of them or fewer, since each asks for the response to its force.
+/// have gaps below 0.02 of the smaller radius of gyration; and where pairs are in contact, since
+/// each asks for the response to its force: within an enclosing wall for 1600 nodes or fewer, and
+/// 800 a pair; without one for 800, and 200 a pair.
 ///
 /// @param  gaps        from find_gaps()
 /// @param  references  of each component

@@ -234,11 +234,11 @@ Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
   const std::vector<Gap> gaps = open_gaps(configuration);
   const System system =
       this->system(configuration, gaps, first_resolutions(configuration, gaps), drive);
-  const auto& [problem, apply, precondition] = *system.discrete;
+  const SuspensionOperator& apply = system.discrete->system;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
-  sweep.solution = interleaved(before) + precondition(interleaved(residual));
+  sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
   Solution solution = completed(system, std::move(sweep), drive);
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();

@@ -82,6 +82,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
     case PreconditionerKind::direct:
       discrete.precondition =
           DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
+      discrete.is_factorised = true;
       return discrete;
     case PreconditionerKind::clusters:
       discrete.precondition = cluster_preconditioner(problem, configuration, references, near);

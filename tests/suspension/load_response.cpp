@@ -1,0 +1,105 @@
+// Responses to loads: by earlier ones, corrected, the same as by solves for each.
+
+#include "suspension/load_response.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "support/touching.hpp"
+
+namespace stokesbook::test {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+using Loads = Eigen::SparseMatrix<double>;
+
+// Forces that push neighbours in a chain of five apart, at points that are turned by an angle.
+Loads pushes(const Configuration& chain, double turn) {
+  Loads loads(15, 4);
+  for (int k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const Complex apart = chain[i].position - chain[i + 1].position;
+    const Complex force = std::polar(1.0, std::arg(apart) + turn);
+    for (const auto& [body, sign] : {std::pair{k, 1.0}, std::pair{k + 1, -1.0}}) {
+      loads.insert(3 * body, k) = sign * force.real();
+      loads.insert(3 * body + 1, k) = sign * force.imag();
+      loads.insert(3 * body + 2, k) = -std::sin(turn);
+    }
+  }
+  return loads;
+}
+
+struct Chain {
+  SuspensionSolver solver{disk_chain(0.1)};
+  Configuration start = solver.initial_configuration();
+
+  // Bodies have moved by some thousandths.
+  Configuration moved() const {
+    Configuration moved = start;
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      const auto i = static_cast<double>(k);
+      moved[k].position += 0.004 * std::polar(1.0, i * i);
+      moved[k].orientation += 0.003 * i;
+    }
+    return moved;
+  }
+
+  MatrixXd exact(const Configuration& configuration, const Loads& loads) const {
+    AnsweredLoads none;
+    none.tolerance = 0.0;
+    return LoadResponse(solver, configuration, solver.solve(configuration), none)(loads);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
+  const Chain chain;
+  LoadResponse before(chain.solver, chain.start, chain.solver.solve(chain.start));
+  before(pushes(chain.start, 0.0));
+  BOOST_TEST(before.solves() == 4);
+  const Configuration moved = chain.moved();
+  const Loads loads = pushes(moved, 0.0);
+  LoadResponse now(chain.solver, moved, chain.solver.solve(moved), before.answered());
+  now(loads);
+  BOOST_TEST(now.solves() == 0);
+  const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // whose flow is stronger than the shear
+  const VectorXd expected = chain.exact(moved, loads) * weights;
+  const auto error = [&] {
+    return (now(loads) * weights - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+  };
+  BOOST_TEST(error() > 1e-5);
+  while (now.refine(weights)) now(loads);
+  BOOST_TEST(error() < 1e-6);  // a hundred times the residual of the solver
+  BOOST_TEST(now.solves() <= 2);
+}
+
+BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
+  const Chain chain;
+  const Solution solution = chain.solver.solve(chain.start);
+  LoadResponse before(chain.solver, chain.start, solution);
+  before(pushes(chain.start, 0.0));
+  LoadResponse now(chain.solver, chain.start, solution, before.answered());
+  now(pushes(chain.start, 0.2));
+  BOOST_TEST(now.solves() == 4);
+}
+
+// As at two points of a flat gap: what tells them apart is known as well as each of them.
+BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
+  const Chain chain;
+  for (const double turn : {1e-1, 1e-2, 1e-3}) {
+    Loads loads(15, 2);
+    loads.col(0) = pushes(chain.start, 0.0).col(1);
+    loads.col(1) = pushes(chain.start, turn).col(1);
+    const VectorXd difference{{-1.0, 1.0}};
+    const VectorXd expected = chain.exact(chain.start, loads) * difference;
+    LoadResponse respond(chain.solver, chain.start, chain.solver.solve(chain.start));
+    const VectorXd found = respond(loads) * difference;
+    BOOST_TEST((found - expected).norm() < 0.1 * expected.norm());
+  }
+}
+
+}  // namespace stokesbook::test
