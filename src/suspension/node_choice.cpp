@@ -47,6 +47,13 @@ Resolutions finer(Resolutions resolutions) {
   return resolutions;
 }
 
+Resolutions coarser(Resolutions resolutions) {
+  for (Resolution& resolution : resolutions) {
+    resolution.n_nodes = rounded_nodes(0.5 * resolution.n_nodes);
+  }
+  return resolutions;
+}
+
 Resolutions finer_automatic(const Scene& scene, Resolutions before) {
   const Resolutions raised = finer(before);
   for (std::size_t k = 0; k < before.size(); ++k) {

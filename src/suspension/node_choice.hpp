@@ -68,6 +68,12 @@ int rounded_nodes(double nodes);
 /// @return              even numbers of nodes for even ones
 Resolutions finer(Resolutions resolutions);
 
+/// Returns resolutions of half as many nodes, as far as rounded_nodes() goes.
+///
+/// @param  resolutions  of each component
+/// @return              coarser ones, as graded as they were
+Resolutions coarser(Resolutions resolutions);
+
 /// Makes automatic resolutions finer, and leaves given ones.
 ///
 /// @param  scene   that asks for them

@@ -98,6 +98,7 @@ class Simulation {
     AnsweredLoads contacts{};                // of the stage before
     std::array<Eigen::VectorXd, 2> added{};  // by contact to velocities, in a step's stages
     Resolutions in_contact{};                // that its forces asked for
+    int kept = 0;                            // steps with these
     double gmres_tolerance = 0.0;            // of these forces
     double error_estimate = 0.0;             // the latest
     int since = 0;                           // solves since then

@@ -42,6 +42,7 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   for (const double nodes : checkpoint.history.at("nodes_in_contact")) {
     latest_.in_contact.push_back({static_cast<int>(nodes), {}});
   }
+  latest_.kept = static_cast<int>(checkpoint.history.at("steps_in_contact")[0]);
   const VectorXd& tolerances = checkpoint.history.at("contact_tolerances");
   latest_.gmres_tolerance = tolerances[0];
   latest_.contacts.tolerance = tolerances[1];
@@ -63,6 +64,7 @@ Checkpoint Simulation::checkpoint() const {
   VectorXd nodes(static_cast<Eigen::Index>(begun_.in_contact.size()));
   std::ranges::transform(begun_.in_contact, nodes.begin(), &Resolution::n_nodes);
   checkpoint.history["nodes_in_contact"] = nodes;
+  checkpoint.history["steps_in_contact"] = VectorXd::Constant(1, begun_.kept);
   checkpoint.history["contact_tolerances"] =
       VectorXd{{begun_.gmres_tolerance, begun_.contacts.tolerance}};
   if (contact_) checkpoint.history["closer"] = to_numbers(closer_);

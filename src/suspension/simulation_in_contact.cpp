@@ -28,6 +28,10 @@ constexpr int most_iterations = 9;
 // How often a stage is solved again on more nodes for the forces of contact.
 constexpr int most_raised = 8;
 
+// After so many steps on the nodes that contact asked for, fewer are tried: what lasts need not ask
+// for them any more, and each step on them takes its time.
+constexpr int most_kept = 8;
+
 // What a solve without a step of its own moves the fastest boundary by.
 constexpr double separations_in_an_instant = 0.01;
 
@@ -105,6 +109,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     const bool enough = nodes_do && check.gmres_tolerance == latest_.gmres_tolerance;
     if (enough || found.free.raised == most_raised) return found;
     latest_.in_contact = check.needed;
+    latest_.kept = 0;
     latest_.gmres_tolerance = check.gmres_tolerance;
     free = nodes_do ? std::move(found.free) : on_more_nodes(stage, std::move(found.free));
     ++free.raised;
@@ -271,6 +276,9 @@ void Simulation::take_note(const StepInfo& step) {
   if (step.contacts == 0) {
     latest_.in_contact.clear();
     latest_.gmres_tolerance = solver_.plan().gmres_tolerance;
+  } else if (++latest_.kept == most_kept) {
+    latest_.in_contact = coarser(std::move(latest_.in_contact));
+    latest_.kept = 0;
   }
   ++totals_.steps;
   totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);

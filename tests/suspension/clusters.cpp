@@ -157,8 +157,7 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
-  BOOST_TEST((chosen(in_contact(disk_hexagon(2, 1e-1), 0.1)) == direct));
-  BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
+  BOOST_TEST((chosen(in_contact(disk_hexagon(2, 1e-1), 0.1)) == none));  // too many nodes
   BOOST_TEST((chosen(disk_packing(20)) == none));
   BOOST_TEST((chosen(disk_packing(150)) == clusters));
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));

@@ -356,4 +356,28 @@ BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
   BOOST_TEST(run.totals.rejected_steps <= 2);
 }
 
+// A disk rests in a container on sixteen times the nodes that it needs, as a film before may have
+// asked for.
+BOOST_AUTO_TEST_CASE(lasting_contact_gives_back_nodes) {
+  Body heavy = body_at(Circle{0.5}, {0.3, -1.3}, automatic_nodes);
+  heavy.force = {0.0, -20.0};
+  Scene scene = over(in_contact(QuiescentFlow{}, {heavy}, 0.05), 6.0, 0.1);
+  scene.walls = {{WallRole::outer, Circle{2.0}, {}, 0.0, automatic_nodes, {}}};
+  scene.output.dt_write = 2.0;
+  const SuspensionSolver solver(scene);
+  std::vector<Checkpoint> checkpoints;
+  Observer observer;
+  observer.checkpoint = [&](const Checkpoint& reached) { checkpoints.push_back(reached); };
+  Simulation(solver, observer).run();
+  Checkpoint fine = checkpoints.at(1);
+  BOOST_REQUIRE(fine.history.at("contact_loads").size() > 0);
+  fine.history["nodes_in_contact"] = VectorXd::Constant(2, 512.0);
+  Simulation resumed(solver, observer);
+  resumed.resume(fine);
+  resumed.run();
+  const Checkpoint& end = checkpoints.back();
+  BOOST_REQUIRE(end.history.at("contact_loads").size() > 0);
+  BOOST_TEST(end.history.at("nodes_in_contact").maxCoeff() <= 64.0);
+}
+
 }  // namespace stokesbook::test
