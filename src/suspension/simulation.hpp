@@ -151,6 +151,7 @@ class Simulation {
   void take_note(const StepInfo& step);
   ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
   void take_note(const LoadResponse& response);
+  void ask_for_less(bool in_contact);
   Corrected corrected(const Begun& begun, StepInfo& info);
   double instant(const Solution& solution) const;
   double planned_dt() const;

@@ -250,6 +250,7 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
       if (!contact_->admits(configuration, closer_)) {
         throw ConfigurationRefused("a step leads to gaps below contact.minimum_separation");
       }
+      ask_for_less(info.contacts > 0);
       Solved last = solve(begun.t_end, state, Role::step);
       info.t = begun.t_end;
       const double duration = corrected ? 0.5 * info.dt : info.dt;
@@ -272,14 +273,19 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
   }
 }
 
-void Simulation::take_note(const StepInfo& step) {
-  if (step.contacts == 0) {
+// Nodes and iterations that contact asked for, when it is over or has lasted. Before the solve at the
+// end of a step, since a resume begins with that.
+void Simulation::ask_for_less(bool in_contact) {
+  if (!in_contact) {
     latest_.in_contact.clear();
     latest_.gmres_tolerance = solver_.plan().gmres_tolerance;
   } else if (++latest_.kept == most_kept) {
     latest_.in_contact = coarser(std::move(latest_.in_contact));
     latest_.kept = 0;
   }
+}
+
+void Simulation::take_note(const StepInfo& step) {
   ++totals_.steps;
   totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
   totals_.largest_torque_imbalance =
