@@ -114,23 +114,24 @@ LoadResponse::Answer LoadResponse::taken_over(const SparseVector<double>& load) 
   const double part = forces.dot(nearest->forces) / nearest->forces.squaredNorm();
   Answer answer{load, forces, part * nearest->density};
   if (most > alike * forces.norm()) {
+    const Closure closure = this->closure(load);
     answer.tolerance = AnsweredLoads::most_tolerance;
-    complete(answer);
+    complete(answer, closure, closure.right_hand_side());
   }
   return answer;
 }
 
 LoadResponse::Answer LoadResponse::by_factors(const SparseVector<double>& load) const {
-  const ComplexVector rhs = closure(load).right_hand_side();
+  const Closure closure = this->closure(load);
+  const ComplexVector rhs = closure.right_hand_side();
   Answer answer{load, as_forces(load), deinterleaved(discrete_->precondition(interleaved(rhs)))};
   answer.tolerance = exact_;
-  complete(answer);
+  complete(answer, closure, rhs);
   return answer;
 }
 
-void LoadResponse::complete(Answer& answer) const {
-  const Closure closure = this->closure(answer.load);
-  answer.flow = closure.right_hand_side().norm();
+void LoadResponse::complete(Answer& answer, const Closure& closure, const ComplexVector& rhs) {
+  answer.flow = rhs.norm();
   answer.motions = closure.complete(answer.density).motions;
 }
 
@@ -164,9 +165,10 @@ std::size_t LoadResponse::index_of(const SparseVector<double>& load) {
 void LoadResponse::answer(Answer& asked, double part_apart) {
   if (asked.tolerance <= std::max(exact_, part_apart * tolerance_)) return;
   asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
-  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  const Closure closure = this->closure(asked.load);
+  const ComplexVector rhs = closure.right_hand_side();
   asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
-  complete(asked);
+  complete(asked, closure, rhs);
 }
 
 MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {

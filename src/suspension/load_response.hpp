@@ -126,7 +126,7 @@ class LoadResponse {
   Answer taken_over(const Eigen::SparseVector<double>& load) const;
   Answer by_factors(const Eigen::SparseVector<double>& load) const;
   void answer(Answer& asked, double part_apart);
-  void complete(Answer& answer) const;
+  static void complete(Answer& answer, const Closure& closure, const ComplexVector& rhs);
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
   double residual_since(const Eigen::VectorXd& weights) const;
