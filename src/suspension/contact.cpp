@@ -65,8 +65,11 @@ bool is_close(const ContactResult& result, double separation) {
   return result.status == ContactStatus::not_converged && result.violations.back() < separation;
 }
 
-bool needs_better_response(ContactStatus status) {
-  return status == ContactStatus::response_not_seen || status == ContactStatus::no_linear_solution;
+// Whether a response that does not do has been made one that may.
+bool is_better(LoadResponse& response, ContactStatus status) {
+  const bool unsolved = status == ContactStatus::no_linear_solution;
+  if (!unsolved && status != ContactStatus::response_not_seen) return false;
+  return response.tighten() || (unsolved && response.keep_correction());
 }
 
 }  // namespace
@@ -229,7 +232,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   attempt();
   // With all pairs that were pressed from the beginning, what was close to an end often gets there.
   if (is_close(outcome.result, separation_)) attempt();
-  while (needs_better_response(outcome.result.status) && response.tighten()) attempt();
+  while (is_better(response, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];
@@ -239,7 +242,11 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
         {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
-  const bool solved = result.status != ContactStatus::no_linear_solution;
+  if (result.status == ContactStatus::resolved) {
+    outcome.corrected = response.corrected_by(result.multipliers);
+  }
+  const bool solved = result.status != ContactStatus::no_linear_solution &&
+                      outcome.corrected <= solver_.scene().solver.tolerance;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
     const StageRow& row = rows.seen(result.keys[i]);

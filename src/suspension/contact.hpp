@@ -52,9 +52,10 @@ struct ContactOutcome {
   double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
   double kkt_residual = 0.0;         ///< of the result, in separations
   int iterations = 0;                ///< linear problems, those on columns too coarse included
+  double corrected = 0.0;            ///< LoadResponse::corrected_by(), of what is resolved
   double seconds = 0.0;              ///< wall time, those of the responses included
-  /// Pairs that do not open under their own force, or under no forces of all of them: what too few
-  /// nodes do.
+  /// Pairs that do not open under their own force, or under no forces of all of them, or only by
+  /// more correction of the response than the solver's tolerance: what too few nodes do.
   std::vector<std::pair<std::size_t, std::size_t>> unseen{};
 };
 

@@ -1,11 +1,14 @@
 #include "suspension/load_response.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
+#include "suspension/definite_correction.hpp"
 
 namespace stokesbook {
 
@@ -30,6 +33,9 @@ constexpr double alike = 0.995;
 // What columns ten times as close take, about. Where refinements have taken as many, or weights go
 // to and fro, as between flat gaps, columns are too coarse.
 constexpr int iterations_of_closer_column = 5;
+
+// Part of the solver's tolerance by which what keeps the mobility definite may move components.
+constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
 
 // Columns then, and those of the next configuration.
 constexpr double closer = 0.1, coarser = 10.0;
@@ -74,14 +80,18 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configu
       earlier_(std::move(earlier)),
       exact_(exact.value_or(solver.plan().gmres_tolerance)),
       tolerance_(std::max(earlier_.tolerance, exact_)),
-      discrete_(solution.system) {}
+      discrete_(solution.system),
+      velocity_scale_(solution.velocity_scale),
+      most_correction_(most_correction * solver.scene().solver.tolerance) {}
 
 void LoadResponse::begin() {
   flow_ = discrete_->system.right_hand_side().norm();
-  over_lengths_ = VectorXd::Ones(static_cast<Index>(3 * references_.size()));
+  over_lengths_ = VectorXd::Zero(static_cast<Index>(3 * references_.size()));
   for (std::size_t k = 0; k < references_.size(); ++k) {
-    over_lengths_[static_cast<Index>(3 * k + 2)] =
-        1.0 / RigidModes(references_[k]->curve, {}).gyration_radius();
+    const Reference& reference = *references_[k];
+    if (reference.kind != ComponentKind::free_body) continue;
+    const double radius = RigidModes(reference.curve, {}).gyration_radius();
+    over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0, 1.0 / radius;
   }
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
@@ -173,8 +183,9 @@ void LoadResponse::answer(Answer& asked, double part_apart) {
 
 MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
   if (answers_.empty() && guesses_.empty()) begin();
-  MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
-  const VectorXd parts = parts_apart(over_lengths_.asDiagonal() * loads);
+  velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  const SparseMatrix<double> forces = over_lengths_.asDiagonal() * loads;
+  const VectorXd parts = parts_apart(forces);
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
     latest_.push_back(index_of(loads.col(column)));
@@ -182,11 +193,32 @@ MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
     answer(asked, parts[column]);
     for (std::size_t k = 0; k < asked.motions.size(); ++k) {
       const auto& [velocity, omega] = asked.motions[k];
-      velocities.block<3, 1>(static_cast<Index>(3 * k), column) << velocity.real(), velocity.imag(),
-          omega;
+      velocities_.block<3, 1>(static_cast<Index>(3 * k), column) << velocity.real(),
+          velocity.imag(), omega;
     }
   }
-  return velocities;
+  correction_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  if (corrects_) {
+    const MatrixXd works = loads.transpose() * velocities_;
+    correction_ = over_lengths_.asDiagonal() * definite_correction(forces, works);
+  }
+  return velocities_ + correction_;
+}
+
+double LoadResponse::fastest(const VectorXd& velocities) const {
+  double largest = 0.0;
+  for (Index i = 0; i < velocities.size(); i += 3) {
+    if (over_lengths_[i] == 0.0) continue;
+    const double omega = velocities[i + 2] / over_lengths_[i + 2];
+    largest = std::max({largest, std::hypot(velocities[i], velocities[i + 1]), std::abs(omega)});
+  }
+  return largest;
+}
+
+double LoadResponse::corrected_by(const VectorXd& multipliers) const {
+  if (multipliers.isZero(0.0)) return 0.0;
+  const double scale = std::max(velocity_scale_, fastest(velocities_ * multipliers));
+  return fastest(correction_ * multipliers) / scale;
 }
 
 // The columns of the latest call that share an answer count together.
@@ -211,6 +243,12 @@ double LoadResponse::residual_since(const VectorXd& weights) const {
 
 bool LoadResponse::refine(const VectorXd& multipliers) {
   if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
+  if (improve(multipliers)) return true;
+  if (corrected_by(multipliers) <= most_correction_) return false;
+  return tighten() || std::exchange(corrects_, false);
+}
+
+bool LoadResponse::improve(const VectorXd& multipliers) {
   const VectorXd weights = this->weights(multipliers);
   const double missing = residual_since(weights);
   if (refined_.size() > 0 && missing <= allowed_) return false;
@@ -239,6 +277,11 @@ bool LoadResponse::refine(const VectorXd& multipliers) {
     answer.motions = closure.complete(answer.density).motions;
   }
   return true;
+}
+
+bool LoadResponse::keep_correction() {
+  corrects_ = true;
+  return std::exchange(most_correction_, infinite) < infinite;
 }
 
 bool LoadResponse::tighten() {

@@ -44,6 +44,10 @@ struct AnsweredLoads {
 ///   nothing, and so contact that lasts costs a few iterations a step, however many the pairs;
 /// - else solved for to a residual of a hundredth, from the most similar answer.
 ///
+/// Columns whose errors make the mobility indefinite are corrected for it by definite_correction():
+/// up to a tenth of the solver's tolerance. Where that does not do they are solved for more closely,
+/// and in the end taken as they are.
+///
 /// The residual of a combination tells how good columns are. Those that leave more than they were
 /// taken to are solved for; and all are, ten times as closely, where refinements have taken as
 /// many iterations as that will. The next configuration's may leave twice as much again.
@@ -97,6 +101,19 @@ class LoadResponse {
   /// @return              their combination
   LoadSolution combined(const Eigen::VectorXd& multipliers) const;
 
+  /// Keeps corrections by definite_correction() from now on, however large.
+  ///
+  /// @return  false when they were kept before
+  bool keep_correction();
+
+  /// Tells how much of the combination of the latest columns is a correction.
+  ///
+  /// @param  multipliers  m numbers, one a column of the loads
+  /// @return              largest velocity of a component, over that of the scene's flow or that of
+  ///                      the combination where this is larger; angular ones times the radius of
+  ///                      gyration
+  double corrected_by(const Eigen::VectorXd& multipliers) const;
+
   /// Returns all answers, for a configuration to come.
   /// @return loads; none where nothing was asked
   AnsweredLoads answered() const;
@@ -128,9 +145,11 @@ class LoadResponse {
   void answer(Answer& asked, double part_apart);
   static void complete(Answer& answer, const Closure& closure, const ComplexVector& rhs);
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
+  bool improve(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
   double residual_since(const Eigen::VectorXd& weights) const;
   Eigen::SparseVector<double> as_forces(const Eigen::SparseVector<double>& load) const;
+  double fastest(const Eigen::VectorXd& velocities) const;
   Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
 
@@ -142,14 +161,20 @@ class LoadResponse {
   double tolerance_;  // of columns
   std::shared_ptr<const DiscreteProblem> discrete_;
   double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
-  Eigen::VectorXd over_lengths_;     // what makes forces of loads, 1 / length for torques
+  double velocity_scale_;            // largest velocity of the scene's flow
+  Eigen::VectorXd over_lengths_;     // what makes forces of loads, 1 / length for torques; 0 where
+                                     // supports bear them
   std::vector<Answer> guesses_;      // earlier answers on the nodes of this configuration
   std::vector<Answer> answers_;      // of all loads so far
   std::vector<std::size_t> latest_;  // those of the latest call's columns
-  Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
-  double missing_ = 0.0;             // residual that weights had brought in then
-  double allowed_ = 0.0;             // of these weights' combination
-  int spent_ = 0;                    // iterations of refinements since then or the latest new load
+  Eigen::MatrixXd velocities_;       // that they cause
+  Eigen::MatrixXd correction_;       // of these velocities
+  double most_correction_;           // by which it may move components, over the velocity scale
+  bool corrects_ = true;
+  Eigen::VectorXd refined_;  // weights of the answers whose combination is exact
+  double missing_ = 0.0;     // residual that weights had brought in then
+  double allowed_ = 0.0;     // of these weights' combination
+  int spent_ = 0;            // iterations of refinements since then or the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };

@@ -102,8 +102,8 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     const LoadedCheck check = this->check(stage, found);
     cost.matvecs += check.estimate.matvecs;
     totals_.matvecs += check.estimate.matvecs;
-    found.solution.error_estimate =
-        std::max(found.free.solution.error_estimate, check.estimate.error);
+    found.solution.error_estimate = std::max(
+        {found.free.solution.error_estimate, check.estimate.error, found.outcome.corrected});
     found.cost = cost;
     const bool nodes_do = check.needed == resolutions_of(found.free.solution.references);
     const bool enough = nodes_do && check.gmres_tolerance == latest_.gmres_tolerance;

@@ -2,8 +2,10 @@
 
 #include "suspension/load_response.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
+#include "scenes.hpp"
 #include "support/touching.hpp"
 
 namespace stokesbook::test {
@@ -54,6 +56,37 @@ struct Chain {
   }
 };
 
+// Two disks that touch each other and their container, and forces that push each pair apart. Those
+// that push all apart at once hardly do, since fluid gets between the three only through their gaps.
+struct TrappedFluid {
+  Scene scene;
+  Loads loads{9, 3};
+
+  explicit TrappedFluid(double gap, double tolerance) {
+    const double radius = 0.25, from_centre = 1.0 - radius - gap, aside = radius + 0.5 * gap;
+    const double below = -std::sqrt(from_centre * from_centre - aside * aside);
+    scene.bodies = {body(Circle{radius}, automatic_nodes, {-aside, below}),
+                    body(Circle{radius}, automatic_nodes, {aside, below}, 0.0, {{0.0, -1.0}, 0.0})};
+    scene.walls = {outer_wall(Circle{1.0}, automatic_nodes)};
+    scene.solver.tolerance = tolerance;
+    scene.solver.preconditioner = PreconditionerKind::block_diagonal;
+    for (const int disk : {0, 1}) {
+      const Complex position = scene.bodies[static_cast<std::size_t>(disk)].position;
+      const Complex inwards = -position / std::abs(position);
+      loads.insert(3 * disk, disk) = inwards.real();
+      loads.insert(3 * disk + 1, disk) = inwards.imag();
+      loads.insert(3 * disk, 2) = disk == 0 ? -1.0 : 1.0;
+    }
+  }
+};
+
+double least_scaled_eigenvalue(const MatrixXd& works) {
+  const VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(0.5 * (scaled + scaled.transpose()))
+      .eigenvalues()[0];
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
@@ -100,6 +133,42 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
     const VectorXd found = respond(loads) * difference;
     BOOST_TEST((found - expected).norm() < 0.1 * expected.norm());
   }
+}
+
+// Columns that were answered for wider gaps are wrong by more than the softest mode, until they are
+// told apart.
+BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
+  const double gap = 2e-3;
+  const auto respond_at = [](const SuspensionSolver& solver, const AnsweredLoads& earlier) {
+    const Configuration start = solver.initial_configuration();
+    return LoadResponse(solver, start, solver.solve(start), earlier);
+  };
+  const auto softest = [](const TrappedFluid& trapped, const MatrixXd& velocities) {
+    return least_scaled_eigenvalue(trapped.loads.transpose() * velocities);
+  };
+  AnsweredLoads none;
+  none.tolerance = 0.0;
+  const TrappedFluid resolved(gap, 1e-6);
+  const SuspensionSolver exactly(resolved.scene);
+  const double expected = softest(resolved, respond_at(exactly, none)(resolved.loads));
+  BOOST_TEST(expected > 0.0);
+  BOOST_TEST(expected < 1e-2);
+
+  const TrappedFluid wider(2.0 * gap, 1e-2), now(gap, 1e-2);
+  const SuspensionSolver before(wider.scene), solver(now.scene);
+  LoadResponse earlier = respond_at(before, {});
+  earlier(wider.loads);
+  LoadResponse response = respond_at(solver, earlier.answered());
+  double most_corrected = 0.0;
+  for (const double weight : {1.0, 3e3}) {
+    const VectorXd weights = VectorXd::Constant(3, weight);
+    do {
+      BOOST_TEST(softest(now, response(now.loads)) > 0.0);
+      most_corrected = std::max(most_corrected, response.corrected_by(weights));
+    } while (response.refine(weights));
+    BOOST_TEST(response.corrected_by(weights) <= 0.1 * now.scene.solver.tolerance);
+  }
+  BOOST_TEST(most_corrected > now.scene.solver.tolerance);
 }
 
 }  // namespace stokesbook::test
