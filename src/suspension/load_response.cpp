@@ -108,36 +108,33 @@ Closure LoadResponse::closure(const SparseVector<double>& load) const {
   return Closure(under_loads(discrete_->problem, load));
 }
 
-LoadResponse::Answer LoadResponse::taken_over(const SparseVector<double>& load) const {
-  const SparseVector<double> forces = as_forces(load);
+void LoadResponse::take_over(Answer& asked) const {
   const Answer* nearest = nullptr;
   double most = 0.0;
   for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
     for (const Answer& answer : known) {
-      const double likeness = std::abs(forces.dot(answer.forces)) / answer.forces.norm();
-      if (likeness <= most) continue;
+      const double likeness = std::abs(asked.forces.dot(answer.forces)) / answer.forces.norm();
+      if (!(likeness > most)) continue;
       most = likeness;
       nearest = &answer;
     }
   }
-  if (nearest == nullptr) return {load, forces, {}};
-  const double part = forces.dot(nearest->forces) / nearest->forces.squaredNorm();
-  Answer answer{load, forces, part * nearest->density};
-  if (most > alike * forces.norm()) {
-    const Closure closure = this->closure(load);
-    answer.tolerance = AnsweredLoads::most_tolerance;
-    complete(answer, closure, closure.right_hand_side());
+  if (nearest == nullptr) return;
+  const double part = asked.forces.dot(nearest->forces) / nearest->forces.squaredNorm();
+  asked.density = part * nearest->density;
+  if (most > alike * asked.forces.norm()) {
+    const Closure closure = this->closure(asked.load);
+    asked.tolerance = AnsweredLoads::most_tolerance;
+    complete(asked, closure, closure.right_hand_side());
   }
-  return answer;
 }
 
-LoadResponse::Answer LoadResponse::by_factors(const SparseVector<double>& load) const {
-  const Closure closure = this->closure(load);
+void LoadResponse::solve_by_factors(Answer& asked) const {
+  const Closure closure = this->closure(asked.load);
   const ComplexVector rhs = closure.right_hand_side();
-  Answer answer{load, as_forces(load), deinterleaved(discrete_->precondition(interleaved(rhs)))};
-  answer.tolerance = exact_;
-  complete(answer, closure, rhs);
-  return answer;
+  asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
+  asked.tolerance = exact_;
+  complete(asked, closure, rhs);
 }
 
 void LoadResponse::complete(Answer& answer, const Closure& closure, const ComplexVector& rhs) {
@@ -161,12 +158,17 @@ GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
 }
 
 std::size_t LoadResponse::index_of(const SparseVector<double>& load) {
-  const SparseVector<double> forces = as_forces(load);
+  Answer asked{load, as_forces(load), {}};
   const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
-    return (forces - answer.forces).norm() <= same_load * forces.norm();
+    return (asked.forces - answer.forces).norm() <= same_load * asked.forces.norm();
   });
   if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
-  answers_.push_back(discrete_->is_factorised ? by_factors(load) : taken_over(load));
+  if (discrete_->is_factorised) {
+    solve_by_factors(asked);
+  } else {
+    take_over(asked);
+  }
+  answers_.push_back(std::move(asked));
   spent_ = 0;
   return answers_.size() - 1;
 }

@@ -140,8 +140,8 @@ class LoadResponse {
   /// @endcond
   void begin();
   std::size_t index_of(const Eigen::SparseVector<double>& load);
-  Answer taken_over(const Eigen::SparseVector<double>& load) const;
-  Answer by_factors(const Eigen::SparseVector<double>& load) const;
+  void take_over(Answer& asked) const;
+  void solve_by_factors(Answer& asked) const;
   void answer(Answer& asked, double part_apart);
   static void complete(Answer& answer, const Closure& closure, const ComplexVector& rhs);
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
