@@ -4,8 +4,10 @@
 
 #include <random>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <boost/test/unit_test.hpp>
+
+#include "scaled_eigenvalues.hpp"
 
 namespace stokesbook::test {
 
@@ -34,12 +36,6 @@ struct Trapped {
     velocities = others * factor * factor.transpose() * others * loads;
   }
 };
-
-VectorXd scaled_eigenvalues(const MatrixXd& works) {
-  const VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(0.5 * (scaled + scaled.transpose())).eigenvalues();
-}
 
 }  // namespace
 

@@ -2,9 +2,9 @@
 
 #include "suspension/load_response.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <boost/test/unit_test.hpp>
 
+#include "scaled_eigenvalues.hpp"
 #include "scenes.hpp"
 #include "support/touching.hpp"
 
@@ -80,13 +80,6 @@ struct TrappedFluid {
   }
 };
 
-double least_scaled_eigenvalue(const MatrixXd& works) {
-  const VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
-  const MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(0.5 * (scaled + scaled.transpose()))
-      .eigenvalues()[0];
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
@@ -144,7 +137,7 @@ BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
     return LoadResponse(solver, start, solver.solve(start), earlier);
   };
   const auto softest = [](const TrappedFluid& trapped, const MatrixXd& velocities) {
-    return least_scaled_eigenvalue(trapped.loads.transpose() * velocities);
+    return scaled_eigenvalues(trapped.loads.transpose() * velocities)[0];
   };
   AnsweredLoads none;
   none.tolerance = 0.0;

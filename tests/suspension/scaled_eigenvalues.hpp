@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+
+namespace stokesbook::test {
+
+/// Eigenvalues of the symmetric part of a mobility, scaled to a unit diagonal; ascending.
+inline Eigen::VectorXd scaled_eigenvalues(const Eigen::MatrixXd& works) {
+  const Eigen::VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
+  const Eigen::MatrixXd symmetric = 0.5 * (scaled + scaled.transpose());
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
+}
+
+}  // namespace stokesbook::test
