@@ -65,8 +65,8 @@ bool is_close(const ContactResult& result, double separation) {
   return result.status == ContactStatus::not_converged && result.violations.back() < separation;
 }
 
-// Whether a response that does not do has been made one that may.
-bool is_better(LoadResponse& response, ContactStatus status) {
+// Makes a response that does not do one that may; false where there is none to be had.
+bool make_better(LoadResponse& response, ContactStatus status) {
   const bool unsolved = status == ContactStatus::no_linear_solution;
   if (!unsolved && status != ContactStatus::response_not_seen) return false;
   return response.tighten() || (unsolved && response.keep_correction());
@@ -232,7 +232,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   attempt();
   // With all pairs that were pressed from the beginning, what was close to an end often gets there.
   if (is_close(outcome.result, separation_)) attempt();
-  while (is_better(response, outcome.result.status)) attempt();
+  while (make_better(response, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];

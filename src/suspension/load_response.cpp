@@ -96,12 +96,8 @@ void LoadResponse::begin() {
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const SparseVector<double> load = earlier_.loads.col(i).sparseView();
-    guesses_.push_back({load, as_forces(load), guesses.col(i)});
+    guesses_.push_back({load, over_lengths_.asDiagonal() * load, guesses.col(i)});
   }
-}
-
-SparseVector<double> LoadResponse::as_forces(const SparseVector<double>& load) const {
-  return over_lengths_.asDiagonal() * load;
 }
 
 Closure LoadResponse::closure(const SparseVector<double>& load) const {
@@ -157,8 +153,7 @@ GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
   return result;
 }
 
-std::size_t LoadResponse::index_of(const SparseVector<double>& load) {
-  Answer asked{load, as_forces(load), {}};
+std::size_t LoadResponse::index_of(Answer asked) {
   const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
     return (asked.forces - answer.forces).norm() <= same_load * asked.forces.norm();
   });
@@ -190,7 +185,7 @@ MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
   const VectorXd parts = parts_apart(forces);
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
-    latest_.push_back(index_of(loads.col(column)));
+    latest_.push_back(index_of({loads.col(column), forces.col(column), {}}));
     Answer& asked = answers_[latest_.back()];
     answer(asked, parts[column]);
     for (std::size_t k = 0; k < asked.motions.size(); ++k) {

@@ -139,7 +139,7 @@ class LoadResponse {
   };
   /// @endcond
   void begin();
-  std::size_t index_of(const Eigen::SparseVector<double>& load);
+  std::size_t index_of(Answer asked);
   void take_over(Answer& asked) const;
   void solve_by_factors(Answer& asked) const;
   void answer(Answer& asked, double part_apart);
@@ -148,7 +148,6 @@ class LoadResponse {
   bool improve(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
   double residual_since(const Eigen::VectorXd& weights) const;
-  Eigen::SparseVector<double> as_forces(const Eigen::SparseVector<double>& load) const;
   double fastest(const Eigen::VectorXd& velocities) const;
   Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
@@ -170,11 +169,11 @@ class LoadResponse {
   Eigen::MatrixXd velocities_;       // that they cause
   Eigen::MatrixXd correction_;       // of these velocities
   double most_correction_;           // by which it may move components, over the velocity scale
-  bool corrects_ = true;
-  Eigen::VectorXd refined_;  // weights of the answers whose combination is exact
-  double missing_ = 0.0;     // residual that weights had brought in then
-  double allowed_ = 0.0;     // of these weights' combination
-  int spent_ = 0;            // iterations of refinements since then or the latest new load
+  bool corrects_ = true;             // at all
+  Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
+  double missing_ = 0.0;             // residual that weights had brought in then
+  double allowed_ = 0.0;             // of these weights' combination
+  int spent_ = 0;                    // iterations of refinements since then or the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };

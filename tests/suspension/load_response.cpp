@@ -62,7 +62,7 @@ struct TrappedFluid {
   Scene scene;
   Loads loads{9, 3};
 
-  explicit TrappedFluid(double gap, double tolerance) {
+  TrappedFluid(double gap, double tolerance) {
     const double radius = 0.25, from_centre = 1.0 - radius - gap, aside = radius + 0.5 * gap;
     const double below = -std::sqrt(from_centre * from_centre - aside * aside);
     scene.bodies = {body(Circle{radius}, automatic_nodes, {-aside, below}),

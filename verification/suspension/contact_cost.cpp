@@ -107,6 +107,10 @@ double share_of_time(int rings) {
          in_a_step(hexagon(rings, true), seconds);
 }
 
+Line shown(const std::string& key, const std::string& label, double (*quantity)(int rings)) {
+  return {.key = key, .label = label, .measure = over_rings(quantity)};
+}
+
 }  // namespace
 
 Experiment cost_of_contact() {
@@ -127,27 +131,13 @@ Experiment cost_of_contact() {
                                         "corrected; only new pairs ask for their own",
                               .api = {"stokesbook::LoadResponse"}},
                .control = Control{"a solve for each pair", over_rings(a_solve)}},
-              {.key = "with",
-               .label = "GMRES iterations with contact",
-               .measure = over_rings(with_contact)},
-              {.key = "without",
-               .label = "GMRES iterations without",
-               .measure = over_rings(without_contact)},
-              {.key = "iterations",
-               .label = "contact iterations",
-               .measure = over_rings(contact_iterations)},
-              {.key = "seconds_with",
-               .label = "seconds with contact",
-               .measure = over_rings(seconds_with)},
-              {.key = "seconds_without",
-               .label = "seconds without contact",
-               .measure = over_rings(seconds_without)},
-              {.key = "first_seconds",
-               .label = "seconds of the first step, with contact",
-               .measure = over_rings(first_seconds)},
-              {.key = "share_of_time",
-               .label = "part of the time that contact takes",
-               .measure = over_rings(share_of_time)}}};
+              shown("with", "GMRES iterations with contact", with_contact),
+              shown("without", "GMRES iterations without", without_contact),
+              shown("iterations", "contact iterations", contact_iterations),
+              shown("seconds_with", "seconds with contact", seconds_with),
+              shown("seconds_without", "seconds without contact", seconds_without),
+              shown("first_seconds", "seconds of the first step, with contact", first_seconds),
+              shown("share_of_time", "part of the time that contact takes", share_of_time)}};
 }
 
 }  // namespace stokesbook::verification::suspension
