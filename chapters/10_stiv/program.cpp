@@ -23,12 +23,14 @@ using std::numbers::pi;
 namespace {
 
 // [body]
-constexpr double separation = 0.1, tolerance = 1e-4;
+constexpr double separation = 0.1, tolerance = 1e-4, dip = 0.0;
 
 std::shared_ptr<const ContactShape> body(const Shape& shape) {
   return std::make_shared<ContactShape>(
       contact_shape(shape, Side::fluid_outside, 0.01 * separation));
 }
+
+const ContactRules rules{{separation}, tolerance, RowChoice::deepest, dip};
 // [body]
 
 RigidPath moving(Complex start, Complex displacement, double rotation = 0.0) {
@@ -45,7 +47,7 @@ void print_tunnelling() {
     const std::vector<RigidPath> paths{moving(-1.4, 0.5 * travel), moving(1.4, -0.5 * travel)};
     const PolygonGap at_end =
         polygon_gaps(circles, {paths[0].at(1.0), paths[1].at(1.0)}, 1e3).front();
-    const Interferences found = interferences(circles, paths, {{separation}, tolerance});
+    const Interferences found = interferences(circles, paths, rules);
     std::printf("%8.1f%22.3f", travel, at_end.gap);
     if (found.admits_step()) {
       std::puts("            -                -");
@@ -65,7 +67,7 @@ void print_valley() {
   std::puts("\nA disk that is pressed into the valley of a star\n");
   std::puts("  contact     volume      gap   first contact   normal, degrees from the axis");
   int number = 0;
-  for (const Contact& contact : interferences(shapes, paths, {{separation}, tolerance}).contacts) {
+  for (const Contact& contact : interferences(shapes, paths, rules).contacts) {
     ++number;
     if (!contact.is_violated()) continue;
     for (const ContactRow& row : contact.rows) {
@@ -85,7 +87,7 @@ void print_observers() {
       "  velocities of A, B         relative: V    on A    on B     absolute: V    on A    on B");
   for (const double b : {-0.2, 0.0, 0.4}) {
     const PathPair paths{0, 1, moving(0.0, b + 0.4), moving({2.2, 0.2}, b)};
-    const PairEvents events = pair_events(circles, paths, {separation, tolerance, 0.4});
+    const PairEvents events = pair_events(circles, paths, {separation, tolerance, 0.4, dip});
     const Contact contact = connected_contacts(events, tolerance, RowChoice::aggregate).front();
     const PairWrench& force = contact.rows.front().force;
     const AbsoluteVolume absolute = absolute_volume(events, tolerance);
@@ -147,8 +149,7 @@ constexpr const char *blue = "#1c7ed6", *orange = "#e8710a", *red = "#e03131";
 std::string diagram(double left, double velocity_a, double velocity_b, const std::string& text) {
   const ContactShapes circles{body(Circle{1.0}), body(Circle{1.0})};
   const RigidPath a = moving(-1.5, velocity_a), b = moving(1.5, velocity_b);
-  const double time =
-      interferences(circles, {a, b}, {{separation}, tolerance}).contacts.front().rows.front().time;
+  const double time = interferences(circles, {a, b}, rules).contacts.front().rows.front().time;
   const auto pixel = [&](double x, double tau) {
     return Complex{left + 34.0 * x, 250.0 - 190.0 * tau};
   };
@@ -189,14 +190,15 @@ struct Swept {
 };
 
 Swept swept(const ContactShapes& shapes, const PathPair& paths) {
-  const PairEvents pair = pair_events(shapes, paths, {separation, tolerance, 4.0 * separation});
+  const PairEvents pair =
+      pair_events(shapes, paths, {separation, tolerance, 4.0 * separation, dip});
   const RelativePath path(paths.path_a, paths.path_b);
   Swept swept;
   for (const VertexEvent& event : pair.events_a) {
     if (event.gap >= -tolerance) continue;
     const Complex x = shapes[paths.a]->polygon.vertex(event.vertex);
     swept.vertices.push_back(event.vertex);
-    swept.touched.push_back(path.at(event.measured)(x));
+    swept.touched.push_back(path.at(event.time)(x));
     swept.ended.push_back(path.end()(x));
     swept.normals.push_back(event.normal);
   }

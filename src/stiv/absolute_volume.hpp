@@ -21,7 +21,7 @@ struct AbsoluteVolume {
 /// This is for chapter 10 only, which shows what it does wrong: it depends on who observes, a body
 /// at rest that is hit feels nothing, one that is overtaken is pulled into the other, and forces do
 /// not add up to zero.
-/// @param  pair       events of two components
+/// @param  pair       events of two components, found without a dip: all have a time
 /// @param  tolerance  of gaps: events below its negative count, length
 /// @return            volume and forces
 /// @par Not for       contact: use connected_contacts()

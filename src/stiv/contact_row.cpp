@@ -23,9 +23,9 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
   // Between the centres: no arm is a difference of two places far from both.
   const Complex apart = other.start.centre - mine.start.centre;
   const Complex apart_at_end = apart + (other.displacement - mine.displacement);
-  const Complex normal = turned(other, event.measured, event.normal);
-  const Complex arm = 0.5 * (turned(mine, event.measured, vertex) + apart +
-                             turned(other, event.measured, event.point));
+  const Complex normal = turned(other, event.time, event.normal);
+  const Complex arm =
+      0.5 * (turned(mine, event.time, vertex) + apart + turned(other, event.time, event.point));
   const Complex arm_at_end = turned(mine, 1.0, vertex);
   //! [row]
   const RowKey key =

@@ -43,7 +43,7 @@ struct RowKey {
 struct ContactRow {
   RowKey key;             ///< of the deepest vertex where the row stands for several
   double gap;             ///< g at the end of the step, length
-  double time;            ///< tau_I, of first contact; 1 where there was none
+  double time;            ///< when gap and normal were taken: see VertexEvent::time
   Complex point;          ///< where the contact force acts, in the plane, length
   Complex normal;         ///< of the force on a, in the plane, unit
   PairWrench force;       ///< for forces: balanced about the centres at the start of the step

@@ -75,10 +75,12 @@ class RunOfVertex {
 
   // Joins a run with all those that have a vertex at an edge, or up to two farther.
   void join_about(Index edge, std::size_t run, Links& links) const {
-    for (Index step = -2; step <= 3; ++step) {
-      const Index vertex = (edge + step + m_) % m_;
-      const auto found = std::ranges::lower_bound(entries_, vertex, {}, &Entry::vertex);
-      if (found != entries_.end() && found->vertex == vertex) links.join(run, found->run);
+    const Index first = (edge - 2 + m_) % m_;
+    auto entry = std::ranges::lower_bound(entries_, first, {}, &Entry::vertex);
+    for (std::size_t count = 0; count < entries_.size(); ++count, ++entry) {
+      if (entry == entries_.end()) entry = entries_.begin();
+      if ((entry->vertex - first + m_) % m_ > 5) break;
+      links.join(run, entry->run);
     }
   }
 

@@ -1,7 +1,6 @@
 #include "stiv/near_pairs.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace stokesbook {
 
@@ -44,20 +43,6 @@ std::vector<ComponentPair> near_pairs(const ContactShapes& shapes,
   }
   std::ranges::sort(pairs);
   return pairs;
-}
-
-std::vector<Eigen::Index> near_vertices(const Polygon& of, const Polygon& about,
-                                        const RelativeFrame& frame, double reach) {
-  if (about.side() == Side::fluid_inside) {
-    std::vector<Eigen::Index> all(static_cast<std::size_t>(of.size()));
-    std::iota(all.begin(), all.end(), Eigen::Index{0});
-    return all;
-  }
-  const auto [lower, upper] = about.bounds();
-  const ComplexVector corners =
-      ComplexVector{{frame.inverse(lower), frame.inverse({upper.real(), lower.imag()}),
-                     frame.inverse(upper), frame.inverse({lower.real(), upper.imag()})}};
-  return of.vertices_in(widened(bounding_rectangle(corners), reach));
 }
 
 }  // namespace stokesbook

@@ -43,18 +43,6 @@ Rectangle swept_rectangle(const ContactShape& shape, const RigidPath& path);
 std::vector<ComponentPair> near_pairs(const ContactShapes& shapes,
                                       const std::vector<Rectangle>& rectangles, double reach);
 
-/// Finds the vertices of one polygon that may lie within a distance of another one, or beyond it:
-/// those in its rectangle, all where it encloses.
-///
-/// @param  of     the one, whose vertices are asked for
-/// @param  about  the other one
-/// @param  frame  of the one, seen from the other
-/// @param  reach  distance, length
-/// @return        numbers of vertices, ascending
-/// @par Cost      O(log M + m) for m vertices
-std::vector<Eigen::Index> near_vertices(const Polygon& of, const Polygon& about,
-                                        const RelativeFrame& frame, double reach);
-
 /// @}
 
 }  // namespace stokesbook

@@ -1,6 +1,7 @@
 #include "stiv/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,7 +14,6 @@ using Eigen::Index;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Index edges_in_leaf = 8;
 
 Rectangle around_both(const Rectangle& p, const Rectangle& q) {
   return {{std::min(p.lower.real(), q.lower.real()), std::min(p.lower.imag(), q.lower.imag())},
@@ -37,33 +37,8 @@ double squared_distance(const Rectangle& rectangle, Complex z) {
   return dx * dx + dy * dy;
 }
 
-// Where along a chord, from 0 to 1, it is closest to a point.
-double closest_fraction(const Chord& chord, Complex z) {
-  const Complex along = chord.to - chord.from;
-  const double length2 = std::norm(along);
-  return length2 > 0.0 ? std::clamp(dot(z - chord.from, along) / length2, 0.0, 1.0) : 0.0;
-}
-
 Complex at_fraction(const Chord& chord, double t) {
   return t == 1.0 ? chord.to : chord.from + t * (chord.to - chord.from);
-}
-
-double squared_distance(const Chord& chord, Complex z) {
-  return std::norm(z - at_fraction(chord, closest_fraction(chord, z)));
-}
-
-bool cross_each_other(const Chord& p, const Chord& q) {
-  const auto separates = [](const Chord& line, const Chord& ends) {
-    const Complex along = line.to - line.from;
-    return cross(along, ends.from - line.from) * cross(along, ends.to - line.from) < 0.0;
-  };
-  return separates(p, q) && separates(q, p);
-}
-
-double squared_distance(const Chord& p, const Chord& q) {
-  if (cross_each_other(p, q)) return 0.0;
-  return std::min({squared_distance(p, q.from), squared_distance(p, q.to),
-                   squared_distance(q, p.from), squared_distance(q, p.to)});
 }
 
 }  // namespace
@@ -79,39 +54,38 @@ Polygon::Polygon(const ComplexVector& vertices, Side side) : vertices_(vertices)
     throw std::invalid_argument("a polygon needs three or more finite vertices, got " +
                                 std::to_string(vertices.size()));
   }
-  while (static_cast<Index>(leaf_count_) * edges_in_leaf < size()) leaf_count_ *= 2;
+  while (static_cast<Index>(leaf_count_) * EdgeRun::size < size()) leaf_count_ *= 2;
   // What holds nothing meets nothing and is infinitely far.
   const Rectangle nothing{{infinity, infinity}, {-infinity, -infinity}};
   boxes_.assign(2 * leaf_count_, nothing);
-  for (std::size_t leaf = leaf_count_; leaf < 2 * leaf_count_; ++leaf) {
-    for (Index e = first_edge(leaf); e < past_last_edge(leaf); ++e) {
-      boxes_[leaf] = around_both(boxes_[leaf], around({vertices_[e], end_of(e)}));
+  for (Index first = 0; first < size(); first += EdgeRun::size) {
+    std::array<Chord, EdgeRun::size> edges;
+    Rectangle& box = boxes_[leaf_count_ + runs_.size()];
+    for (Index k = 0; k < EdgeRun::size; ++k) {
+      Chord& own = edges[static_cast<std::size_t>(k)];
+      own = edge(std::min(first + k, size() - 1));
+      box = around_both(box, around(own));
     }
+    runs_.emplace_back(edges);
   }
   for (std::size_t node = leaf_count_ - 1; node > 0; --node) {
     boxes_[node] = around_both(boxes_[2 * node], boxes_[2 * node + 1]);
   }
 }
 
-Complex Polygon::end_of(Index edge) const {
-  return vertices_[edge + 1 < size() ? edge + 1 : 0];
+Chord Polygon::edge(Index number) const {
+  return {vertices_[number], vertices_[number + 1 < size() ? number + 1 : 0]};
 }
 
-Index Polygon::first_edge(std::size_t node) const {
-  return std::min(static_cast<Index>(node - leaf_count_) * edges_in_leaf, size());
-}
-
-Index Polygon::past_last_edge(std::size_t node) const {
-  return std::min(first_edge(node) + edges_in_leaf, size());
+Index Polygon::first_edge(std::size_t leaf) const {
+  return static_cast<Index>(leaf - leaf_count_) * EdgeRun::size;
 }
 
 void Polygon::search(std::size_t node, Complex z, Nearest& nearest) const {
   if (node >= leaf_count_) {
-    for (Index e = first_edge(node); e < past_last_edge(node); ++e) {
-      const Chord edge{vertices_[e], end_of(e)};
-      const double fraction = closest_fraction(edge, z);
-      const double distance2 = std::norm(z - at_fraction(edge, fraction));
-      if (distance2 < nearest.squared_distance) nearest = {distance2, e, fraction};
+    const auto [distance2, edge, fraction] = runs_[node - leaf_count_].closest(z);
+    if (distance2 < nearest.squared_distance) {
+      nearest = {distance2, std::min(first_edge(node) + edge, size() - 1), fraction};
     }
     return;
   }
@@ -131,11 +105,12 @@ ClosestPoint Polygon::closest(Complex z, double at_most) const {
   if (nearest.edge < 0) return {infinity, {}, {}, -1};
   const double inward = static_cast<double>(side_);  // of the fluid, where it is within
   const auto edge_normal = [&](Index e) {
-    const Complex along = end_of(e) - vertices_[e];
+    const auto [from, to] = edge(e);
+    const Complex along = to - from;
     return inward * perp(along) / std::abs(along);
   };
   const auto [distance2, e, fraction] = nearest;
-  const Complex point = at_fraction({vertices_[e], end_of(e)}, fraction);
+  const Complex point = at_fraction(edge(e), fraction);
   if (fraction > 0.0 && fraction < 1.0) {
     const Complex normal = edge_normal(e);
     return {dot(z - vertices_[e], normal), point, normal, e};
@@ -155,33 +130,36 @@ bool Polygon::is_clear_of(std::size_t node, const Chord& chord, double distance,
     return is_clear_of(2 * node, chord, distance, surroundings) &&
            is_clear_of(2 * node + 1, chord, distance, surroundings);
   }
-  for (Index e = first_edge(node); e < past_last_edge(node); ++e) {
-    if (squared_distance(chord, {vertices_[e], end_of(e)}) <= distance * distance) return false;
-  }
-  return true;
+  return runs_[node - leaf_count_].is_clear_of(chord, distance);
 }
 
 bool Polygon::is_clear_of(const Chord& chord, double distance) const {
   return is_clear_of(1, chord, distance, widened(around(chord), distance));
 }
 
-void Polygon::collect(std::size_t node, const Rectangle& rectangle,
-                      std::vector<Index>& found) const {
-  if (!meet(boxes_[node], rectangle)) return;
+void Polygon::collect(std::size_t node, const Condition& holds, std::vector<Index>& found) const {
+  const bool is_empty = boxes_[node].lower.real() == infinity;
+  if (is_empty || !holds(boxes_[node])) return;
   if (node < leaf_count_) {
-    collect(2 * node, rectangle, found);
-    collect(2 * node + 1, rectangle, found);
+    collect(2 * node, holds, found);
+    collect(2 * node + 1, holds, found);
     return;
   }
   // The vertices of a leaf are those where its edges start.
-  for (Index e = first_edge(node); e < past_last_edge(node); ++e) {
-    if (meet({vertices_[e], vertices_[e]}, rectangle)) found.push_back(e);
-  }
+  const Index past_last = std::min(first_edge(node) + EdgeRun::size, size());
+  for (Index i = first_edge(node); i < past_last; ++i) found.push_back(i);
+}
+
+std::vector<Index> Polygon::vertices_if(const Condition& holds) const {
+  std::vector<Index> found;
+  collect(1, holds, found);
+  return found;
 }
 
 std::vector<Index> Polygon::vertices_in(const Rectangle& rectangle) const {
-  std::vector<Index> found;
-  collect(1, rectangle, found);
+  std::vector<Index> found =
+      vertices_if([&](const Rectangle& box) { return meet(box, rectangle); });
+  std::erase_if(found, [&](Index i) { return !meet({vertices_[i], vertices_[i]}, rectangle); });
   return found;
 }
 

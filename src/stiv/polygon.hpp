@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "stiv/edge_run.hpp"
 #include "trapezoid/curve.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
@@ -18,14 +20,9 @@ struct ClosestPoint {
   Eigen::Index edge;  ///< that holds the point: from vertex edge to the next one
 };
 
-/// A straight piece of a path.
-struct Chord {
-  Complex from;  ///< start, length
-  Complex to;    ///< end, length
-};
-
 /// A closed polygon in its own frame, whose closest edges are found without looking at all of them:
-/// runs of consecutive edges have bounding rectangles, and pairs of those have theirs.
+/// runs of eight consecutive edges, each looked at as one, have bounding rectangles, and pairs of
+/// those have theirs.
 ///
 /// Safe to ask from several threads at once.
 class Polygon {
@@ -77,6 +74,16 @@ class Polygon {
   /// @par Cost         as closest()
   bool is_clear_of(const Chord& chord, double distance) const;
 
+  /// What is asked of a rectangle that holds some of the vertices.
+  using Condition = std::function<bool(const Rectangle&)>;
+
+  /// Finds the vertices of the runs whose rectangles fulfil a condition.
+  ///
+  /// @param  holds  whether a rectangle may hold a vertex that is sought, in the polygon's frame
+  /// @return        numbers of vertices, ascending: all that are sought, and others of their runs
+  /// @par Cost      O(log M + m) for m vertices of one part of the polygon
+  std::vector<Eigen::Index> vertices_if(const Condition& holds) const;
+
   /// Finds the vertices in a rectangle, borders included.
   ///
   /// @param  rectangle  in the polygon's frame
@@ -90,18 +97,17 @@ class Polygon {
   struct Nearest;
   /// @endcond
 
-  Complex end_of(Eigen::Index edge) const;
-  Eigen::Index first_edge(std::size_t node) const;
-  Eigen::Index past_last_edge(std::size_t node) const;
+  Chord edge(Eigen::Index number) const;
+  Eigen::Index first_edge(std::size_t leaf) const;
   void search(std::size_t node, Complex z, Nearest& nearest) const;
   bool is_clear_of(std::size_t node, const Chord& chord, double distance,
                    const Rectangle& surroundings) const;
-  void collect(std::size_t node, const Rectangle& rectangle,
-               std::vector<Eigen::Index>& found) const;
+  void collect(std::size_t node, const Condition& holds, std::vector<Eigen::Index>& found) const;
 
   ComplexVector vertices_;
   Side side_;
-  std::size_t leaf_count_ = 1;    // a power of two; leaves hold consecutive edges
+  std::size_t leaf_count_ = 1;    // a power of two
+  std::vector<EdgeRun> runs_;     // of the leaves; the last edge fills up the last one
   std::vector<Rectangle> boxes_;  // of nodes 1, 2, ...: 2 k and 2 k + 1 are the children of node k
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +14,22 @@ namespace {
 
 RelativeFrame frame_in(const Pose& pose, const Pose& observer) {
   return RelativePath({pose, {}, 0.0}, {observer, {}, 0.0}).start();
+}
+
+// The vertices of one polygon that may lie within a distance of another one, or beyond it: those in
+// its rectangle, all where it encloses.
+std::vector<Index> near_vertices(const Polygon& of, const Polygon& about,
+                                 const RelativeFrame& frame, double reach) {
+  if (about.side() == Side::fluid_inside) {
+    std::vector<Index> all(static_cast<std::size_t>(of.size()));
+    std::iota(all.begin(), all.end(), Index{0});
+    return all;
+  }
+  const auto [lower, upper] = about.bounds();
+  const ComplexVector corners =
+      ComplexVector{{frame.inverse(lower), frame.inverse({upper.real(), lower.imag()}),
+                     frame.inverse(upper), frame.inverse({lower.real(), upper.imag()})}};
+  return of.vertices_in(widened(bounding_rectangle(corners), reach));
 }
 
 struct Placed {

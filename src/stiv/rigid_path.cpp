@@ -17,8 +17,10 @@ RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
   };
   const Complex last = offset_ + drift_;
   speed_ = std::max(centre_speed(offset_), centre_speed(last));
-  bend_ = 2.0 * std::abs(observer_spin_) * std::abs(drift_) +
-          observer_spin_ * observer_spin_ * std::max(std::abs(offset_), std::abs(last));
+  const auto centre_bend = [&](Complex offset) {
+    return std::abs(observer_spin_ * (2.0 * perp(drift_) + observer_spin_ * offset));
+  };
+  bend_ = std::max(centre_bend(offset_), centre_bend(last));
   start_ = at(0.0);
   end_ = at(1.0);
 }

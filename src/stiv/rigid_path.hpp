@@ -77,9 +77,10 @@ class RelativePath {
   double speed_bound(double radius) const { return speed_ + std::abs(spin_) * radius; }
 
   /// Bounds how far a point of A strays from the chord between two of its places:
-  /// \f$ \frac{\Delta\tau^2}{8}(2|\Delta\theta_B||\Delta c_A-\Delta c_B| + \Delta\theta_B^2
-  /// \max|c_A-c_B| + (\Delta\theta_A-\Delta\theta_B)^2|X|) \f$.
+  /// \f$ \frac{\Delta\tau^2}{8}(\max_{\tau=0,1}|2\Delta\theta_B(\Delta c_A-\Delta c_B)^\perp +
+  /// \Delta\theta_B^2(c_A-c_B)| + (\Delta\theta_A-\Delta\theta_B)^2|X|) \f$.
   ///
+  /// That is the modulus of the second derivative, in which the first term is linear in tau again.
   /// @param  radius  |X|, length
   /// @param  step    Delta tau between the places
   /// @return         distance, length

@@ -5,8 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "stiv/near_pairs.hpp"
-
 namespace stokesbook {
 
 using Eigen::Index;
@@ -20,59 +18,80 @@ class Search {
  public:
   Search(const ContactShape& a, const Polygon& polygon, const RelativePath& path,
          const Clearance& clearance)
-      : a_(a), polygon_(polygon), path_(path), clearance_(clearance) {}
+      : a_(a),
+        polygon_(polygon),
+        path_(path),
+        clearance_(clearance),
+        deep_((1.0 - clearance.dip) * clearance.separation + clearance.tolerance) {}
 
-  // The vertices of A that may come near B: none where its bounding circle does not.
+  // The vertices of A that may come near B.
   std::vector<Index> candidates() {
-    const double reach = clearance_.watch + path_.speed_bound(a_.radius);
-    if (closest(path_.start().shift, reach + a_.radius).edge < 0) return {};
-    return near_vertices(a_.polygon, polygon_, path_.start(), reach);
+    return a_.polygon.vertices_if([this](const Rectangle& rectangle) {
+      const Complex centre = 0.5 * (rectangle.lower + rectangle.upper);
+      const double radius = 0.5 * std::abs(rectangle.upper - rectangle.lower);
+      return !is_clear(centre, start_of(centre), end_of(centre), clearance_.watch + radius);
+    });
   }
 
   std::optional<VertexEvent> event(Index vertex) {
-    const Complex x = a_.polygon.vertex(vertex), end = path_.end()(x);
-    const Passage passage = follow(x, end);
-    if (passage.is_too_deep) {
-      const Touch& touch = *passage.touch;
-      return complete(vertex, touch.time, touch.time, gap(touch, end), touch.at);
+    const Complex x = a_.polygon.vertex(vertex);
+    const Place start = start_of(x), end = end_of(x);
+    const ClosestPoint at = closest(end.z, clearance_.watch);
+    const double way = std::abs(end.z - start.z) + path_.stray_bound(std::abs(x), 1.0);
+    const bool ends_far = std::min(at.distance, clearance_.watch) > deep_ + way;
+    if (!ends_far && !keeps_off(x, start, end, 2)) {
+      if (const auto touch = deep_touch(x, end.z)) {
+        return complete(vertex, touch->tau, gap(*touch, end.z), touch->at);
+      }
     }
-    const ClosestPoint at = closest(end, clearance_.watch);
     if (at.edge < 0) return {};
-    return complete(vertex, passage.touch ? passage.touch->time : 1.0, 1.0,
-                    at.distance - clearance_.separation, at);
+    return complete(vertex, 1.0, at.distance - clearance_.separation, at);
   }
 
   std::size_t queries() const { return queries_; }
 
  private:
+  // Where a point of A is at a time, in B's frame.
+  struct Place {
+    double tau;
+    Complex z;
+  };
+
   // A place of the path at the separation.
   struct Touch {
-    double time;
+    double tau;
     Complex z;
     ClosestPoint at;
   };
 
-  struct Passage {
-    bool is_too_deep;            // and ends beyond the line that it touched
-    std::optional<Touch> touch;  // that, or else the one that still lasts at the end
-  };
+  Place start_of(Complex x) const { return {0.0, path_.start()(x)}; }
+  Place end_of(Complex x) const { return {1.0, path_.end()(x)}; }
+  Place place_of(Complex x, double tau) const { return {tau, path_.at(tau)(x)}; }
 
   // The gap to the touched line at the end.
   double gap(const Touch& touch, Complex end) const {
     return touch.at.distance - clearance_.separation + dot(touch.at.normal, end - touch.z);
   }
 
-  // The path of a point X of A.
-  Passage follow(Complex x, Complex end) {
-    const double radius = std::abs(x), speed = path_.speed_bound(radius),
-                 separation = clearance_.separation, tolerance = clearance_.tolerance;
+  // Whether chords of the path of a point X of A show that it goes nowhere deep, as of most points.
+  bool keeps_off(Complex x, const Place& from, const Place& to, int halvings) {
+    if (is_clear(x, from, to, deep_)) return true;
+    if (halvings == 0) return false;
+    const Place middle = place_of(x, 0.5 * (from.tau + to.tau));
+    return keeps_off(x, from, middle, halvings - 1) && keeps_off(x, middle, to, halvings - 1);
+  }
+
+  // Where a point X of A touched the line beyond which its path goes deep, and ends.
+  std::optional<Touch> deep_touch(Complex x, Complex end) {
+    const double speed = path_.speed_bound(std::abs(x)), separation = clearance_.separation,
+                 tolerance = clearance_.tolerance;
     std::optional<Touch> touch;
     double tau = 0.0, previous = infinity, stretch = 1.0;
     //! [follow]
     while (tau < 1.0) {
       const Complex z = path_.at(tau)(x);
       const ClosestPoint at = closest(z, separation + tolerance + speed * (1.0 - tau));
-      if (at.edge < 0) return {false, {}};
+      if (at.edge < 0) return {};
       const double excess = at.distance - separation;
       double step = excess / speed;  // no contact before that
       if (excess > tolerance) {
@@ -80,16 +99,16 @@ class Search {
         stretch = step > 0.5 * previous ? 2.0 * stretch : 1.0;
         previous = step;
         const double longer = std::min(stretch * step, 1.0 - tau);
-        if (longer > step && is_clear(x, tau, z, longer)) {
+        if (longer > step && is_clear(x, {tau, z}, place_of(x, tau + longer), separation)) {
           step = longer;
         } else {
           stretch = 1.0;
         }
       } else {
         if (!touch) touch = Touch{tau, z, at};
-        if (excess <= tolerance - clearance_.dip * separation) {
+        if (at.distance <= deep_) {
           for (const Touch& line : {*touch, Touch{tau, z, at}}) {
-            if (gap(line, end) < -tolerance) return {true, line};
+            if (gap(line, end) < -tolerance) return line;
           }
         }
         step = 0.5 * std::max(at.distance, separation) / speed;
@@ -97,14 +116,14 @@ class Search {
       tau += std::max(step, std::numeric_limits<double>::epsilon());
     }
     //! [follow]
-    return {false, touch};
+    return {};
   }
 
-  // Whether the path from z at tau keeps the separation for a while.
-  bool is_clear(Complex x, double tau, Complex z, double step) {
+  // Whether the path of a point X of A keeps a distance from B between two places.
+  bool is_clear(Complex x, const Place& from, const Place& to, double distance) {
     ++queries_;
-    return polygon_.is_clear_of({z, path_.at(tau + step)(x)},
-                                clearance_.separation + path_.stray_bound(std::abs(x), step));
+    return polygon_.is_clear_of({from.z, to.z},
+                                distance + path_.stray_bound(std::abs(x), to.tau - from.tau));
   }
 
   ClosestPoint closest(Complex z, double at_most) {
@@ -112,15 +131,15 @@ class Search {
     return polygon_.closest(z, at_most);
   }
 
-  VertexEvent complete(Index vertex, double time, double measured, double gap,
-                       const ClosestPoint& at) const {
-    return {vertex, at.edge, a_.weights[vertex], time, measured, gap, at.point, at.normal};
+  VertexEvent complete(Index vertex, double time, double gap, const ClosestPoint& at) const {
+    return {vertex, at.edge, a_.weights[vertex], time, gap, at.point, at.normal};
   }
 
   const ContactShape& a_;
   const Polygon& polygon_;
   const RelativePath& path_;
   const Clearance clearance_;
+  const double deep_;  // up to this distance a vertex is deep
   std::size_t queries_ = 0;
 };
 

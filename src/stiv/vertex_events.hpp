@@ -16,9 +16,8 @@ struct VertexEvent {
   Eigen::Index vertex;  ///< of A
   Eigen::Index edge;    ///< of B, that it comes closest to
   double weight;        ///< length of A's polygon that the vertex stands for
-  double time;          ///< tau_I, from 0 to 1: when the contact began that the gap belongs to, the
-                        ///< last one where there are several; 1 where there is none before the end
-  double measured;      ///< when gap, point and normal were taken: tau_I, or 1 for the end
+  double time;          ///< when gap, point and normal were taken: tau_I, from 0 to 1, where the
+                        ///< contact began that the vertex goes deep in; 1, the end, without one
   double gap;           ///< g, length, < 0 where the vertex ends too deep
   Complex point;        ///< y, closest of B's polygon, in B's frame, length
   Complex normal;       ///< n, into the fluid about B, in B's frame
@@ -70,10 +69,11 @@ struct VertexEvents {
 /// normal there: what slides along B at a distance of delta, up to the tolerance, would meet tilted
 /// lines at every bend that it passes.
 ///
-/// The search advances by \f$ (d-\delta)/L \f$, with a bound L of the speed: that cannot skip a
-/// contact, however fast. Where this creeps, as along a wall, it tries chords of the path that grow
-/// until one comes too near. In contact it goes on in steps of half the separation, which cannot
-/// pass through B either.
+/// Runs of vertices whose bounding circle stays away are not looked at one by one. Of most of the
+/// others a chord of the path shows that they go nowhere deep. For the rest the search advances by
+/// \f$ (d-\delta)/L \f$, with a bound L of the speed: that cannot skip a contact, however fast.
+/// Where this creeps, as along a wall, it tries chords that grow until one comes too near. In
+/// contact it goes on in steps of half the separation, which cannot pass through B either.
 /// @param  a          shape of A
 /// @param  b          shape of B
 /// @param  path       of A, seen from B; the polygons do not overlap at its start
@@ -81,7 +81,7 @@ struct VertexEvents {
 /// @return            vertices that end too deep, and those that end near B
 /// @par Accuracy      contact is found at delta + tolerance at the latest, @ref claim_10_4; g has
 /// rounding error for B's polygon, which lies within its sag of the curve
-/// @par Cost          a few queries O(log M) a vertex that comes near; none for the others
+/// @par Cost          a few queries O(log M) a vertex that comes near; O(log M) for all others
 /// @sa source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, Berkeley,
 /// 1996, for the advancement
 VertexEvents vertex_events(const ContactShape& a, const ContactShape& b, const RelativePath& path,

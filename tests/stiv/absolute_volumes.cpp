@@ -23,8 +23,8 @@ const ContactShapes& circles() {
 }
 
 AbsoluteVolume absolute(double velocity_a, double velocity_b) {
-  return absolute_volume(pair_events(circles(), paths(velocity_a, velocity_b), {0.1, 1e-5, 0.4}),
-                         1e-5);
+  return absolute_volume(
+      pair_events(circles(), paths(velocity_a, velocity_b), {0.1, 1e-5, 0.4, 0.0}), 1e-5);
 }
 
 Contact relative(double velocity_a, double velocity_b) {
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_relative_volume_does_not_see_them) {
 
 // The derivative is that of the volume with frozen times.
 BOOST_AUTO_TEST_CASE(the_derivative_with_frozen_times) {
-  const PairEvents events = pair_events(circles(), paths(0.5, -0.1), {0.1, 1e-5, 0.4});
+  const PairEvents events = pair_events(circles(), paths(0.5, -0.1), {0.1, 1e-5, 0.4, 0.0});
   const auto volume = [&](Complex shift, double turn) {
     PairEvents moved = events;
     moved.paths.path_a.displacement += shift;

@@ -16,9 +16,12 @@ namespace {
 
 constexpr double delta = 0.1, tolerance = 1e-4 * delta;
 
+// Every touch counts as deep, so that it is told when it began.
 ContactRules rules(double tol = tolerance) {
-  return {{delta}, tol, RowChoice::every};
+  return {.separation = {delta}, .tolerance = tol, .rows = RowChoice::every, .dip = 0.0};
 }
+
+const ContactRules rules_with_a_dip{{delta}, tolerance, RowChoice::every};
 
 // Two unit circles that come from both sides, one of them shifted aside.
 Step approach(double aside, double travel, Index m) {
@@ -274,8 +277,8 @@ BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
       {{{-half - run_up, height + 0.9 * delta - slope * run_up}, 0.0}, {way, slope * way}, 0.0});
   Step grazing = step;
   grazing.paths[1].displacement *= (half + run_up) / way;
-  BOOST_TEST(!interferences(grazing, rules()).contacts.empty());
-  const std::vector<Contact> contacts = violated(interferences(step, rules()));
+  BOOST_TEST(!interferences(grazing, rules_with_a_dip).contacts.empty());
+  const std::vector<Contact> contacts = violated(interferences(step, rules_with_a_dip));
   BOOST_TEST(!contacts.empty());
   BOOST_TEST(first_time(contacts) > (half + run_up) / way);
 }
@@ -297,9 +300,9 @@ BOOST_AUTO_TEST_CASE(a_second_contact_within_the_first) {
   Step step;
   step.add(floor, {});
   step.add(body(Circle{radius}, 16), {{{-1.0, delta + radius}, 0.0}, {1.8, 0.0}, 0.0});
-  BOOST_TEST(interferences(step, rules()).admits_step());
+  BOOST_TEST(interferences(step, rules_with_a_dip).admits_step());
   step.paths[1].displacement = 3.0;
-  const std::vector<Contact> contacts = violated(interferences(step, rules()));
+  const std::vector<Contact> contacts = violated(interferences(step, rules_with_a_dip));
   BOOST_REQUIRE(contacts.size() == 1u);
   for (const ContactRow& row : contacts[0].rows) BOOST_TEST(row.normal.real() > 0.99);
   BOOST_TEST(least_gap(contacts) < -1.0);

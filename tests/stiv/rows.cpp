@@ -195,7 +195,7 @@ std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
   std::vector<VertexEvent> events;
   for (const double gap : gaps) {
     const Eigen::Index vertex = 4 + static_cast<Eigen::Index>(events.size());
-    events.push_back({vertex, 20, 0.1, 0.5, 1.0, gap, {-1.0, 0.0}, {-1.0, 0.0}});
+    events.push_back({vertex, 20, 0.1, 1.0, gap, {-1.0, 0.0}, {-1.0, 0.0}});
   }
   const PathPair paths{0, 1, {{{0.0, 0.0}, 0.0}, {}, 0.0}, {{{2.0, 0.0}, 0.0}, {}, 0.0}};
   return connected_contacts({paths, *coarse, *coarse, events, {}, {}}, tolerance,

@@ -58,7 +58,7 @@ constexpr double tolerance = 1e-5;
 
 PairEvents events_of(const PathPair& paths) {
   static const ContactShapes circles{body(Circle{1.0}, 256), body(Circle{1.0}, 256)};
-  return pair_events(circles, paths, {0.1, tolerance, 0.4});
+  return pair_events(circles, paths, {0.1, tolerance, 0.4, 0.0});
 }
 
 Contact contact_of(double observer) {

@@ -70,7 +70,7 @@ Measure errors(const Approach& approach,
 }
 
 double by_advancement(const Approach& approach, double phase_a, double phase_b, Index m) {
-  const ContactRules rules{{separation}, 1e-9, RowChoice::every};
+  const ContactRules rules{{separation}, 1e-9, RowChoice::every, 0.0};
   return first_time(violations(approach.step(phase_a, phase_b, m), rules));
 }
 
@@ -132,7 +132,7 @@ double excess(const Step& step, Index vertex, double tau) {
 Found by_events(const Step& step, double tolerance) {
   const VertexEvents found =
       vertex_events(*step.shapes[0], *step.shapes[1], RelativePath(step.paths[0], step.paths[1]),
-                    {separation, tolerance, 4.0 * separation});
+                    {separation, tolerance, 4.0 * separation, 0.0});
   const VertexEvent& first = *std::ranges::min_element(found.events, {}, &VertexEvent::time);
   return {first.time, std::abs(excess(step, first.vertex, first.time)),
           static_cast<double>(found.cost.queries) / static_cast<double>(found.cost.vertices)};

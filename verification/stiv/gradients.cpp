@@ -28,7 +28,7 @@ std::map<Index, VertexEvent> events_after(const Step& step, const Change& change
   paths.path_a.rotation += size * change.turn;
   std::map<Index, VertexEvent> events;
   for (const VertexEvent& event : pair_events(step.shapes, paths, {0.1, 1e-6, 0.4}).events_a) {
-    if (event.gap < 0.0 && event.measured < 1.0) events.insert({event.vertex, event});
+    if (event.gap < 0.0 && event.time < 1.0) events.insert({event.vertex, event});
   }
   return events;
 }

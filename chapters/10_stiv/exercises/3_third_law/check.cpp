@@ -66,7 +66,7 @@ PairWrench pushes_of_the_book(double u_a, double u_b) {
       std::make_shared<ContactShape>(contact_shape(sample(Circle{1.0}, 128, Side::fluid_outside)));
   static const ContactShapes circles{circle, circle};
   const PathPair paths{0, 1, {{{0.0, 0.0}, 0.0}, u_a, 0.0}, {{{2.2, 0.0}, 0.0}, u_b, 0.0}};
-  return absolute_volume(pair_events(circles, paths, {0.1, 1e-5, 0.4}), 1e-5).force;
+  return absolute_volume(pair_events(circles, paths, {0.1, 1e-5, 0.4, 0.0}), 1e-5).force;
 }
 
 void check_harmless_observers(Complex u_a, Complex u_b, Complex n) {
