@@ -24,20 +24,13 @@ double lagrange_weight(const std::vector<double>& times, std::size_t k, double t
 // Interpolates one component's densities to the nodes of a reference.
 MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Reference& to) {
   if (from == to.resolution) return densities;
-  const Index n = to.resolution.n_nodes;
-  MatrixXcd result(n, densities.cols());
   if (!from.is_graded() && !to.resolution.is_graded()) {
+    const Index n = to.resolution.n_nodes;
+    MatrixXcd result(n, densities.cols());
     for (Index m = 0; m < densities.cols(); ++m) result.col(m) = resample(densities.col(m), n);
     return result;
   }
-  const std::vector<double> positions = graded_positions(from.grading, to.parameters);
-  for (Index m = 0; m < densities.cols(); ++m) {
-    const TrigonometricPolynomial polynomial(densities.col(m));
-    for (Index j = 0; j < n; ++j) {
-      result(j, m) = polynomial(positions[static_cast<std::size_t>(j)]).value;
-    }
-  }
-  return result;
+  return interpolated(densities, graded_positions(from.grading, to.parameters));
 }
 
 }  // namespace

@@ -30,8 +30,11 @@ constexpr double most_solved_tolerance = 1e-2;
 // AnsweredLoads::most_tolerance.
 constexpr double alike = 0.995;
 
-// What columns ten times as close take, about. Where refinements have taken as many, or weights go
-// to and fro, as between flat gaps, columns are too coarse.
+// So many times as many answers as were asked for are kept for the next configuration, at most.
+constexpr std::size_t most_kept = 2;
+
+// What columns ten times as close take, about. Where refinements have taken as many, or residuals
+// grow as weights go to and fro, as between flat gaps, columns are too coarse.
 constexpr int iterations_of_closer_column = 5;
 
 // Part of the solver's tolerance by which what keeps the mobility definite may move components.
@@ -93,6 +96,7 @@ void LoadResponse::begin() {
     const double radius = RigidModes(reference.curve, {}).gyration_radius();
     over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0, 1.0 / radius;
   }
+  if (discrete_->is_factorised) return;  // which needs no guesses
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const SparseVector<double> load = earlier_.loads.col(i).sparseView();
@@ -104,12 +108,17 @@ Closure LoadResponse::closure(const SparseVector<double>& load) const {
   return Closure(under_loads(discrete_->problem, load));
 }
 
+// Cosine of the angle between two loads.
+double LoadResponse::likeness(const Answer& p, const Answer& q) {
+  return std::abs(p.forces.dot(q.forces)) / (p.forces.norm() * q.forces.norm());
+}
+
 void LoadResponse::take_over(Answer& asked) const {
   const Answer* nearest = nullptr;
   double most = 0.0;
   for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
     for (const Answer& answer : known) {
-      const double likeness = std::abs(asked.forces.dot(answer.forces)) / answer.forces.norm();
+      const double likeness = this->likeness(asked, answer);
       if (!(likeness > most)) continue;
       most = likeness;
       nearest = &answer;
@@ -118,24 +127,23 @@ void LoadResponse::take_over(Answer& asked) const {
   if (nearest == nullptr) return;
   const double part = asked.forces.dot(nearest->forces) / nearest->forces.squaredNorm();
   asked.density = part * nearest->density;
-  if (most > alike * asked.forces.norm()) {
-    const Closure closure = this->closure(asked.load);
+  if (most > alike) {
     asked.tolerance = AnsweredLoads::most_tolerance;
-    complete(asked, closure, closure.right_hand_side());
+    complete(asked, closure(asked.load).right_hand_side());
   }
 }
 
 void LoadResponse::solve_by_factors(Answer& asked) const {
-  const Closure closure = this->closure(asked.load);
-  const ComplexVector rhs = closure.right_hand_side();
+  const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
   asked.tolerance = exact_;
-  complete(asked, closure, rhs);
+  complete(asked, rhs);
 }
 
-void LoadResponse::complete(Answer& answer, const Closure& closure, const ComplexVector& rhs) {
+// Motions of free bodies are those that the density has, whatever the load.
+void LoadResponse::complete(Answer& answer, const ComplexVector& rhs) const {
   answer.flow = rhs.norm();
-  answer.motions = closure.complete(answer.density).motions;
+  answer.motions = discrete_->system.closure().complete(answer.density).motions;
 }
 
 GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
@@ -172,14 +180,13 @@ std::size_t LoadResponse::index_of(Answer asked) {
 void LoadResponse::answer(Answer& asked, double part_apart) {
   if (asked.tolerance <= std::max(exact_, part_apart * tolerance_)) return;
   asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
-  const Closure closure = this->closure(asked.load);
-  const ComplexVector rhs = closure.right_hand_side();
+  const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
-  complete(asked, closure, rhs);
+  complete(asked, rhs);
 }
 
 MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
-  if (answers_.empty() && guesses_.empty()) begin();
+  if (over_lengths_.size() == 0) begin();
   velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
   const SparseMatrix<double> forces = over_lengths_.asDiagonal() * loads;
   const VectorXd parts = parts_apart(forces);
@@ -250,19 +257,18 @@ bool LoadResponse::improve(const VectorXd& multipliers) {
   const double missing = residual_since(weights);
   if (refined_.size() > 0 && missing <= allowed_) return false;
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
-  const bool diverges = spent_ > 0 && missing > missing_;
-  if (diverges || spent_ > iterations_of_closer_column * columns) return tighten();
-  missing_ = missing;
+  if (spent_ > iterations_of_closer_column * columns) return tighten();
   const LoadSolution sum = combined(multipliers);
-  const Closure closure = this->closure(combined_load(multipliers));
-  const ComplexVector rhs = closure.right_hand_side();
+  const ComplexVector rhs = closure(combined_load(multipliers)).right_hand_side();
   const double strength = std::max(flow_, rhs.norm());
   const GmresResult found = solve(rhs, exact_ * strength / rhs.norm(), sum.density);
   refined_ = weights;
   allowed_ = 0.5 * exact_ * strength;
   if (found.iterations == 0) return false;
+  const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
+  const bool diverges = residual > std::exchange(missing_, residual) && spent_ > 0;
   spent_ += found.iterations;
-  const double more_than_known = found.history.front() * rhs.norm() / missing;
+  if (diverges) tighten();
   const ComplexVector change =
       (deinterleaved(found.solution) - sum.density) / weights.squaredNorm();
   for (std::size_t i = 0; i < answers_.size(); ++i) {
@@ -271,7 +277,7 @@ bool LoadResponse::improve(const VectorXd& multipliers) {
     Answer& answer = answers_[i];
     answer.tolerance *= std::max(1.0, more_than_known);
     answer.density += weight * change;
-    answer.motions = closure.complete(answer.density).motions;
+    answer.motions = discrete_->system.closure().complete(answer.density).motions;
   }
   return true;
 }
@@ -307,11 +313,19 @@ LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
 
 AnsweredLoads LoadResponse::answered() const {
   if (answers_.empty()) return {};
-  const auto m = static_cast<Index>(answers_.size());
+  std::vector<const Answer*> known;
+  for (const Answer& answer : answers_) known.push_back(&answer);
+  for (const Answer& guess : guesses_) {
+    if (known.size() == most_kept * answers_.size()) break;
+    const bool is_answered = std::ranges::any_of(
+        answers_, [&](const Answer& answer) { return likeness(answer, guess) > alike; });
+    if (!is_answered) known.push_back(&guess);
+  }
+  const auto m = static_cast<Index>(known.size());
   Eigen::MatrixXcd densities(answers_.front().density.size(), m);
   AnsweredLoads result{MatrixXd(answers_.front().load.size(), m)};
   for (Index i = 0; i < m; ++i) {
-    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    const Answer& answer = *known[static_cast<std::size_t>(i)];
     result.loads.col(i) = answer.load;
     densities.col(i) = answer.density;
   }

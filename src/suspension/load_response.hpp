@@ -19,7 +19,8 @@ struct LoadSolution {
   Completion completion;  ///< motions of free bodies, loads of all components on the fluid
 };
 
-/// Loads that were answered in an earlier configuration: where solves for similar ones begin.
+/// Loads that were answered in earlier configurations: where solves for similar ones begin. The
+/// latest come first; as many older ones are kept, as contact that is lost for a while comes back.
 struct AnsweredLoads {
   Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
   DensityHistory densities{1};  ///< that answered them, a column each
@@ -50,7 +51,8 @@ struct AnsweredLoads {
 ///
 /// The residual of a combination tells how good columns are. Those that leave more than they were
 /// taken to are solved for; and all are, ten times as closely, where refinements have taken as
-/// many iterations as that will. The next configuration's may leave twice as much again.
+/// many iterations as that will, or leave more from one to the next. The next configuration's may
+/// leave ten times as much again.
 class LoadResponse {
  public:
   /// Takes the configuration; nothing is solved yet.
@@ -140,10 +142,11 @@ class LoadResponse {
   /// @endcond
   void begin();
   std::size_t index_of(Answer asked);
+  static double likeness(const Answer& p, const Answer& q);
   void take_over(Answer& asked) const;
   void solve_by_factors(Answer& asked) const;
   void answer(Answer& asked, double part_apart);
-  static void complete(Answer& answer, const Closure& closure, const ComplexVector& rhs);
+  void complete(Answer& answer, const ComplexVector& rhs) const;
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   bool improve(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
@@ -171,7 +174,7 @@ class LoadResponse {
   double most_correction_;           // by which it may move components, over the velocity scale
   bool corrects_ = true;             // at all
   Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
-  double missing_ = 0.0;             // residual that weights had brought in then
+  double missing_ = 0.0;             // residual that the combination had before that
   double allowed_ = 0.0;             // of these weights' combination
   int spent_ = 0;                    // iterations of refinements since then or the latest new load
   SolveCost cost_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -27,6 +28,12 @@ struct FourierPlan {
   Workspace workspace;
 };
 
+// Planned once for each length and thread: a plan takes longer than a short transform.
+const FourierPlan& plan_for(std::size_t n) {
+  thread_local std::map<std::size_t, FourierPlan> plans;
+  return plans.try_emplace(n, n).first->second;
+}
+
 // GSL takes interleaved real and imaginary parts, which is how std::complex is laid out.
 double* packed(ComplexVector& v) {
   return reinterpret_cast<double*>(v.data());
@@ -43,7 +50,7 @@ void require_even(Index n) {
 
 ComplexVector fourier_coefficients(const ComplexVector& f) {
   const auto n = static_cast<std::size_t>(f.size());
-  const FourierPlan plan(n);
+  const FourierPlan& plan = plan_for(n);
   ComplexVector c = f;
   gsl_fft_complex_forward(packed(c), 1, n, plan.wavetable.get(), plan.workspace.get());
   return c / static_cast<double>(n);
@@ -51,7 +58,7 @@ ComplexVector fourier_coefficients(const ComplexVector& f) {
 
 ComplexVector fourier_values(const ComplexVector& c) {
   const auto n = static_cast<std::size_t>(c.size());
-  const FourierPlan plan(n);
+  const FourierPlan& plan = plan_for(n);
   ComplexVector f = c;
   gsl_fft_complex_backward(packed(f), 1, n, plan.wavetable.get(), plan.workspace.get());
   return f;
@@ -112,6 +119,28 @@ Eigen::RowVectorXd interpolation_weights(Index n, double t) {
     result[j] = lag == 0.0 ? 1.0 : std::sin(0.5 * nodes * lag) / (nodes * std::tan(0.5 * lag));
   }
   return result;
+}
+
+Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<double>& parameters) {
+  require_even(f.rows());
+  const Index n = f.rows(), highest = n / 2;
+  Eigen::MatrixXcd coefficients(n, f.cols());
+  for (Index column = 0; column < f.cols(); ++column) {
+    coefficients.col(column) = fourier_coefficients(f.col(column));
+  }
+  Eigen::MatrixXcd modes(n, static_cast<Index>(parameters.size()));  // a column a parameter
+  for (Index j = 0; j < modes.cols(); ++j) {
+    const double t = parameters[static_cast<std::size_t>(j)];
+    const Complex step = std::polar(1.0, t);
+    Complex mode = 1.0;
+    for (Index k = 0; k < highest; ++k) {
+      modes(k, j) = mode;
+      if (k > 0) modes(n - k, j) = std::conj(mode);
+      mode *= step;
+    }
+    modes(highest, j) = mode.real();
+  }
+  return modes.transpose() * coefficients;
 }
 
 double fourier_tail(const ComplexVector& f) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "trapezoid/plane.hpp"
@@ -75,6 +77,16 @@ ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 /// @par Cost      O(N)
 /// @par Not for   many values of one function: use TrigonometricPolynomial
 Eigen::RowVectorXd interpolation_weights(Eigen::Index n, double t);
+
+/// Interpolates the values of several functions to the same parameters.
+///
+/// @param  f           N x m, a column of node values for each function, N even
+/// @param  parameters  n of them, radians, any real numbers
+/// @return             n x m, unit of f
+/// @throws std::invalid_argument when N is odd or 0
+/// @par Accuracy       geometric in N for analytic functions: @ref claim_01_7
+/// @par Cost           O(N n m), of which N n are more than a multiplication and an addition
+Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<double>& parameters);
 
 /// Measures what the highest modes carry: max |c_k| over |k| >= N/2 - max(2, N/16).
 ///

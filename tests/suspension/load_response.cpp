@@ -113,6 +113,27 @@ BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   BOOST_TEST(now.solves() == 4);
 }
 
+// As many older answers as are asked for are kept: of four three are not asked for any more, one of
+// which is remembered.
+BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
+  const Chain chain;
+  const Solution solution = chain.solver.solve(chain.start);
+  const Loads all = pushes(chain.start, 0.0);
+  const auto next = [&](const AnsweredLoads& earlier, const Loads& loads) {
+    LoadResponse response(chain.solver, chain.start, solution, earlier);
+    response(loads);
+    return std::pair{response.answered(), response.solves()};
+  };
+  AnsweredLoads earlier = next({}, all).first;
+  for (int k = 0; k < 3; ++k) {
+    const auto [answered, solves] = next(earlier, all.rightCols(1));
+    BOOST_TEST(solves == 0);
+    BOOST_TEST(answered.loads.cols() == 2);
+    earlier = answered;
+  }
+  BOOST_TEST(next(earlier, all).second == 2);
+}
+
 // As at two points of a flat gap: what tells them apart is known as well as each of them.
 BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
   const Chain chain;

@@ -115,6 +115,21 @@ BOOST_AUTO_TEST_CASE(weights_of_the_interpolant) {
   BOOST_CHECK_THROW(interpolation_weights(7, 0.3), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(several_functions_at_once) {
+  const std::vector<double> parameters{0.0, 0.7, -3.0, std::numbers::pi, 40.0};
+  for (Eigen::Index n : {2, 12, 50}) {
+    const Eigen::MatrixXcd values = Eigen::MatrixXcd::Random(n, 3);
+    const Eigen::MatrixXcd found = interpolated(values, parameters);
+    BOOST_REQUIRE(found.rows() == 5);
+    for (Eigen::Index j = 0; j < 5; ++j) {
+      const double t = parameters[static_cast<std::size_t>(j)];
+      BOOST_TEST((found.row(j) - interpolation_weights(n, t) * values).norm() < 1e-12);
+    }
+  }
+  BOOST_CHECK_THROW(interpolated(Eigen::MatrixXcd::Random(7, 2), parameters),
+                    std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_CASE(resampling_down_cuts_the_series) {
   // 33 nodes hold exp(a e^{it}) to rounding; of its modes k >= 0 the coarse grid keeps 0 ... m/2
   // - 1.
