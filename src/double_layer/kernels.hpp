@@ -31,8 +31,8 @@ inline Complex stresslet(Complex r, Complex n, Complex eta) {
 /// @param  ell    gauge length: the radius at which the logarithm vanishes
 /// @return        velocity, length / time
 inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
-  const double rho = std::abs(r);
-  return (-std::log(rho / ell) * force + r * (dot(r, force) / (rho * rho))) /
+  const double rho_squared = std::norm(r);
+  return (-0.5 * std::log(rho_squared / (ell * ell)) * force + r * (dot(r, force) / rho_squared)) /
          (4.0 * std::numbers::pi * mu);
 }
 

@@ -100,7 +100,8 @@ void LoadResponse::begin() {
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const SparseVector<double> load = earlier_.loads.col(i).sparseView();
-    guesses_.push_back({load, over_lengths_.asDiagonal() * load, guesses.col(i)});
+    guesses_.push_back(
+        {load, over_lengths_.asDiagonal() * load, guesses.col(i), {}, 1.0, earlier_.flows[i]});
   }
 }
 
@@ -129,7 +130,7 @@ void LoadResponse::take_over(Answer& asked) const {
   asked.density = part * nearest->density;
   if (most > alike) {
     asked.tolerance = AnsweredLoads::most_tolerance;
-    complete(asked, closure(asked.load).right_hand_side());
+    complete(asked, std::abs(part) * nearest->flow);
   }
 }
 
@@ -137,12 +138,12 @@ void LoadResponse::solve_by_factors(Answer& asked) const {
   const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
   asked.tolerance = exact_;
-  complete(asked, rhs);
+  complete(asked, rhs.norm());
 }
 
 // Motions of free bodies are those that the density has, whatever the load.
-void LoadResponse::complete(Answer& answer, const ComplexVector& rhs) const {
-  answer.flow = rhs.norm();
+void LoadResponse::complete(Answer& answer, double flow) const {
+  answer.flow = flow;
   answer.motions = discrete_->system.closure().complete(answer.density).motions;
 }
 
@@ -182,7 +183,7 @@ void LoadResponse::answer(Answer& asked, double part_apart) {
   asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
   const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
-  complete(asked, rhs);
+  complete(asked, rhs.norm());
 }
 
 MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
@@ -323,10 +324,11 @@ AnsweredLoads LoadResponse::answered() const {
   }
   const auto m = static_cast<Index>(known.size());
   Eigen::MatrixXcd densities(answers_.front().density.size(), m);
-  AnsweredLoads result{MatrixXd(answers_.front().load.size(), m)};
+  AnsweredLoads result{MatrixXd(answers_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
     const Answer& answer = *known[static_cast<std::size_t>(i)];
     result.loads.col(i) = answer.load;
+    result.flows[i] = answer.flow;
     densities.col(i) = answer.density;
   }
   result.densities.add(0.0, configuration_, references_, std::move(densities));

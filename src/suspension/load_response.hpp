@@ -23,6 +23,7 @@ struct LoadSolution {
 /// latest come first; as many older ones are kept, as contact that is lost for a while comes back.
 struct AnsweredLoads {
   Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
+  Eigen::VectorXd flows;        ///< norms of their right-hand sides, m numbers, length / time
   DensityHistory densities{1};  ///< that answered them, a column each
   /// Residual that the answer to a load is taken to leave in a configuration a step later, of a
   /// load that has turned by a tenth at most.
@@ -137,7 +138,7 @@ class LoadResponse {
     ComplexVector density;
     std::vector<RigidMotion> motions{};
     double tolerance = 1.0;  // of its residual, as far as is known
-    double flow = 0.0;       // norm of its right-hand side
+    double flow = 0.0;       // norm of its right-hand side, about that of the earlier load's
   };
   /// @endcond
   void begin();
@@ -146,7 +147,7 @@ class LoadResponse {
   void take_over(Answer& asked) const;
   void solve_by_factors(Answer& asked) const;
   void answer(Answer& asked, double part_apart);
-  void complete(Answer& answer, const ComplexVector& rhs) const;
+  void complete(Answer& answer, double flow) const;
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   bool improve(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;

@@ -38,6 +38,7 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   latest_.contacts.densities.unpack(kept(checkpoint.history, "contact_density"), components);
   latest_.contacts.loads =
       checkpoint.history.at("contact_loads").reshaped(now_.state.size(), Eigen::AutoSize);
+  latest_.contacts.flows = checkpoint.history.at("contact_flows");
   std::ranges::copy(kept(checkpoint.history, "contact_velocity"), latest_.added.begin());
   for (const double nodes : checkpoint.history.at("nodes_in_contact")) {
     latest_.in_contact.push_back({static_cast<int>(nodes), {}});
@@ -60,6 +61,7 @@ Checkpoint Simulation::checkpoint() const {
   keep(checkpoint.history, "density", begun_.densities.packed());
   keep(checkpoint.history, "contact_density", begun_.contacts.densities.packed());
   checkpoint.history["contact_loads"] = begun_.contacts.loads.reshaped();
+  checkpoint.history["contact_flows"] = begun_.contacts.flows;
   keep(checkpoint.history, "contact_velocity", {begun_.added.begin(), begun_.added.end()});
   VectorXd nodes(static_cast<Eigen::Index>(begun_.in_contact.size()));
   std::ranges::transform(begun_.in_contact, nodes.begin(), &Resolution::n_nodes);

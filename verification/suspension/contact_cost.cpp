@@ -1,5 +1,6 @@
 // What contact costs: steps of dense clusters with and without it, in counts and seconds.
-#include <tuple>
+#include <optional>
+#include <utility>
 
 #include "experiments.hpp"
 #include "support/once.hpp"
@@ -16,19 +17,35 @@ namespace {
 // The first steps find out how exactly contact is to be solved.
 constexpr int first_steps = 6, steps = 12;
 
+struct ClusterRun {
+  std::vector<StepInfo> steps;
+  RunTotals first, all;  // after the first steps, and at the end
+};
+
 /// A hexagon of disks that touch but for the separation, in shear.
-RecordedRun hexagon(int rings, bool in_contact, int steps_taken = steps) {
-  static Once<std::tuple<int, bool, int>, RecordedRun> runs;
-  return runs({rings, in_contact, steps_taken}, [&] {
-    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * steps_taken, 0.005);
+ClusterRun hexagon(int rings, bool in_contact) {
+  static Once<std::pair<int, bool>, ClusterRun> runs;
+  return runs({rings, in_contact}, [&] {
+    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * steps, 0.005);
     scene.solver.gmres_max_iterations = 2000;
     if (in_contact) scene.contact = ContactSettings{0.1};
-    return recorded_run(scene);
+    const SuspensionSolver solver(scene);
+    ClusterRun run;
+    std::optional<Simulation> simulation;
+    Observer observer;
+    observer.step = [&](const StepInfo& step) {
+      run.steps.push_back(step);
+      if (run.steps.size() == first_steps) run.first = simulation->totals();
+    };
+    simulation.emplace(solver, observer);
+    simulation->run();
+    run.all = simulation->totals();
+    return run;
   });
 }
 
 /// Of a step after the first ones, on average.
-double in_a_step(const RecordedRun& run, double (*quantity)(const StepInfo& step)) {
+double in_a_step(const ClusterRun& run, double (*quantity)(const StepInfo& step)) {
   double sum = 0.0;
   for (int k = first_steps; k < steps; ++k) sum += quantity(run.steps[static_cast<std::size_t>(k)]);
   return sum / (steps - first_steps);
@@ -49,10 +66,8 @@ double seconds(const StepInfo& step) {
 
 /// Of a step after the first ones, on average.
 double in_a_step(int rings, double (*quantity)(const RunTotals& totals)) {
-  const auto in_all = [&](int steps_taken) {
-    return quantity(hexagon(rings, true, steps_taken).totals);
-  };
-  return (in_all(steps) - in_all(first_steps)) / (steps - first_steps);
+  const ClusterRun run = hexagon(rings, true);
+  return (quantity(run.all) - quantity(run.first)) / (steps - first_steps);
 }
 
 double contact_solves(int rings) {
