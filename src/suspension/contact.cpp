@@ -18,7 +18,10 @@ using Eigen::VectorXd;
 namespace {
 
 // Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
-constexpr double relative_sag = 1e-3, relative_tolerance = 1e-5;
+constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
+
+// Starts are written down by others: a gap of the separation to three digits is wide enough.
+constexpr double relative_slack_of_starts = 1e-3;
 
 // Components of one shape and side share their polygon.
 ContactShapes shapes_of(const References& references, double sag_limit) {
@@ -147,10 +150,10 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
     if (found.gap <= 0.0) {
       add(overlaps, " by " + short_number(-found.gap));
     } else {
-      closer[{found.a, found.b}] = curve_gap(found, configuration);
-      // A gap of just the separation is wide enough, though polygons keep a little more.
-      if (found.gap < (1.0 - relative_sag) * separation_) {
-        add(narrow, " are " + short_number(found.gap) + " apart");
+      const double gap = curve_gap(found, configuration);
+      closer[{found.a, found.b}] = gap;
+      if (gap < (1.0 - relative_slack_of_starts) * separation_) {
+        add(narrow, " are " + short_number(gap) + " apart");
       }
     }
   }

@@ -61,10 +61,10 @@ struct ContactOutcome {
 
 /// Keeps the components of a scene at their minimum separation.
 ///
-/// Contact is seen ahead by interferences() of the polygons of all components, which lie within a
-/// thousandth of the separation of their curves, and resolved by resolve_contact() with the
+/// Contact is seen ahead by interferences() of the polygons of all components, which lie within
+/// four thousandths of the separation of their curves, and resolved by resolve_contact() with the
 /// mobility of the whole suspension and the gaps of the curves. Where a force acts, these are one
-/// separation to a part in 1e5, or up to 1.004 separations where polygons and curves disagree on
+/// separation to a part in 1e5, or up to 1.016 separations where polygons and curves disagree on
 /// which points are the closest.
 class SuspensionContact {
  public:
