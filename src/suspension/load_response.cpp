@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "suspension/definite_correction.hpp"
@@ -59,6 +61,15 @@ VectorXd parts_apart(const SparseMatrix<double>& loads) {
   return parts;
 }
 
+// Loads whose forces turn with the components, by a part of their orientations.
+VectorXd turned(VectorXd load, const Configuration& configuration, double part) {
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    auto force = load.segment<2>(static_cast<Index>(3 * k));
+    force = Eigen::Rotation2Dd(part * configuration[k].orientation) * force.eval();
+  }
+  return load;
+}
+
 // The same components at rest, under some loads and nothing else.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
   problem.background.resize(0);
@@ -99,7 +110,8 @@ void LoadResponse::begin() {
   if (discrete_->is_factorised) return;  // which needs no guesses
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
-    const SparseVector<double> load = earlier_.loads.col(i).sparseView();
+    const VectorXd at_bodies = earlier_.loads.col(i);
+    const SparseVector<double> load = turned(at_bodies, configuration_, 1.0).sparseView();
     guesses_.push_back(
         {load, over_lengths_.asDiagonal() * load, guesses.col(i), {}, 1.0, earlier_.flows[i]});
   }
@@ -313,7 +325,7 @@ LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
 }
 
 AnsweredLoads LoadResponse::answered() const {
-  if (answers_.empty()) return {};
+  if (answers_.empty()) return earlier_;
   std::vector<const Answer*> known;
   for (const Answer& answer : answers_) known.push_back(&answer);
   for (const Answer& guess : guesses_) {
@@ -327,7 +339,7 @@ AnsweredLoads LoadResponse::answered() const {
   AnsweredLoads result{MatrixXd(answers_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
     const Answer& answer = *known[static_cast<std::size_t>(i)];
-    result.loads.col(i) = answer.load;
+    result.loads.col(i) = turned(answer.load, configuration_, -1.0);
     result.flows[i] = answer.flow;
     densities.col(i) = answer.density;
   }

@@ -21,8 +21,9 @@ struct LoadSolution {
 
 /// Loads that were answered in earlier configurations: where solves for similar ones begin. The
 /// latest come first; as many older ones are kept, as contact that is lost for a while comes back.
+/// Loads and densities turn with the components, as most of what lasts does.
 struct AnsweredLoads {
-  Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them
+  Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them, but in components' frames
   Eigen::VectorXd flows;        ///< norms of their right-hand sides, m numbers, length / time
   DensityHistory densities{1};  ///< that answered them, a column each
   /// Residual that the answer to a load is taken to leave in a configuration a step later, of a
@@ -118,7 +119,7 @@ class LoadResponse {
   double corrected_by(const Eigen::VectorXd& multipliers) const;
 
   /// Returns all answers, for a configuration to come.
-  /// @return loads; none where nothing was asked
+  /// @return loads; those of before where nothing was asked
   AnsweredLoads answered() const;
 
   /// Counts what was done so far.

@@ -273,11 +273,12 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
   }
 }
 
-// Nodes and iterations that contact asked for, when it is over or has lasted. Before the solve at the
-// end of a step, since a resume begins with that.
+// Nodes, answers and iterations that contact asked for, when it is over or has lasted. Before the
+// solve at the end of a step, since a resume begins with that.
 void Simulation::ask_for_less(bool in_contact) {
   if (!in_contact) {
     latest_.in_contact.clear();
+    latest_.contacts = {};
     latest_.gmres_tolerance = solver_.plan().gmres_tolerance;
   } else if (++latest_.kept == most_kept) {
     latest_.in_contact = coarser(std::move(latest_.in_contact));

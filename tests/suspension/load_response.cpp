@@ -2,6 +2,7 @@
 
 #include "suspension/load_response.hpp"
 
+#include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 
 #include "scaled_eigenvalues.hpp"
@@ -103,6 +104,26 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   BOOST_TEST(now.solves() <= 2);
 }
 
+// Where all turns as one, so do loads and what answers them.
+BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
+  const Chain chain;
+  LoadResponse before(chain.solver, chain.start, chain.solver.solve(chain.start));
+  MatrixXd expected = before(pushes(chain.start, 0.0));
+  const double turn = 0.5;
+  Configuration turned = chain.start;
+  for (Placement& placement : turned) {
+    placement.position *= std::polar(1.0, turn);
+    placement.orientation += turn;
+  }
+  LoadResponse now(chain.solver, turned, chain.solver.solve(turned), before.answered());
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
+  for (Index k = 0; k < 5; ++k) {
+    expected.middleRows<2>(3 * k) = (rotation * expected.middleRows<2>(3 * k)).eval();
+  }
+  BOOST_TEST((now(pushes(turned, 0.0)) - expected).norm() < 1e-10 * expected.norm());
+  BOOST_TEST(now.solves() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   const Chain chain;
   const Solution solution = chain.solver.solve(chain.start);
@@ -131,6 +152,8 @@ BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
     BOOST_TEST(answered.loads.cols() == 2);
     earlier = answered;
   }
+  // A stage that asks for nothing forgets nothing.
+  earlier = LoadResponse(chain.solver, chain.start, solution, earlier).answered();
   BOOST_TEST(next(earlier, all).second == 2);
 }
 
