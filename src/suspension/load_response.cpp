@@ -290,7 +290,7 @@ bool LoadResponse::improve(const VectorXd& multipliers) {
     Answer& answer = answers_[i];
     answer.tolerance *= std::max(1.0, more_than_known);
     answer.density += weight * change;
-    answer.motions = discrete_->system.closure().complete(answer.density).motions;
+    complete(answer, answer.flow);
   }
   return true;
 }
