@@ -6,38 +6,18 @@
 #include <optional>
 #include <vector>
 
+#include "near_singular/near_test.hpp"
+
 namespace stokesbook {
 
 using Eigen::Index;
-
-TrigonometricPolynomial::Jet SmoothCurve::at(double t) const {
-  const TrigonometricPolynomial::Jet jet = (*reference)(t);
-  const Complex turn = std::polar(1.0, orientation);
-  return {position + turn * jet.value, turn * jet.first, turn * jet.second};
-}
 
 namespace {
 
 using Jet = TrigonometricPolynomial::Jet;
 
-struct NodePair {
-  Index a, b;
-  double distance;
-};
-
 double parameter_step(const Curve& curve) {
   return 2.0 * std::numbers::pi / static_cast<double>(curve.size());
-}
-
-// The nearest node of b to every node of a.
-std::vector<NodePair> nearest_nodes(const Curve& a, const Curve& b) {
-  std::vector<NodePair> pairs;
-  for (Index i = 0; i < a.size(); ++i) {
-    Index j = 0;
-    const double distance2 = (b.x.array() - a.x[i]).abs2().minCoeff(&j);
-    pairs.push_back({i, j, std::sqrt(distance2)});
-  }
-  return pairs;
 }
 
 // Unit normal out of the fluid.
@@ -67,6 +47,43 @@ Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s, doubl
   return {s, foot.parameter, at_a, foot.at, dot(foot.at.value - at_a.value, normal(b, foot.at))};
 }
 
+// Finds the foot that is nearest to the node of b that is closest.
+Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s) {
+  const Index closest = nearest_node(b.nodes, a.at(s).value);
+  return find_footing(a, b, s, b.parameter(closest));
+}
+
+// Feet on b of points along a, four from each node to the next: those that may be next to the closest
+// point, and none for the others. Curves may have as few nodes as their shape needs, and two minima
+// of the height between two of them.
+std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const SmoothCurve& b) {
+  constexpr int points_a_node = 4;
+  const Index count = a.nodes.size();
+  Eigen::ArrayXd distance(count);
+  for (Index i = 0; i < count; ++i) {
+    distance[i] = std::sqrt((b.nodes.x.array() - a.nodes.x[i]).abs2().minCoeff());
+  }
+  const double spacing = std::max(weights(a.nodes).maxCoeff(), weights(b.nodes).maxCoeff());
+  const double farthest = distance.minCoeff() + spacing;
+  std::vector<std::optional<Footing>> footings;
+  for (Index i = 0; i < count; ++i) {
+    const Index next = (i + 1) % count;
+    const bool is_near = std::min(distance[i], distance[next]) <= farthest;
+    const double from = a.parameter(i),
+                 length = std::remainder(a.parameter(next) - from, 2.0 * std::numbers::pi);
+    for (int k = 0; k < points_a_node; ++k) {
+      footings.emplace_back();
+      if (is_near) footings.back() = find_footing(a, b, from + k * length / points_a_node);
+    }
+  }
+  return footings;
+}
+
+// How the height over b changes along a.
+double slope(const SmoothCurve& b, const Footing& at) {
+  return -dot(at.a.first, normal(b, at.b));
+}
+
 // Newton's step along a to the least height over b. Unlike the distance squared, the height is as
 // regular for curves that touch or overlap as it is for distant ones.
 double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) {
@@ -75,13 +92,12 @@ double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) 
   const double turn =
       b.nodes.sign() * cross(at.b.first, at.b.second) / std::pow(std::abs(at.b.first), 3);
   const double foot_speed = along / (std::norm(at.b.first) + dot(at.across(), at.b.second));
-  return minimising_step(-dot(at.a.first, n), -dot(at.a.second, n) - turn * along * foot_speed,
+  return minimising_step(slope(b, at), -dot(at.a.second, n) - turn * along * foot_speed,
                          parameter_step(a.nodes));
 }
 
-// Descends from a pair of parameters to the least height of a over b.
-Footing least_height(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
-  Footing at = find_footing(a, b, s, t);
+// Descends from a foot to the least height of a over b.
+Footing least_height(const SmoothCurve& a, const SmoothCurve& b, Footing at) {
   const double rounding = 1e-15 * (std::abs(at.a.value) + std::abs(at.b.value));
   double step = step_down(a, b, at);
   for (int evaluations = 0; evaluations < 60 && std::abs(step) > 1e-14; ++evaluations) {
@@ -106,6 +122,17 @@ ClosestPoints measured(const SmoothCurve& a, const Footing& at) {
 
 }  // namespace
 
+double SmoothCurve::parameter(Index node) const {
+  return parameters.empty() ? parameter_step(nodes) * static_cast<double>(node)
+                            : parameters[static_cast<std::size_t>(node)].t;
+}
+
+Jet SmoothCurve::at(double t) const {
+  const Jet jet = (*reference)(t);
+  const Complex turn = std::polar(1.0, orientation);
+  return {position + turn * jet.value, turn * jet.first, turn * jet.second};
+}
+
 Foot find_foot(const Parametrisation& curve, Complex point, double guess, double longest) {
   Foot foot{guess, curve(guess)};
   for (int iteration = 0; iteration < 30; ++iteration) {
@@ -120,26 +147,28 @@ Foot find_foot(const Parametrisation& curve, Complex point, double guess, double
 }
 
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
-  const std::vector<NodePair> pairs = nearest_nodes(a.nodes, b.nodes);
-  const auto nearer = [](const NodePair& p, const NodePair& q) { return p.distance < q.distance; };
-  const double closest = std::min_element(pairs.begin(), pairs.end(), nearer)->distance;
-  const double spacing = std::max(weights(a.nodes).maxCoeff(), weights(b.nodes).maxCoeff());
+  const std::vector<std::optional<Footing>> footings = near_footings(a, b);
+  const auto falls = [&](const auto& at) { return !at || slope(b, *at) <= 0.0; };
+  const auto rises = [&](const auto& at) { return !at || slope(b, *at) >= 0.0; };
   std::optional<Footing> best;
-  const auto count = pairs.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool local_minimum = !nearer(pairs[(i + count - 1) % count], pairs[i]) &&
-                               !nearer(pairs[(i + 1) % count], pairs[i]);
-    if (!local_minimum || pairs[i].distance > closest + spacing) continue;
-    const Footing refined =
-        least_height(a, b, parameter_step(a.nodes) * static_cast<double>(pairs[i].a),
-                     parameter_step(b.nodes) * static_cast<double>(pairs[i].b));
-    if (!best || refined.height < best->height) best = refined;
+  const auto descend = [&](const std::optional<Footing>& start) {
+    if (!start) return;
+    const Footing lowest = least_height(a, b, *start);
+    if (!best || lowest.height < best->height) best = lowest;
+  };
+  // Where the height falls at one point and rises at the next there is a minimum between them; two,
+  // where their feet are on different parts of b.
+  for (std::size_t i = 0; i < footings.size(); ++i) {
+    const auto &own = footings[i], &next = footings[(i + 1) % footings.size()];
+    if (!falls(own) || !rises(next)) continue;
+    descend(own);
+    descend(next);
   }
   return measured(a, *best);
 }
 
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
-  return measured(a, least_height(a, b, s, t));
+  return measured(a, least_height(a, b, find_footing(a, b, s, t)));
 }
 
 }  // namespace stokesbook

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "trapezoid/curve.hpp"
+#include "trapezoid/grading.hpp"
 #include "trapezoid/parametrisation.hpp"
 
 namespace stokesbook {
@@ -14,9 +16,16 @@ namespace stokesbook {
 struct SmoothCurve {
   Curve nodes;  ///< placed
   std::shared_ptr<const TrigonometricPolynomial>
-      reference;             ///< interpolant in the curve's own frame
-  Complex position;          ///< of the frame's origin, length
-  double orientation = 0.0;  ///< radians, counter-clockwise
+      reference;                                 ///< interpolant in the curve's own frame
+  Complex position;                              ///< of the frame's origin, length
+  double orientation = 0.0;                      ///< radians, counter-clockwise
+  std::vector<GradedParameter> parameters = {};  ///< of the nodes; none where they are equidistant
+
+  /// Returns the parameter of a node.
+  ///
+  /// @param  node  its number
+  /// @return       parameter, radians
+  double parameter(Eigen::Index node) const;
 
   /// Evaluates point and derivatives at a parameter, in the plane.
   ///
@@ -56,9 +65,10 @@ struct ClosestPoints {
 
 /// Measures the least distance of two curves through the fluid between them.
 ///
-/// Node distances give the candidates; Newton's method minimises the height of one curve over the
-/// other, which is regular at contact and beyond it. Curves that touch or overlap are told from
-/// near ones wherever their nodes are.
+/// Newton's method minimises the height of one curve over the other, which is regular at contact and
+/// beyond it, from wherever that height turns from falling to rising along the curve, looked at four
+/// times a node. So minima that hardly differ are all found, and curves that touch or overlap are told
+/// from near ones wherever their nodes are.
 /// @param  a  one curve, N_a nodes
 /// @param  b  the other, N_b nodes
 /// @return    gap and where it is

@@ -136,7 +136,7 @@ int given_nodes(const Scene& scene, std::size_t component) {
 
 SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
   return {place(reference.curve, placement.position, placement.orientation), reference.interpolant,
-          placement.position, placement.orientation};
+          placement.position, placement.orientation, reference.parameters};
 }
 
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,

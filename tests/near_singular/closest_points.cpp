@@ -193,3 +193,57 @@ BOOST_AUTO_TEST_CASE(graded_circles_have_their_gap_to_rounding) {
     }
   }
 }
+
+BOOST_AUTO_TEST_CASE(graded_stars_are_measured_from_where_their_nodes_are) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double turn = 2.0 * std::numbers::pi;
+  int apart = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Star shape{0.7, 0.25, 3 + trial % 3};
+    const Complex centre = std::polar(1.45 + 0.3 * uniform(generator), turn * uniform(generator));
+    const double turn_a = turn * uniform(generator), turn_b = turn * uniform(generator);
+    const ClosestPoints even = closest_points(smooth_body(shape, 512, 0.0, turn_a),
+                                              smooth_body(shape, 512, centre, turn_b));
+    if (even.gap <= 0.0) continue;
+    ++apart;
+    const auto graded = [&](double crowded, Complex position, double orientation) {
+      const Grading grading{{{crowded, 0.05}}};
+      SmoothCurve curve = smooth_body(shape, 128, position, orientation);
+      curve.nodes = place(sample(shape, 128, Side::fluid_outside, grading), position, orientation);
+      curve.parameters = graded_parameters(grading, 128);
+      return curve;
+    };
+    const ClosestPoints closest = closest_points(graded(even.parameter_a, 0.0, turn_a),
+                                                 graded(even.parameter_b, centre, turn_b));
+    BOOST_TEST(std::abs(closest.gap - even.gap) < 1e-13);
+  }
+  BOOST_TEST(apart > 40);
+}
+
+// A star between two of its arms on a curved wall: both touch it, almost equally, and the height
+// between them is hardly more.
+BOOST_AUTO_TEST_CASE(two_minima_that_hardly_differ) {
+  const Star shape{0.4, 0.09, 3};
+  const Circle wall{2.0};
+  const double facing = std::numbers::pi / 3.0;
+  for (double tilt : {1e-5, 1e-4, 1e-3}) {
+    for (double way : {-1.0, 1.0}) {
+      const double orientation = -facing + way * tilt;
+      const auto gap = [&](Index n, Index m, bool from_wall) {
+        const SmoothCurve star = smooth_body(shape, n, 1.6, orientation);
+        const SmoothCurve around = smooth_curve(wall, m, Side::fluid_inside, 0.0, 0.0);
+        return from_wall ? closest_points(around, star).gap : closest_points(star, around).gap;
+      };
+      const double fine = gap(1024, 1024, false);
+      BOOST_TEST(fine > 0.0);
+      for (Index n : {16, 32, 48, 64, 128}) {
+        for (Index m : {16, 64, 128, 256, 512}) {
+          for (bool from_wall : {false, true}) {
+            BOOST_TEST(std::abs(gap(n, m, from_wall) - fine) < 1e-13);
+          }
+        }
+      }
+    }
+  }
+}
