@@ -214,9 +214,12 @@ std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
                                   const std::vector<double>& strengths, double parameter,
                                   double depth) {
   require_valid(clusters, strengths);
+  // The integral from there on is less than rounding; further on, sines overflow.
+  constexpr double deepest = 80.0;
   double sum = 0.0;
   for (const Cluster& cluster : clusters) {
-    const Complex t{std::remainder(parameter - cluster.parameter, period), depth};
+    const Complex t{std::remainder(parameter - cluster.parameter, period),
+                    std::min(depth, deepest)};
     // Right on a cut of the branch, over a cluster or opposite to it, the sign is that of a zero.
     sum += std::abs(integral_in_period(t, cluster.width).imag());
   }

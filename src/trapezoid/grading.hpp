@@ -104,7 +104,7 @@ double graded_position(const Grading& grading, double parameter);
 /// t(s) itself lie about twice as deep as its clusters' widths.
 /// @param  grading    where nodes crowd
 /// @param  parameter  p, radians
-/// @param  depth      d, radians, > 0
+/// @param  depth      d, radians, > 0; may be infinite
 /// @return            rate, radians; d itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
 /// @par Accuracy      1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
@@ -115,7 +115,7 @@ double graded_depth(const Grading& grading, double parameter, double depth);
 /// @param  clusters   of all gradings
 /// @param  strengths  of the gradings
 /// @param  parameter  p, radians
-/// @param  depth      d, radians, > 0
+/// @param  depth      d, radians, > 0; may be infinite
 /// @return            rate for each strength, radians
 /// @throws std::invalid_argument as graded_parameters()
 /// @par Cost          two elliptic integrals a cluster

@@ -304,6 +304,22 @@ BOOST_AUTO_TEST_CASE(over_its_cluster_a_singularity_is_as_deep_as_the_arc_sine_s
   BOOST_TEST(graded_depth({}, 0.4, 0.125) == 0.125);
 }
 
+BOOST_AUTO_TEST_CASE(singularities_at_any_depth) {
+  // Between parallel sides nothing piles up: depths have no bound.
+  const Grading grading{{{0.3, 1e-2}, {2.0, 1e-5}}};
+  const double mean = mean_density(grading);
+  for (double parameter : {0.3, 1.0, 2.0 + pi}) {
+    const double added = graded_depth(grading, parameter, 70.0) * mean - 70.0;
+    BOOST_TEST(added > 0.0);
+    for (double depth : {90.0, 1e3, 1e5}) {
+      const double found = graded_depth(grading, parameter, depth) * mean - depth;
+      BOOST_TEST(std::abs(found - added) < 1e-14 * depth);
+    }
+    BOOST_TEST(std::abs(graded_depth(grading, parameter, 1e300) * mean / 1e300 - 1.0) < 1e-14);
+    BOOST_TEST(std::isinf(graded_depth(grading, parameter, INFINITY)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(gradings_that_make_no_sense_are_refused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
