@@ -39,7 +39,8 @@ class Search {
     const ClosestPoint at = closest(end.z, clearance_.watch);
     const double way = std::abs(end.z - start.z) + path_.stray_bound(std::abs(x), 1.0);
     const bool ends_far = std::min(at.distance, clearance_.watch) > deep_ + way;
-    if (!ends_far && !keeps_off(x, start, end, 2)) {
+    const bool ends_deep = at.distance <= deep_;
+    if (ends_deep || (!ends_far && !keeps_off(x, start, end, 3))) {
       if (const auto touch = deep_touch(x, end.z)) {
         return complete(vertex, touch->tau, gap(*touch, end.z), touch->at);
       }

@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(queries_do_not_grow_with_the_polygon) {
         const SearchCost cost = interferences(step, {{0.1}, 1e-4}).cost;
         BOOST_TEST(cost.pairs == 1u);
         BOOST_TEST(cost.vertices <= static_cast<std::size_t>(2 * m));
-        BOOST_TEST(queries_a_vertex(cost) < 20.0);
+        BOOST_TEST(queries_a_vertex(cost) < 16.5);
       }
     }
   }
