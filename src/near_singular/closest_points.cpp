@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -18,6 +19,10 @@ using Jet = TrigonometricPolynomial::Jet;
 
 double parameter_step(const Curve& curve) {
   return 2.0 * std::numbers::pi / static_cast<double>(curve.size());
+}
+
+double distance_of_parameters(double s, double t) {
+  return std::abs(std::remainder(s - t, 2.0 * std::numbers::pi));
 }
 
 // Unit normal out of the fluid.
@@ -59,21 +64,37 @@ Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s) {
 std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr int points_a_node = 4;
   const Index count = a.nodes.size();
-  Eigen::ArrayXd distance(count);
+  const double along_a = weights(a.nodes).maxCoeff(), along_b = weights(b.nodes).maxCoeff();
+  // Of the nodes; at first no more than they are.
+  Eigen::ArrayXd height(count);
   for (Index i = 0; i < count; ++i) {
-    distance[i] = std::sqrt((b.nodes.x.array() - a.nodes.x[i]).abs2().minCoeff());
+    height[i] = std::sqrt((b.nodes.x.array() - a.nodes.x[i]).abs2().minCoeff()) - 0.5 * along_b;
   }
-  const double spacing = std::max(weights(a.nodes).maxCoeff(), weights(b.nodes).maxCoeff());
-  const double farthest = distance.minCoeff() + spacing;
+  const double farthest = height.minCoeff() + 0.5 * (along_a + along_b);
+  std::vector<std::optional<Footing>> of_nodes(static_cast<std::size_t>(count));
+  double least = std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < count; ++i) {
+    if (height[i] > farthest) continue;
+    const Footing own = find_footing(a, b, a.parameter(i));
+    of_nodes[static_cast<std::size_t>(i)] = own;
+    height[i] = own.height;
+    least = std::min(least, own.height);
+  }
+  // From a node to the next the height changes by no more than the way.
+  const auto is_near = [&](Index i) {
+    return 0.5 * (height[i] + height[(i + 1) % count] - along_a) <= least;
+  };
   std::vector<std::optional<Footing>> footings;
   for (Index i = 0; i < count; ++i) {
-    const Index next = (i + 1) % count;
-    const bool is_near = std::min(distance[i], distance[next]) <= farthest;
-    const double from = a.parameter(i),
-                 length = std::remainder(a.parameter(next) - from, 2.0 * std::numbers::pi);
-    for (int k = 0; k < points_a_node; ++k) {
+    const double from = a.parameter(i), length = std::remainder(a.parameter((i + 1) % count) - from,
+                                                                2.0 * std::numbers::pi);
+    footings.emplace_back();
+    if (is_near(i) || is_near((i + count - 1) % count)) {
+      footings.back() = of_nodes[static_cast<std::size_t>(i)];
+    }
+    for (int k = 1; k < points_a_node; ++k) {
       footings.emplace_back();
-      if (is_near) footings.back() = find_footing(a, b, from + k * length / points_a_node);
+      if (is_near(i)) footings.back() = find_footing(a, b, from + k * length / points_a_node);
     }
   }
   return footings;
@@ -128,7 +149,7 @@ double SmoothCurve::parameter(Index node) const {
 }
 
 Jet SmoothCurve::at(double t) const {
-  const Jet jet = (*reference)(t);
+  const Jet jet = (*shape)(t);
   const Complex turn = std::polar(1.0, orientation);
   return {position + turn * jet.value, turn * jet.first, turn * jet.second};
 }
@@ -161,8 +182,10 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
   for (std::size_t i = 0; i < footings.size(); ++i) {
     const auto &own = footings[i], &next = footings[(i + 1) % footings.size()];
     if (!falls(own) || !rises(next)) continue;
+    const bool one_part =
+        own && next && distance_of_parameters(own->t, next->t) < parameter_step(b.nodes);
     descend(own);
-    descend(next);
+    if (!one_part) descend(next);
   }
   return measured(a, *best);
 }

@@ -14,9 +14,8 @@ namespace stokesbook {
 
 /// A curve placed in the plane that can be evaluated between its nodes.
 struct SmoothCurve {
-  Curve nodes;  ///< placed
-  std::shared_ptr<const TrigonometricPolynomial>
-      reference;                                 ///< interpolant in the curve's own frame
+  Curve nodes;                                   ///< placed
+  std::shared_ptr<const Parametrisation> shape;  ///< in the curve's own frame
   Complex position;                              ///< of the frame's origin, length
   double orientation = 0.0;                      ///< radians, counter-clockwise
   std::vector<GradedParameter> parameters = {};  ///< of the nodes; none where they are equidistant
@@ -31,7 +30,7 @@ struct SmoothCurve {
   ///
   /// @param  t  parameter, radians
   /// @return    x, x' and x'' at t, length
-  /// @par Cost  O(N)
+  /// @par Cost  that of the parametrisation
   TrigonometricPolynomial::Jet at(double t) const;
 };
 
@@ -73,7 +72,8 @@ struct ClosestPoints {
 /// @param  b  the other, N_b nodes
 /// @return    gap and where it is
 /// @par Accuracy  rounding of the positions, gaps of 1e-8 included: @ref claim_06_36
-/// @par Cost      N_a N_b distances, O(N_a + N_b) a Newton step
+/// @par Cost      N_a N_b distances, and some ten evaluations of the curves for each node that may be next
+/// to the closest point
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 
 /// Descends from a pair of points to the next local minimum of the distance of two curves.
@@ -84,7 +84,7 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 /// @param  t  parameter on the other near the foot of that point, radians
 /// @return    gap and where it is
 /// @par Accuracy  as closest_points(), @ref claim_06_36
-/// @par Cost      O(N_a + N_b) a Newton step
+/// @par Cost      about five evaluations of the curves a Newton step
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);
 
 /// @}

@@ -30,7 +30,8 @@ double cut_off(double height) {
 }
 
 SmoothCurve smooth(const Curve& curve) {
-  return {curve, std::make_shared<const TrigonometricPolynomial>(curve.x), {}, 0.0};
+  return {
+      curve, std::make_shared<const Parametrisation>(TrigonometricPolynomial(curve.x)), {}, 0.0};
 }
 
 // Height of a point over a curve, > 0 in the fluid; where the point is farther than the reach, only

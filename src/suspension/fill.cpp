@@ -24,7 +24,7 @@ struct Obstacle {
   double radius;
 };
 
-Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const TrigonometricPolynomial> shape,
+Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Parametrisation> shape,
                        const Placement& placement) {
   return {{place(reference, placement.position, placement.orientation), std::move(shape),
            placement.position, placement.orientation},
@@ -36,7 +36,8 @@ Obstacle make_obstacle(const BodyOrWall& component, double tolerance, const std:
   const Side side = side_of(kind_of(component));
   const Curve reference =
       sample(component.shape, own_nodes(component, side, tolerance, name), side);
-  return make_obstacle(reference, std::make_shared<TrigonometricPolynomial>(reference.x),
+  return make_obstacle(reference,
+                       std::make_shared<const Parametrisation>(parametrisation(component.shape)),
                        {component.position, component.orientation});
 }
 
@@ -135,7 +136,7 @@ Scene with_fills_placed(const Scene& scene) {
   for (const Fill& fill : scene.fills) {
     const Side side = Side::fluid_outside;
     const Curve reference = sample(fill.shape, own_nodes(fill, side, tolerance, "[[fill]]"), side);
-    const auto shape = std::make_shared<TrigonometricPolynomial>(reference.x);
+    const auto shape = std::make_shared<const Parametrisation>(parametrisation(fill.shape));
     const std::array<double, 4> box = fill.box.value_or(fluid.box);
     const double region_area = fill.box ? (box[2] - box[0]) * (box[3] - box[1]) : fluid.area;
     const long count =

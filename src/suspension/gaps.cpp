@@ -135,8 +135,10 @@ int given_nodes(const Scene& scene, std::size_t component) {
 }
 
 SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
-  return {place(reference.curve, placement.position, placement.orientation), reference.interpolant,
-          placement.position, placement.orientation, reference.parameters};
+  SmoothCurve curve{place(reference.curve, placement.position, placement.orientation),
+                    reference.parametrisation, placement.position, placement.orientation};
+  if (reference.resolution.is_graded()) curve.parameters = reference.parameters;
+  return curve;
 }
 
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,

@@ -53,11 +53,11 @@ struct GapResolution {
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
                              const References& references);
 
-/// Places a component's nodes with their interpolant.
+/// Places a component.
 ///
 /// @param  reference  shared nodes, in the shape's own frame
 /// @param  placement  where they are
-/// @return            nodes in the plane, with the reference's interpolant
+/// @return            its nodes and its curve in the plane
 SmoothCurve smooth_curve(const Reference& reference, const Placement& placement);
 
 /// @}

@@ -12,14 +12,14 @@ namespace {
 Reference build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
                 const ReferenceNeeds& needs) {
   const Side side = side_of(kind);
-  const Curve equidistant = sample(shape, resolution.n_nodes, side);
   const auto parameters = graded_parameters(resolution.grading, resolution.n_nodes);
   Reference reference{shape,
                       resolution,
                       kind,
                       parameters,
-                      resolution.is_graded() ? sample(shape, parameters, side) : equidistant,
-                      std::make_shared<TrigonometricPolynomial>(equidistant.x),
+                      resolution.is_graded() ? sample(shape, parameters, side)
+                                             : sample(shape, resolution.n_nodes, side),
+                      std::make_shared<const Parametrisation>(parametrisation(shape)),
                       0.0,
                       {},
                       {},

@@ -37,13 +37,12 @@ using Resolutions = std::vector<Resolution>;
 
 /// What all components of one shape, resolution and kind share, in the shape's own frame.
 struct Reference {
-  Shape shape;                              ///< what was sampled
-  Resolution resolution;                    ///< how finely
-  ComponentKind kind;                       ///< sets the side of the curve
-  std::vector<GradedParameter> parameters;  ///< of the shape at the nodes
-  Curve curve;                              ///< nodes
-  std::shared_ptr<const TrigonometricPolynomial>
-      interpolant;  ///< of the shape over its own parameter, however the nodes are graded
+  Shape shape;                                             ///< what was sampled
+  Resolution resolution;                                   ///< how finely
+  ComponentKind kind;                                      ///< sets the side of the curve
+  std::vector<GradedParameter> parameters;                 ///< of the shape at the nodes
+  Curve curve;                                             ///< nodes
+  std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
   double rigid_motion_residual;               ///< of the curve, by the function of this name
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -27,6 +28,13 @@ double parameter(const Polygon& polygon, Index vertex) {
   return 2.0 * std::numbers::pi * static_cast<double>(vertex) / static_cast<double>(polygon.size());
 }
 
+Index nearest_vertex(const Polygon& polygon, double parameter) {
+  const double turns = parameter / (2.0 * std::numbers::pi);
+  const Index vertex =
+      std::lround((turns - std::floor(turns)) * static_cast<double>(polygon.size()));
+  return vertex % polygon.size();
+}
+
 void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
   const auto first = static_cast<Index>(3 * component);
   gradient.insert(i, first) = wrench.force.real();
@@ -34,9 +42,13 @@ void add(GapGradient& gradient, Index i, std::size_t component, const Wrench& wr
   gradient.insert(i, first + 2) = wrench.torque;
 }
 
+Complex middle(const ClosestPoints& points) {
+  return 0.5 * (points.point_a + points.point_b);
+}
+
 // On the first of two curves, half way between the closest points.
 ActingForce acting_force(const ClosestPoints& points) {
-  return {0.5 * (points.point_a + points.point_b), (points.point_a - points.point_b) / points.gap};
+  return {middle(points), (points.point_a - points.point_b) / points.gap};
 }
 
 // Unit forces at the closest points, that push the two apart; torques about their centres.
@@ -89,14 +101,52 @@ ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation,
 std::vector<StageRow> StageRows::pressed_rows(const VectorXd& velocity, const Configuration& end) {
   const Interferences found =
       interferences(shapes_, straight_paths(stage_.start, velocity, stage_.dt), rules_.polygons);
-  std::vector<StageRow> rows;
+  std::map<ComponentPair, std::vector<StageRow>> near;
   for (const Contact& contact : found.contacts) {
-    if (!rules_.concerns(contact.a, contact.b)) continue;
-    if (is_violated(contact, end)) pressed_.emplace(contact.a, contact.b);
-    if (!pressed_.contains({contact.a, contact.b})) continue;
-    for (const ContactRow& row : contact.rows) rows.push_back({contact.a, contact.b, row});
+    const std::size_t a = contact.a, b = contact.b;
+    if (!rules_.concerns(a, b)) continue;
+    if (contact.is_violated()) pressed_.emplace(a, b);
+    for (const ContactRow& row : contact.rows) near[{a, b}].push_back({a, b, row});
   }
-  return rows;
+  std::vector<StageRow> pressed;
+  for (auto& [pair, rows] : near) {
+    const auto is_close = [this](const StageRow& row) { return row.row.gap < sags(row); };
+    if (!pressed_.contains(pair) && std::ranges::none_of(rows, is_close)) continue;
+    for (StageRow& row : rows) measure(row, end);
+    if (!is_violated(rows)) look_for_missed(rows, end);
+    add_missed(rows, end);
+    if (is_violated(rows)) pressed_.insert(pair);
+    if (pressed_.contains(pair)) std::ranges::move(rows, std::back_inserter(pressed));
+  }
+  return pressed;
+}
+
+// Of two minima that differ by less than sags, polygons may show one. Where the curves of a pair
+// come too near though all of its rows are wide enough, there is the other: it has a row from then
+// on.
+void StageRows::look_for_missed(const std::vector<StageRow>& rows, const Configuration& end) {
+  RowKey key = rows.front().row.key;
+  const ClosestPoints least = closest_points(curve(key.vertex_of, end), curve(key.polygon_of, end));
+  const double kept = rules_.curves.between(key.vertex_of, key.polygon_of);
+  if (least.gap <= 0.0 || least.gap - kept >= -rules_.polygons.tolerance) return;
+  key.vertex = nearest_vertex(shapes_[key.vertex_of]->polygon, least.parameter_a);
+  missed_[{rows.front().a, rows.front().b}].insert(key);
+}
+
+void StageRows::add_missed(std::vector<StageRow>& rows, const Configuration& end) const {
+  const auto missed = missed_.find({rows.front().a, rows.front().b});
+  if (missed == missed_.end()) return;
+  for (const RowKey& key : missed->second) {
+    // The polygons say of it what they say of the deepest row.
+    StageRow row =
+        *std::ranges::min_element(rows, {}, [](const StageRow& own) { return own.row.gap; });
+    row.row.key = key;
+    measure(row, end);
+    const auto is_there = [&](const StageRow& other) {
+      return other.points && std::abs(middle(*row.points) - middle(*other.points)) < sags(row);
+    };
+    if (row.points && std::ranges::none_of(rows, is_there)) rows.push_back(row);
+  }
 }
 
 ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisation) {
@@ -112,10 +162,9 @@ ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisatio
     add(result.force_gradient, i, key, acting, stage_.acting);
     row.on_a = acting_force(acting);
     if (key.vertex_of == row.b) row.on_a.normal = -row.on_a.normal;
-    const auto [gap, points] = gap_at(end, row);
-    result.gap[i] = gap;
-    if (linearisation == Linearisation::exact && points) {
-      add(result.gradient, i, key, *points, end);
+    result.gap[i] = row.gap;
+    if (linearisation == Linearisation::exact && row.points) {
+      add(result.gradient, i, key, *row.points, end);
     } else if (linearisation == Linearisation::exact) {
       add(result.gradient, i, row.a, row.row.derivative.on_a);
       add(result.gradient, i, row.b, row.row.derivative.on_b);
@@ -127,21 +176,19 @@ ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisatio
   return result;
 }
 
-StageRows::Gap StageRows::gap_at(const Configuration& end, const StageRow& row) const {
+// By the curves where their gap is the one that the polygons show, else by these.
+void StageRows::measure(StageRow& row, const Configuration& end) const {
   const ClosestPoints points = closest(row.row.key, end);
   const double by_polygons = row.row.gap + rules_.polygons.separation.between(row.a, row.b);
   const double kept = rules_.curves.between(row.a, row.b);
   const bool same = points.gap > 0.0 && std::abs(points.gap - by_polygons) < sags(row);
-  return same ? Gap{points.gap - kept, points} : Gap{by_polygons - kept, {}};
+  row.gap = (same ? points.gap : by_polygons) - kept;
+  row.points = same ? std::optional(points) : std::nullopt;
 }
 
-// By the polygons, or by the curves, which come closer: a pair that is kept apart by the one
-// measure and let go by the other would jump to and fro.
-bool StageRows::is_violated(const Contact& contact, const Configuration& end) const {
-  return contact.is_violated() || std::ranges::any_of(contact.rows, [&](const ContactRow& own) {
-           const StageRow row{contact.a, contact.b, own};
-           return own.gap < sags(row) && gap_at(end, row).gap < -rules_.polygons.tolerance;
-         });
+bool StageRows::is_violated(const std::vector<StageRow>& rows) const {
+  return std::ranges::any_of(
+      rows, [this](const StageRow& row) { return row.gap < -rules_.polygons.tolerance; });
 }
 
 // By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
@@ -150,10 +197,13 @@ double StageRows::sags(const StageRow& row) const {
   return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
 }
 
+SmoothCurve StageRows::curve(std::size_t component, const Configuration& at) const {
+  return smooth_curve(*references_[component], at[component]);
+}
+
 // Where the curves are closest, at a configuration.
 ClosestPoints StageRows::closest(const RowKey& key, const Configuration& at) const {
-  const SmoothCurve a = smooth_curve(*references_[key.vertex_of], at[key.vertex_of]);
-  const SmoothCurve b = smooth_curve(*references_[key.polygon_of], at[key.polygon_of]);
+  const SmoothCurve a = curve(key.vertex_of, at), b = curve(key.polygon_of, at);
   const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
   const Polygon& polygon = shapes_[key.polygon_of]->polygon;
   const Complex seen = std::polar(1.0, -b.orientation) * (a.at(s).value - b.position);

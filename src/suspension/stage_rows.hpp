@@ -23,10 +23,12 @@ struct ActingForce {
 
 /// A row as the loop of the nonlinear problem names and weighs it.
 struct StageRow {
-  std::size_t a,       ///< a component
-      b;               ///< the other, after it
-  ContactRow row;      ///< by the polygons
-  ActingForce on_a{};  ///< by the curves
+  std::size_t a,                          ///< a component
+      b;                                  ///< the other, after it
+  ContactRow row;                         ///< by the polygons
+  double gap = 0.0;                       ///< at the end, over the separation of the curves, length
+  std::optional<ClosestPoints> points{};  ///< there, of the curves where the gap is theirs
+  ActingForce on_a{};                     ///< by the curves
 };
 
 /// Finds the straight paths of components.
@@ -48,7 +50,8 @@ struct StageRules {
 /// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows
 /// that it has returned.
 ///
-/// Rows are those of interferences() of pairs that were violated at some velocity. Their gaps are
+/// Rows are those of interferences() of pairs that were violated at some velocity, and others where
+/// the curves of such a pair were found closer than at all of its rows. Their gaps are
 /// those of the curves at the end of the step; forces act at the closest points of the acting
 /// configuration, as those at the end of the step would cost an order.
 class StageRows {
@@ -79,25 +82,24 @@ class StageRows {
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
   enum class Linearisation { exact, symmetric };
-  // Of the curves, with their closest points, where it is the same as that of the polygons.
-  struct Gap {
-    double gap;
-    std::optional<ClosestPoints> points;
-  };
   /// @endcond
   ContactResult resolved(ContactStep step, Linearisation linearisation, int most_iterations);
   ContactRows rows(const Eigen::VectorXd& velocity, Linearisation linearisation);
   std::vector<StageRow> pressed_rows(const Eigen::VectorXd& velocity, const Configuration& end);
-  Gap gap_at(const Configuration& end, const StageRow& row) const;
-  bool is_violated(const Contact& contact, const Configuration& end) const;
+  void look_for_missed(const std::vector<StageRow>& rows, const Configuration& end);
+  void add_missed(std::vector<StageRow>& rows, const Configuration& end) const;
+  void measure(StageRow& row, const Configuration& end) const;
+  bool is_violated(const std::vector<StageRow>& rows) const;
   double sags(const StageRow& row) const;
+  SmoothCurve curve(std::size_t component, const Configuration& at) const;
   ClosestPoints closest(const RowKey& key, const Configuration& at) const;
 
   const ContactStage& stage_;
   const References& references_;
   const ContactShapes& shapes_;
   const StageRules& rules_;
-  std::set<std::pair<std::size_t, std::size_t>> pressed_;  // violated at some velocity
+  std::set<ComponentPair> pressed_;                   // violated at some velocity
+  std::map<ComponentPair, std::set<RowKey>> missed_;  // minima that polygons did not tell apart
   std::map<ContactKey, StageRow> seen_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/smooth_curve.hpp"
 #include "suspension/fill.hpp"
 #include "suspension/solver.hpp"
 #include "suspension/trajectories.hpp"
@@ -39,10 +40,8 @@ std::vector<Body> placed_by_all_pairs(const Scene& scene, const std::array<doubl
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
   const auto smooth = [](const auto& component, Side side) {
-    const Curve reference = sample(component.shape, component.n_nodes, side);
-    return SmoothCurve{place(reference, component.position, component.orientation),
-                       std::make_shared<TrigonometricPolynomial>(reference.x), component.position,
-                       component.orientation};
+    return test::smooth_curve(component.shape, component.n_nodes, side, component.position,
+                              component.orientation);
   };
   std::vector<SmoothCurve> obstacles;
   for (const Wall& wall : scene.walls) {

@@ -6,15 +6,17 @@
 
 namespace stokesbook::test {
 
-/// Nodes in their own frame with their interpolant, placed in the plane.
+/// A curve in its own frame, with the interpolant of its nodes, placed in the plane.
 inline SmoothCurve smooth_curve(const Curve& reference, Complex position, double orientation) {
   return {place(reference, position, orientation),
-          std::make_shared<TrigonometricPolynomial>(reference.x), position, orientation};
+          std::make_shared<const Parametrisation>(TrigonometricPolynomial(reference.x)), position,
+          orientation};
 }
 
 inline SmoothCurve smooth_curve(const Shape& shape, Eigen::Index n, Side side, Complex position,
                                 double orientation) {
-  return smooth_curve(sample(shape, n, side), position, orientation);
+  return {place(sample(shape, n, side), position, orientation),
+          std::make_shared<const Parametrisation>(parametrisation(shape)), position, orientation};
 }
 
 inline SmoothCurve smooth_body(const Shape& shape, Eigen::Index n, Complex position,
