@@ -65,8 +65,7 @@ struct ContactOutcome {
 /// four thousandths of the separation of their curves, and resolved by resolve_contact() with the
 /// mobility of the whole suspension and the gaps of the curves. Where a force acts, these are one
 /// separation to a part in 1e5, or up to 1.016 separations where polygons and curves disagree on
-/// which points are the closest. Crowds of stars have been seen with a gap that is narrower by
-/// 3e-4 separations.
+/// which points are the closest. No state that admits() refuses is accepted.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.

@@ -114,29 +114,32 @@ std::vector<StageRow> StageRows::pressed_rows(const VectorXd& velocity, const Co
     if (!pressed_.contains(pair) && std::ranges::none_of(rows, is_close)) continue;
     for (StageRow& row : rows) measure(row, end);
     if (!is_violated(rows)) look_for_missed(rows, end);
-    add_missed(rows, end);
+    add_former(rows, end);
     if (is_violated(rows)) pressed_.insert(pair);
-    if (pressed_.contains(pair)) std::ranges::move(rows, std::back_inserter(pressed));
+    if (!pressed_.contains(pair)) continue;
+    places_[pair].clear();
+    for (const StageRow& row : rows) places_[pair].push_back(row.row.key);
+    std::ranges::move(rows, std::back_inserter(pressed));
   }
   return pressed;
 }
 
-// Of two minima that differ by less than sags, polygons may show one. Where the curves of a pair
-// come too near though all of its rows are wide enough, there is the other: it has a row from then
-// on.
+// Of two minima that differ by less than sags, polygons may show one, now this and now that. Where
+// the curves of a pair come too near though all of its rows are wide enough, there is the other.
 void StageRows::look_for_missed(const std::vector<StageRow>& rows, const Configuration& end) {
   RowKey key = rows.front().row.key;
   const ClosestPoints least = closest_points(curve(key.vertex_of, end), curve(key.polygon_of, end));
   const double kept = rules_.curves.between(key.vertex_of, key.polygon_of);
   if (least.gap <= 0.0 || least.gap - kept >= -rules_.polygons.tolerance) return;
   key.vertex = nearest_vertex(shapes_[key.vertex_of]->polygon, least.parameter_a);
-  missed_[{rows.front().a, rows.front().b}].insert(key);
+  places_[{rows.front().a, rows.front().b}].push_back(key);
 }
 
-void StageRows::add_missed(std::vector<StageRow>& rows, const Configuration& end) const {
-  const auto missed = missed_.find({rows.front().a, rows.front().b});
-  if (missed == missed_.end()) return;
-  for (const RowKey& key : missed->second) {
+// Where a pair had a row, it keeps one, as long as the curves have a minimum there.
+void StageRows::add_former(std::vector<StageRow>& rows, const Configuration& end) const {
+  const auto places = places_.find({rows.front().a, rows.front().b});
+  if (places == places_.end()) return;
+  for (const RowKey& key : places->second) {
     // The polygons say of it what they say of the deepest row.
     StageRow row =
         *std::ranges::min_element(rows, {}, [](const StageRow& own) { return own.row.gap; });

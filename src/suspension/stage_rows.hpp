@@ -50,9 +50,9 @@ struct StageRules {
 /// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows
 /// that it has returned.
 ///
-/// Rows are those of interferences() of pairs that were violated at some velocity, and others where
-/// the curves of such a pair were found closer than at all of its rows. Their gaps are
-/// those of the curves at the end of the step; forces act at the closest points of the acting
+/// Rows are those of interferences() of pairs that were violated at some velocity, where such a pair
+/// had one at an earlier velocity, and where its curves come closer than at all of these. Their gaps
+/// are those of the curves at the end of the step; forces act at the closest points of the acting
 /// configuration, as those at the end of the step would cost an order.
 class StageRows {
  public:
@@ -87,7 +87,7 @@ class StageRows {
   ContactRows rows(const Eigen::VectorXd& velocity, Linearisation linearisation);
   std::vector<StageRow> pressed_rows(const Eigen::VectorXd& velocity, const Configuration& end);
   void look_for_missed(const std::vector<StageRow>& rows, const Configuration& end);
-  void add_missed(std::vector<StageRow>& rows, const Configuration& end) const;
+  void add_former(std::vector<StageRow>& rows, const Configuration& end) const;
   void measure(StageRow& row, const Configuration& end) const;
   bool is_violated(const std::vector<StageRow>& rows) const;
   double sags(const StageRow& row) const;
@@ -98,8 +98,8 @@ class StageRows {
   const References& references_;
   const ContactShapes& shapes_;
   const StageRules& rules_;
-  std::set<ComponentPair> pressed_;                   // violated at some velocity
-  std::map<ComponentPair, std::set<RowKey>> missed_;  // minima that polygons did not tell apart
+  std::set<ComponentPair> pressed_;                      // violated at some velocity
+  std::map<ComponentPair, std::vector<RowKey>> places_;  // of its rows so far
   std::map<ContactKey, StageRow> seen_;
 };
 

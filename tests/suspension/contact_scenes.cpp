@@ -328,6 +328,24 @@ BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
   BOOST_TEST(least_gap(scene, coarse) >= separation * (1 - 1e-4));
 }
 
+// It rests on two of its arms, a hair nearer now with the one, now with the other: polygons tell but
+// the deeper one, and a step that sees to that alone is refused or goes to and fro.
+BOOST_AUTO_TEST_CASE(a_star_slides_down_a_wall_on_two_of_its_arms) {
+  const double separation = 0.035;
+  for (const double orientation : {3.0, 3.2, 3.4}) {
+    Body star = pushed(Star{0.4, 0.09, 3}, {-0.85, -1.25}, {0.0, -30.0});
+    star.orientation = orientation;
+    Scene scene = over(loaded({star}, separation), 3.0, 0.06, SteppingMethod::heun);
+    scene.gauge_length.reset();
+    scene.walls = {{.role = WallRole::outer, .shape = Ellipse{2.0, 1.93}}};
+    const RecordedRun run = recorded_run(scene);
+    BOOST_TEST(run.totals.rejected_steps == 0);
+    BOOST_TEST(least_gap(scene, run) >= separation * (1 - 2e-5));
+    const auto rests_on_two = [](const Frame& frame) { return frame.contacts.size() == 2; };
+    BOOST_TEST(std::ranges::any_of(run.frames, rests_on_two));
+  }
+}
+
 // The density of a film under pressure is thousands of times the velocities. To a body elsewhere,
 // errors of the film's quadrature must not look like those that nodes mend.
 BOOST_AUTO_TEST_CASE(forces_ask_for_no_nodes_but_where_they_act) {
