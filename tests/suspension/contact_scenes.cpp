@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
 // the deeper one, and a step that sees to that alone is refused or goes to and fro.
 BOOST_AUTO_TEST_CASE(a_star_slides_down_a_wall_on_two_of_its_arms) {
   const double separation = 0.035;
-  for (const double orientation : {3.0, 3.2, 3.4}) {
+  for (const double orientation : {2.8, 2.9, 3.0}) {
     Body star = pushed(Star{0.4, 0.09, 3}, {-0.85, -1.25}, {0.0, -30.0});
     star.orientation = orientation;
     Scene scene = over(loaded({star}, separation), 3.0, 0.06, SteppingMethod::heun);
