@@ -52,15 +52,15 @@ Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s, doubl
   return {s, foot.parameter, at_a, foot.at, dot(foot.at.value - at_a.value, normal(b, foot.at))};
 }
 
-// Finds the foot that is nearest to the node of b that is closest.
+// Finds the foot next to the node of b that is closest.
 Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s) {
   const Index closest = nearest_node(b.nodes, a.at(s).value);
   return find_footing(a, b, s, b.parameter(closest));
 }
 
-// Feet on b of points along a, four from each node to the next: those that may be next to the closest
-// point, and none for the others. Curves may have as few nodes as their shape needs, and two minima
-// of the height between two of them.
+// Feet on b of points along a, four from each node to the next: those that may be next to the
+// closest point, and none for the others. Curves may have as few nodes as their shape needs, and
+// two minima of the height between two of them.
 std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr int points_a_node = 4;
   const Index count = a.nodes.size();
@@ -82,7 +82,8 @@ std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const Sm
   }
   // From a node to the next the height changes by no more than the way.
   const auto is_near = [&](Index i) {
-    return 0.5 * (height[i] + height[(i + 1) % count] - along_a) <= least;
+    const auto [low, high] = std::minmax({height[i], height[(i + 1) % count]});
+    return low <= least || 0.5 * (low + high - along_a) <= least;
   };
   std::vector<std::optional<Footing>> footings;
   for (Index i = 0; i < count; ++i) {
@@ -171,11 +172,14 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
   const std::vector<std::optional<Footing>> footings = near_footings(a, b);
   const auto falls = [&](const auto& at) { return !at || slope(b, *at) <= 0.0; };
   const auto rises = [&](const auto& at) { return !at || slope(b, *at) >= 0.0; };
-  std::optional<Footing> best;
+  const auto height = [](const auto& at) {
+    return at ? at->height : std::numeric_limits<double>::infinity();
+  };
+  Footing lowest = **std::ranges::min_element(footings, {}, height);
   const auto descend = [&](const std::optional<Footing>& start) {
     if (!start) return;
-    const Footing lowest = least_height(a, b, *start);
-    if (!best || lowest.height < best->height) best = lowest;
+    const Footing found = least_height(a, b, *start);
+    if (found.height < lowest.height) lowest = found;
   };
   // Where the height falls at one point and rises at the next there is a minimum between them; two,
   // where their feet are on different parts of b.
@@ -187,7 +191,7 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
     descend(own);
     if (!one_part) descend(next);
   }
-  return measured(a, *best);
+  return measured(a, lowest);
 }
 
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {

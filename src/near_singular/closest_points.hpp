@@ -64,16 +64,16 @@ struct ClosestPoints {
 
 /// Measures the least distance of two curves through the fluid between them.
 ///
-/// Newton's method minimises the height of one curve over the other, which is regular at contact and
-/// beyond it, from wherever that height turns from falling to rising along the curve, looked at four
-/// times a node. So minima that hardly differ are all found, and curves that touch or overlap are told
-/// from near ones wherever their nodes are.
+/// Newton's method minimises the height of one curve over the other, which is regular at contact
+/// and beyond it, from wherever that height turns from falling to rising along the curve, looked at
+/// four times a node. So minima that hardly differ are all found, and curves that touch or overlap
+/// are told from near ones wherever their nodes are.
 /// @param  a  one curve, N_a nodes
 /// @param  b  the other, N_b nodes
 /// @return    gap and where it is
 /// @par Accuracy  rounding of the positions, gaps of 1e-8 included: @ref claim_06_36
-/// @par Cost      N_a N_b distances, and some ten evaluations of the curves for each node that may be next
-/// to the closest point
+/// @par Cost      N_a N_b distances, and some twenty evaluations of the curves for each node that
+/// may be next to the closest point
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 
 /// Descends from a pair of points to the next local minimum of the distance of two curves.

@@ -50,10 +50,10 @@ struct StageRules {
 /// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows
 /// that it has returned.
 ///
-/// Rows are those of interferences() of pairs that were violated at some velocity, where such a pair
-/// had one at an earlier velocity, and where its curves come closer than at all of these. Their gaps
-/// are those of the curves at the end of the step; forces act at the closest points of the acting
-/// configuration, as those at the end of the step would cost an order.
+/// Rows are those of interferences() of pairs that were violated at some velocity, where such a
+/// pair had one at an earlier velocity, and where its curves come closer than at all of these. Their
+/// gaps are those of the curves at the end of the step; forces act at the closest points of the
+/// acting configuration, as those at the end of the step would cost an order.
 class StageRows {
  public:
   /// Takes a stage.

@@ -328,8 +328,8 @@ BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for) {
   BOOST_TEST(least_gap(scene, coarse) >= separation * (1 - 1e-4));
 }
 
-// It rests on two of its arms, a hair nearer now with the one, now with the other: polygons tell but
-// the deeper one, and a step that sees to that alone is refused or goes to and fro.
+// It rests on two of its arms, a hair nearer now with the one, now with the other: polygons tell
+// but the deeper one, and a step that sees to that alone is refused or goes to and fro.
 BOOST_AUTO_TEST_CASE(a_star_slides_down_a_wall_on_two_of_its_arms) {
   const double separation = 0.035;
   for (const double orientation : {2.8, 2.9, 3.0}) {
