@@ -35,7 +35,7 @@ class AppendFile {
   ~AppendFile();
 
   /// Appends a record, with one system call if the disk takes it whole, so that a kill leaves whole
-  /// records.
+  /// records; of one that goes across a page of the file it may leave the part before.
   ///
   /// @param  record  its bytes, with the end of line if it is one
   /// @throws RecordError when not all of it could be written; what was written of it is cut off
