@@ -201,7 +201,8 @@ BOOST_AUTO_TEST_CASE(graded_stars_are_measured_from_where_their_nodes_are) {
   int apart = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const Star shape{0.7, 0.25, 3 + trial % 3};
-    const Complex centre = std::polar(1.45 + 0.3 * uniform(generator), turn * uniform(generator));
+    const double distance = 1.45 + 0.3 * uniform(generator);
+    const Complex centre = std::polar(distance, turn * uniform(generator));
     const double turn_a = turn * uniform(generator), turn_b = turn * uniform(generator);
     const ClosestPoints even = closest_points(smooth_body(shape, 512, 0.0, turn_a),
                                               smooth_body(shape, 512, centre, turn_b));
@@ -218,7 +219,7 @@ BOOST_AUTO_TEST_CASE(graded_stars_are_measured_from_where_their_nodes_are) {
                                                  graded(even.parameter_b, centre, turn_b));
     BOOST_TEST(std::abs(closest.gap - even.gap) < 1e-13);
   }
-  BOOST_TEST(apart > 40);
+  BOOST_TEST(apart > 30);
 }
 
 // A star between two of its arms on a curved wall: both touch it, almost equally, and the height
