@@ -79,7 +79,7 @@ void remove_files(const fs::path& directory, Pick pick) {
 }
 
 void require_no_run(const fs::path& directory) {
-  for (const char* name : {checkpoint_name, info_name, trajectory_name, steps_name}) {
+  for (const char* name : {checkpoint_name, info_name, trajectory_name}) {
     std::error_code unreadable;
     if (fs::exists(directory / name, unreadable)) {
       throw RecordError(directory, "holds a run already (" + std::string(name) +
@@ -105,6 +105,7 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
   }
   RunDirectory directory(path, std::move(contents));
   for (const auto& [name, header] : headers(directory.contents_)) {
+    AppendFile::create(path / name);  // nobody's file is replaced
     // Many pages: a kill may come between any two of them.
     write_atomically(path / name, header, SafeFrom::kill);
     directory.tables_.emplace(name, AppendFile::reopen(path / name, header.size()));
