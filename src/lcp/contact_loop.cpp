@@ -186,11 +186,13 @@ class ContactLoop {
            step_.refine(result_.multipliers);
   }
 
-  // The rows as they are now, and later in the loop those that were violated before.
+  // The rows as they are now, and those that were violated before where some still are later in the
+  // loop: where none is, they would only hold gaps open, as their linearisations are old.
   Cuts next_cuts() {
     Cuts cuts = linearised(rows_, result_.velocity, step_.dt);
     Cuts now = violated(rows_, cuts, step_.tolerance);
-    if (result_.iterations > options_.cuts_after) cuts.insert(violated_.begin(), violated_.end());
+    rows_come_back_ |= result_.iterations > options_.cuts_after && !now.empty();
+    if (rows_come_back_) cuts.insert(violated_.begin(), violated_.end());
     now.merge(violated_);
     violated_ = std::move(now);
     return cuts;
@@ -308,8 +310,9 @@ class ContactLoop {
   const ContactStep& step_;
   const ContactLoopOptions& options_;
   ContactResult result_;
-  ContactRows rows_;  // at the velocity of the result
-  Cuts violated_;     // in earlier iterations
+  ContactRows rows_;             // at the velocity of the result
+  Cuts violated_;                // in earlier iterations
+  bool rows_come_back_ = false;  // of these
 };
 
 }  // namespace

@@ -62,7 +62,8 @@ struct ContactLoopOptions {
   double open_gap = 0.1;     ///< in units of the separation: a gap that is open
   double divergence = 10.0;  ///< in units of the separation, or of the violation at U* if that is
                              ///< larger: a violation after which the loop gives up
-  int cuts_after = 4;        ///< iterations after which rows violated earlier come back
+  int cuts_after = 4;        ///< iterations after which rows violated earlier come back, if some
+                             ///< still are
   LcpSolver solver = lemke;  ///< of the linear problems; where it fails, fischer_newton()
 };
 
@@ -113,9 +114,9 @@ struct ContactResult {
 /// takes the place of c. Gaps themselves are never clipped: the result is accepted only when all of
 /// rows(U) are at least -tolerance.
 ///
-/// After some iterations, rows that were violated earlier and whose points are no longer among
-/// rows(U_k) come back with their last linearisation. Without them, points that take turns at being
-/// the deepest never agree.
+/// Where rows are still violated after some iterations, those that were violated earlier and whose
+/// points are no longer among rows(U_k) come back with their last linearisation. Without them,
+/// points that take turns at being the deepest never agree.
 ///
 /// Force and gap belong together by ContactKey::contact: a force counts (its effect on its own gap,
 /// \f$ N_{ii} \lambda_i \f$, is more than the tolerance) as across an open gap when no row of its

@@ -251,6 +251,27 @@ BOOST_AUTO_TEST_CASE(all_earlier_rows_come_back_not_only_the_last) {
   BOOST_TEST(result.iterations <= 6);
 }
 
+BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
+  // The row that U* violates asks for 0.6. Then another point is deepest, and Newton's method halves
+  // U on its way to 0: for more iterations than after which rows come back, with the gap open.
+  ContactStep step = step_of(
+      VectorXd::Constant(1, -1.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
+        const double u = velocity[0];
+        RowBuilder builder(1);
+        if (u < 0.0) {
+          builder.add({0, 0}, -0.5 + 0.3125 * (u + 1.0), VectorXd::Constant(1, 0.3125));
+        } else {
+          builder.add({0, 1}, u * (u + 1e-3), VectorXd::Constant(1, 2.0 * u + 1e-3));
+        }
+        return builder.rows();
+      });
+  step.tolerance = 1e-3;
+  const ContactResult result = resolve_contact(step);
+  BOOST_TEST(resolved(result), result.reason);
+  BOOST_TEST(result.iterations > ContactLoopOptions{}.cuts_after);
+  BOOST_TEST(result.kkt_residual <= step.tolerance);
+}
+
 BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
   int iterations = 0, steps = 0, halvings = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
