@@ -22,7 +22,8 @@ constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_clusters = 256
 struct MostNodes {
   Eigen::Index in_all, a_contact;
 };
-constexpr MostNodes within_walls{1600, 800}, of_circles{800, 200}, of_others{1600, 200};
+constexpr MostNodes within_walls{1600, 800}, of_circles{800, 200},
+    of_others{most_nodes_of_direct, 200};
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
   return reference->kind != ComponentKind::enclosing_wall;
