@@ -61,31 +61,36 @@ bool belongs_to_run(const std::string& name) {
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
 }
 
+/// Returns the names of a directory's files.
+std::vector<fs::path> file_names(const fs::path& directory) {
+  std::error_code error;
+  std::vector<fs::path> names;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    names.push_back(entry->path().filename());
+  }
+  if (error) throw RecordError(directory, "listing", error);
+  return names;
+}
+
 /// Removes the files whose name is picked, with what a kill may have left of their successors.
 template <class Pick>
 void remove_files(const fs::path& directory, Pick pick) {
-  std::error_code error;
-  std::vector<fs::path> picked;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path name = entry->path().filename();
-    if (pick(is_partial(name) ? name.stem().string() : name.string())) picked.push_back(name);
-  }
-  if (error) throw RecordError(directory, "listing", error);
-  for (const fs::path& name : picked) {
+  for (const fs::path& name : file_names(directory)) {
+    if (!pick(is_partial(name) ? name.stem().string() : name.string())) continue;
+    std::error_code error;
     fs::remove(directory / name, error);
     if (error) throw RecordError(directory / name, "removing", error);
   }
 }
 
+/// Refuses a directory with a file that the run would replace.
 void require_no_run(const fs::path& directory) {
-  for (const char* name : {checkpoint_name, info_name, trajectory_name}) {
-    std::error_code unreadable;
-    if (fs::exists(directory / name, unreadable)) {
-      throw RecordError(directory, "holds a run already (" + std::string(name) +
-                                       "): give --resume, --overwrite or another directory");
-    }
-  }
+  const std::vector<fs::path> names = file_names(directory);
+  const auto found = std::ranges::find_if(names, belongs_to_run);
+  if (found == names.end()) return;
+  throw RecordError(directory, "holds a run already (" + found->string() +
+                                   "): give --resume, --overwrite or another directory");
 }
 
 }  // namespace
@@ -105,7 +110,6 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
   }
   RunDirectory directory(path, std::move(contents));
   for (const auto& [name, header] : headers(directory.contents_)) {
-    AppendFile::create(path / name);  // nobody's file is replaced
     // Many pages: a kill may come between any two of them.
     write_atomically(path / name, header, SafeFrom::kill);
     directory.tables_.emplace(name, AppendFile::reopen(path / name, header.size()));

@@ -55,8 +55,8 @@ class RunDirectory {
   /// @param  contents  what the run is about
   /// @param  existing  what to do with a run that is there already
   /// @return           the directory, without frames and steps
-  /// @throws RecordError when the directory cannot be written, or holds a run (checkpoint, run.json
-  ///         or trajectory.csv) that is not to be overwritten
+  /// @throws RecordError when the directory cannot be written, or holds files of a run that are not
+  ///         to be overwritten
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 

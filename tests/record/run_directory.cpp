@@ -89,7 +89,9 @@ BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_is_not_overwritten_unasked) {
-  for (const std::string name : {"checkpoint", "run.json", "trajectory.csv"}) {
+  for (const std::string name :
+       {"checkpoint", "run.json", "trajectory.csv", "steps.csv", "animation.html",
+        "bodies_000003.vtp", "fields.pvd", "configuration.svg", "fields_pressure.svg"}) {
     const Folder folder;
     write(folder.at(name), "precious");
     BOOST_CHECK_EXCEPTION(create(folder), RecordError, mentions("holds a run already", name));
