@@ -1,0 +1,179 @@
+// A crowd of ellipses in extension: how it lines up, what contact keeps apart, and how fast bodies
+// forget each other with the distance.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "experiments.hpp"
+#include "scenes.hpp"
+#include "support/closed_forms.hpp"
+#include "support/exact_gaps.hpp"
+#include "support/once.hpp"
+#include "support/recorded_run.hpp"
+#include "suspension/fill.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+using namespace test;
+
+namespace {
+
+/// The scene that ships, with its ellipses in place: all alike, in a strain of rate 1 along x.
+Scene crowd() {
+  return with_fills_placed(shipped_scene("extension_crowd"));
+}
+
+struct CrowdRun {
+  Scene scene;
+  RecordedRun run;
+};
+
+const CrowdRun& crowd_run(Size size, bool in_contact) {
+  static Once<std::pair<Size, bool>, CrowdRun> runs;
+  return runs({size, in_contact}, [&] {
+    Scene scene = crowd();
+    if (!in_contact) scene.contact.reset();
+    if (size == Size::full) scene.solver.tolerance = 1e-4;
+    scene.output.dt_write = 0.25;
+    return CrowdRun{scene, recorded_run(scene)};
+  });
+}
+
+/// Measures a function of a frame at all written times.
+template <class Quantity>
+Measure over_time(bool in_contact, const Quantity& quantity) {
+  return [=](Size size) {
+    const auto& [scene, run] = crowd_run(size, in_contact);
+    std::vector<Measurement> measurements;
+    for (const Frame& frame : run.frames) {
+      measurements.push_back({.x = frame.t, .error = quantity(scene, frame)});
+    }
+    return measurements;
+  };
+}
+
+Ellipse ellipse_of(const Scene& scene) {
+  return std::get<Ellipse>(scene.bodies.front().shape);
+}
+
+double order(const Scene&, const Frame& frame) {
+  return frame.rheology.order_parameter;
+}
+
+/// Mean of cos 2 theta if each ellipse turned alone: tan theta falls like e^(-2 beta t) (Jeffery).
+double order_alone(const Scene& scene, const Frame& frame) {
+  const auto [a, b] = ellipse_of(scene);
+  const double beta = (a * a - b * b) / (a * a + b * b);
+  double sum = 0.0;
+  for (const Body& body : scene.bodies) {
+    const double along = std::cos(body.orientation);
+    const double across = std::sin(body.orientation) * std::exp(-2.0 * beta * frame.t);
+    sum += (along * along - across * across) / (along * along + across * across);
+  }
+  return sum / static_cast<double>(scene.bodies.size());
+}
+
+double least_gap(const Scene& scene, const Frame& frame) {
+  return least_exact_gap(placed_shapes(scene, frame), 1.0) / crowd().contact->minimum_separation;
+}
+
+/// @param  kept  in separations; more than one is a planted defect
+Measure lost(double kept) {
+  return over_time(true, [=](const Scene& scene, const Frame& frame) {
+    return std::max(0.0, kept - least_gap(scene, frame));
+  });
+}
+
+/// Largest difference of an angular velocity from that of the ellipse alone, at the start, with all
+/// distances longer.
+///
+/// @param  factor  of Jeffery's answer; other than one is a planted defect
+double turned_by_others(double spread, double factor) {
+  Scene scene = crowd();
+  scene.contact.reset();
+  scene.solver.tolerance = 1e-9;
+  for (Body& body : scene.bodies) body.position *= spread;
+  const SuspensionSolver solver(scene);
+  const Solution solution = solver.solve(solver.initial_configuration());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const double alone =
+        free_ellipse_omega(ellipse_of(scene), scene.bodies[k].orientation, 0.0, 1.0, 0.0);
+    largest = std::max(largest, std::abs(solution.motions[k].omega - factor * alone));
+  }
+  return largest;
+}
+
+Measure differences(double factor) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (double spread = 1.0; spread <= (size == Size::full ? 64.0 : 32.0); spread *= 2.0) {
+      measurements.push_back({.x = spread, .error = turned_by_others(spread, factor)});
+    }
+    return measurements;
+  };
+}
+
+}  // namespace
+
+Experiment extension_order() {
+  return {.key = "extension_order",
+          .title = "How a crowd of ellipses lines up in extension",
+          .x = "strain e t",
+          .error = "mean of cos 2 theta",
+          .axes = Axes::nominal,
+          .lines = {{.key = "crowd", .label = "the crowd", .measure = over_time(true, order)},
+                    {.key = "without",
+                     .label = "the crowd without contact",
+                     .measure = over_time(false, order)},
+                    {.key = "alone",
+                     .label = "the same ellipses, each alone",
+                     .measure = over_time(true, order_alone)}}};
+}
+
+Experiment extension_gaps() {
+  return {
+      .key = "extension_gaps",
+      .title = "The least gap of a crowd in extension",
+      .x = "strain e t",
+      .error = "in separations",
+      .axes = Axes::nominal,
+      .lines = {
+          {.key = "contact", .label = "with contact", .measure = over_time(true, least_gap)},
+          {.key = "lost",
+           .label = "what it lacks",
+           .measure = lost(1.0),
+           .claim = Claim{.id = "12_47",
+                          .statement = "In extension a crowd keeps its separation.",
+                          .law = Identity{1e-3},
+                          .reason = "each step resolves contact with the mobility of all "
+                                    "bodies together",
+                          .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"a separation 1 % wider than what is kept", lost(1.01)}},
+          {.key = "without", .label = "without contact", .measure = over_time(false, least_gap)}}};
+}
+
+Experiment extension_apart() {
+  return {
+      .key = "extension_apart",
+      .title = "How others turn an ellipse of a crowd in extension",
+      .x = "distances, in those of the crowd, s",
+      .error = "largest difference from the angular velocity alone, over the rate of strain",
+      .lines = {{.key = "turned",
+                 .label = "36 ellipses",
+                 .measure = differences(1.0),
+                 .claim = Claim{.id = "12_48",
+                                .statement = "Ellipses of a crowd in extension turn as each "
+                                             "would alone, but for a difference of order 2 in "
+                                             "size over distance.",
+                                .law = Algebraic{2.0, 0.1},
+                                .window = {.from = 4.0},
+                                .reason = "the others are stresslets; the gradient of their "
+                                          "flow falls like s^-2",
+                                .api = {"stokesbook::SuspensionSolver"}},
+                 .control = Control{"an ellipse alone that turns 1 % faster", differences(1.01)}}}};
+}
+
+}  // namespace stokesbook::verification::suspension
