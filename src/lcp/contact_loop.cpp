@@ -1,10 +1,12 @@
 #include "lcp/contact_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "lcp/fischer_newton.hpp"
 
@@ -139,10 +141,6 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   return gaps;
 }
 
-std::string name(const ContactKey& key) {
-  return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
-}
-
 class ContactLoop {
  public:
   ContactLoop(const ContactStep& step, const ContactLoopOptions& options)
@@ -153,7 +151,8 @@ class ContactLoop {
 
   ContactResult run() {
     bool ended = settled();
-    if (!ended && step_.guess.size() > 0) rows_ = rows_at(step_, result_.velocity = step_.guess);
+    const bool guessed = step_.guess.size() > 0 && options_.max_iterations > 0;
+    if (!ended && guessed) rows_ = rows_at(step_, result_.velocity = step_.guess);
     while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const Cuts cuts = next_cuts();
@@ -266,10 +265,16 @@ class ContactLoop {
     return widest;
   }
 
+  std::string name(const ContactKey& key) const {
+    if (step_.name) return step_.name(key);
+    return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
+  }
+
+  std::string name(Index i) const { return name(result_.keys[static_cast<std::size_t>(i)]); }
+
   bool give_up_on_response(Index i) {
     std::ostringstream reason;
-    reason << name(result_.keys[static_cast<std::size_t>(i)])
-           << ": a unit force opens its own gap by " << result_.response[i]
+    reason << name(i) << ": a unit force opens its own gap by " << result_.response[i]
            << ", which must be positive: the quadrature does not resolve the gap, or nothing there "
               "can move";
     result_.status = ContactStatus::response_not_seen;
@@ -280,7 +285,12 @@ class ContactLoop {
   bool give_up_on_linear_problem(const LcpResult& solution) {
     std::ostringstream reason;
     reason << "the linear problem of iteration " << result_.iterations << " with "
-           << result_.keys.size() << " rows was not solved: its residual is " << solution.residual;
+           << result_.keys.size() << " rows was not solved, its residual is " << solution.residual
+           << ":";
+    for (Index i = 0; i < result_.response.size(); ++i) {
+      reason << (i == 0 ? " " : ", ") << name(i) << " (a unit force opens its own gap by "
+             << result_.response[i] << ")";
+    }
     result_.status = ContactStatus::no_linear_solution;
     result_.reason = reason.str();
     return false;
@@ -288,21 +298,37 @@ class ContactLoop {
 
   bool give_up_on_open_gap(Index i) {
     std::ostringstream reason;
-    reason << name(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
-           << result_.multipliers[i] << " acts across a gap of " << result_.gaps[i]
-           << " beyond the separation after " << result_.iterations << " iterations";
+    reason << name(i) << ": the force " << result_.multipliers[i] << " acts across ";
+    if (std::isinf(result_.gaps[i])) {
+      reason << "a contact that is gone";
+    } else {
+      reason << "a gap of " << result_.gaps[i] << " beyond the separation";
+    }
+    reason << " after " << result_.iterations << " iterations; a unit force opens it by "
+           << result_.response[i];
     result_.status = ContactStatus::open_gap;
     result_.reason = reason.str();
     return true;
   }
 
   void give_up_on_violation() {
-    Index worst = 0;
-    const double gap = rows_.gap.minCoeff(&worst);
+    std::map<std::int64_t, Index> worst;  // row of each contact
+    for (Index i = 0; i < rows_.gap.size(); ++i) {
+      if (rows_.gap[i] >= -step_.tolerance) continue;
+      const auto [row, first] = worst.emplace(rows_.keys[static_cast<std::size_t>(i)].contact, i);
+      if (!first && rows_.gap[i] < rows_.gap[row->second]) row->second = i;
+    }
     std::ostringstream reason;
-    reason << name(rows_.keys[static_cast<std::size_t>(worst)])
-           << ": the separation is violated by " << -gap << " after " << result_.iterations
-           << " iterations";
+    reason << "the separation is violated after " << result_.iterations << " iterations:";
+    const char* before = " ";
+    for (const auto& [contact, row] : worst) {
+      const ContactKey& key = rows_.keys[static_cast<std::size_t>(row)];
+      reason << std::exchange(before, ", ") << name(key) << " by " << -rows_.gap[row];
+      const auto known = std::ranges::find(result_.keys, key);
+      if (known == result_.keys.end()) continue;
+      reason << " (a unit force opens it by " << result_.response[known - result_.keys.begin()]
+             << ")";
+    }
     result_.status = ContactStatus::not_converged;
     result_.reason = reason.str();
   }

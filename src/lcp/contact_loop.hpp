@@ -53,6 +53,8 @@ struct ContactStep {
   /// Velocity at which gaps are linearised first where U* violates some, such as that of the step
   /// before; empty: U*.
   Eigen::VectorXd guess{};
+  /// Names the bodies of a row in reasons; empty: contacts and points are shown by their numbers.
+  std::function<std::string(const ContactKey&)> name{};
 };
 
 /// When the loop gives up, and with what it solves.
@@ -79,9 +81,9 @@ enum class ContactStatus {
 /// Velocity with contact, and what it took.
 struct ContactResult {
   ContactStatus status = ContactStatus::not_converged;  ///< how the loop ended
-  std::string reason{};           ///< unless resolved: why it gave up, with the contact and numbers
-  Eigen::VectorXd velocity;       ///< U, n velocities; where not resolved, of the last iterate
-  Eigen::VectorXd multipliers{};  ///< lambda >= 0 of the rows, forces; 0 where they were not found
+  std::string reason{};            ///< unless resolved: why it gave up, with contacts and numbers
+  Eigen::VectorXd velocity;        ///< U, n velocities; where not resolved, of the last iterate
+  Eigen::VectorXd multipliers{};   ///< lambda >= 0 of the rows, forces; 0 where they were not found
   std::vector<ContactKey> keys{};  ///< of the rows
   GapGradient force_gradient{};    ///< J_f of the rows
   Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
@@ -129,8 +131,9 @@ struct ContactResult {
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
 ///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
 ///                  and squares it where J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows, max_iterations of respond; one more
-///                  of both each time that the response is refined
+/// @par Cost        at most max_iterations + 1 calls of rows, and one more with a guess;
+///                  max_iterations of respond; one more of both each time that the response is
+///                  refined
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

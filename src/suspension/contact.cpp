@@ -64,6 +64,10 @@ std::pair<double, double> imbalance(const VectorXd& force, const Configuration& 
   return {std::abs(net) / largest, std::abs(torque) / (largest * std::max(farthest, 1e-300))};
 }
 
+void append(std::string& list, const std::string& text) {
+  list += (list.empty() ? "" : ", ") + text;
+}
+
 bool is_close(const ContactResult& result, double separation) {
   return result.status == ContactStatus::not_converged && result.violations.back() < separation;
 }
@@ -109,6 +113,10 @@ bool SuspensionContact::is_free(std::size_t component) const {
   return solver_.references()[component]->kind == ComponentKind::free_body;
 }
 
+std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
+  return component_name(solver_.scene(), a) + " and " + component_name(solver_.scene(), b);
+}
+
 // Of pairs that can be moved apart, and of overlaps.
 std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
   std::vector<PolygonGap> gaps =
@@ -138,27 +146,22 @@ ContactRules SuspensionContact::rules(const CloserPairs& closer) const {
 }
 
 CloserPairs SuspensionContact::admit_start(const Configuration& configuration) const {
-  const Scene& scene = solver_.scene();
   std::string overlaps, narrow;
   CloserPairs closer;
   for (const PolygonGap& found : gaps(configuration)) {
-    const std::string pair =
-        component_name(scene, found.a) + " and " + component_name(scene, found.b);
-    const auto add = [&](std::string& list, const std::string& text) {
-      list += (list.empty() ? "" : ", ") + pair + text;
-    };
+    const std::string pair = names(found.a, found.b);
     if (found.gap <= 0.0) {
-      add(overlaps, " by " + short_number(-found.gap));
+      append(overlaps, pair + " by " + short_number(-found.gap));
     } else {
       const double gap = curve_gap(found, configuration);
       closer[{found.a, found.b}] = gap;
       if (gap < (1.0 - relative_slack_of_starts) * separation_) {
-        add(narrow, " are " + short_number(gap) + " apart");
+        append(narrow, pair + " are " + short_number(gap) + " apart");
       }
     }
   }
   if (!overlaps.empty()) throw ConfigurationRefused("bodies overlap at the start: " + overlaps);
-  if (!narrow.empty() && !scene.contact->allow_close) {
+  if (!narrow.empty() && !solver_.scene().contact->allow_close) {
     throw ConfigurationRefused("pairs are closer at the start than contact.minimum_separation = " +
                                short_number(separation_) + ": " + narrow +
                                "; set contact.allow_close = true, or move them");
@@ -178,16 +181,19 @@ CloserPairs SuspensionContact::widened(const CloserPairs& closer,
   return result;
 }
 
-bool SuspensionContact::admits(const Configuration& configuration,
-                               const CloserPairs& closer) const {
+std::string SuspensionContact::too_close(const Configuration& configuration,
+                                         const CloserPairs& closer) const {
   const Separation kept{separation_, closer};
-  return std::ranges::all_of(gaps(configuration), [&](const PolygonGap& found) {
-    if (found.gap <= 0.0) return false;
+  std::string pairs;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const double gap = found.gap > 0.0 ? curve_gap(found, configuration) : found.gap;
     // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points
     // from elsewhere.
-    return curve_gap(found, configuration) >=
-           kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
-  });
+    const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
+    if (gap >= least) continue;
+    append(pairs, names(found.a, found.b) + " are " + short_number(gap) + " apart");
+  }
+  return pairs;
 }
 
 double SuspensionContact::relative_displacement(const Configuration& start,
@@ -226,7 +232,12 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
       },
       .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); },
       .guess =
-          stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{}};
+          stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{},
+      .name =
+          [&](const ContactKey& key) {
+            const StageRow& row = rows.seen(key);
+            return names(row.a, row.b);
+          }};
   ContactOutcome outcome{};
   const auto attempt = [&] {
     outcome.result = rows.resolved(step);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,7 @@ struct ContactOutcome {
 /// four thousandths of the separation of their curves, and resolved by resolve_contact() with the
 /// mobility of the whole suspension and the gaps of the curves. Where a force acts, these are one
 /// separation to a part in 1e5, or up to 1.016 separations where polygons and curves disagree on
-/// which points are the closest. No state that admits() refuses is accepted.
+/// which points are the closest. No state with too_close() pairs is accepted.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
@@ -121,15 +122,17 @@ class SuspensionContact {
   double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
                                double dt) const;
 
-  /// Tells whether a configuration keeps all separations, by the closest points of the curves.
+  /// Lists pairs that do not keep their separation, by the closest points of the curves.
   ///
   /// @param  configuration  where the components are
   /// @param  closer         pairs that may come closer
-  /// @return                true when no gap is narrower by more than 2e-5 separations
-  bool admits(const Configuration& configuration, const CloserPairs& closer) const;
+  /// @return                pairs whose gap is narrower by more than 2e-5 separations, and the gaps,
+  ///                        as text; empty where there is none
+  std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:
   bool is_free(std::size_t component) const;
+  std::string names(std::size_t a, std::size_t b) const;
   std::vector<PolygonGap> gaps(const Configuration& configuration) const;
   double curve_gap(const PolygonGap& found, const Configuration& configuration) const;
   ContactRules rules(const CloserPairs& closer) const;

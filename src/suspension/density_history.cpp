@@ -1,6 +1,7 @@
 #include "suspension/density_history.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "trapezoid/fourier.hpp"
 
@@ -11,6 +12,10 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXd;
 
 namespace {
+
+// Times that are closer than this part of the span of all are one, as those before a reversal and
+// after it but for rounding: a polynomial through both would amplify what GMRES leaves.
+constexpr double same_time = 1e-6;
 
 // Weight of value k in the polynomial through the values at some times.
 double lagrange_weight(const std::vector<double>& times, std::size_t k, double t) {
@@ -43,7 +48,10 @@ void DensityHistory::add(double t, const Configuration& configuration, const Ref
     densities.middleRows(first, n) *= std::polar(1.0, -configuration[k].orientation);
     first += n;
   }
-  std::erase_if(entries_, [t](const Entry& earlier) { return earlier.t == t; });
+  double span = 0.0;
+  for (const Entry& earlier : entries_) span = std::max(span, std::abs(earlier.t - t));
+  std::erase_if(entries_,
+                [=](const Entry& earlier) { return std::abs(earlier.t - t) <= same_time * span; });
   if (entries_.size() == most_) entries_.pop_front();
   entries_.push_back({t, resolutions_of(references), std::move(densities)});
 }

@@ -55,6 +55,10 @@ constexpr std::size_t densities_kept = 4;
 // In units of it, where contact makes it shorter.
 constexpr double least_step_of_an_instant = 1e-6;
 
+// Times that differ by less, in units of dt_write, are one: of those that are written no two, and
+// none and an event, lie so close together that a step between them would be nothing but rounding.
+constexpr double same_time = 1e-9;
+
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
 
@@ -105,27 +109,20 @@ void Simulation::solve_once() {
 
 Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string when = "t = " + short_number(t, 6) + ": ";
   const bool due = latest_.densities.empty() || latest_.since >= solves_per_estimate;
   const bool estimated = role == Role::frame || (role == Role::step && (due || is_written_time(t)));
-  try {
-    const Configuration configuration = to_configuration(state);
-    SolveMemory before = latest_;
-    Solution solution = solve_by_guess(t, configuration, estimated);
-    if (!estimated) solution.error_estimate = latest_.error_estimate;
-    latest_.densities.add(t, configuration, solution.references, solution.density);
-    if (!contact_) solution.system.reset();  // its memory: nobody asks for it
-    latest_.error_estimate = solution.error_estimate;
-    latest_.since = estimated ? 0 : latest_.since + 1;
-    note_resolution(solution);
-    note_solve(solution);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return {std::move(solution), std::move(before), passed.count(), estimated};
-  } catch (const ConfigurationRefused& refusal) {
-    throw ConfigurationRefused(when + refusal.what());
-  } catch (const NumericsRefused& refusal) {
-    throw NumericsRefused(when + refusal.what());
-  }
+  const Configuration configuration = to_configuration(state);
+  SolveMemory before = latest_;
+  Solution solution = dated(t, [&] { return solve_by_guess(t, configuration, estimated); });
+  if (!estimated) solution.error_estimate = latest_.error_estimate;
+  latest_.densities.add(t, configuration, solution.references, solution.density);
+  if (!contact_) solution.system.reset();  // its memory: nobody asks for it
+  latest_.error_estimate = solution.error_estimate;
+  latest_.since = estimated ? 0 : latest_.since + 1;
+  note_resolution(solution);
+  note_solve(solution);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return {std::move(solution), std::move(before), passed.count(), estimated};
 }
 
 DensityGuess Simulation::guess(double t, const Configuration& configuration) const {
@@ -182,7 +179,7 @@ void Simulation::write(double t, const VectorXd& state, const Solution& solution
 }
 
 void Simulation::write_within(const Step& step) {
-  for (double t = next_written_time(std::max(step.start.t, written_)); t < step.end.t;
+  for (double t = next_written_time(std::max(step.start.t, written_)); !is_reached(t, step.end.t);
        t = next_written_time(t)) {
     const VectorXd state = interpolate(step, t);
     const Solved frame = solve(t, state, Role::frame);
@@ -194,23 +191,30 @@ void Simulation::write_within(const Step& step) {
 bool Simulation::is_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
   if (!dt_write || t >= time_.t_final) return true;
-  return t == std::round(t / *dt_write) * *dt_write;
+  return std::abs(t - std::round(t / *dt_write) * *dt_write) <= same_time * *dt_write;
+}
+
+// Whether the written time is that of a step's end, or comes after it.
+bool Simulation::is_reached(double written, double end) const {
+  return written >= end - same_time * solver_.scene().output.dt_write.value_or(0.0);
 }
 
 double Simulation::next_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
   if (!dt_write) return std::numeric_limits<double>::infinity();
   double k = std::floor(t / *dt_write);
-  while (k * *dt_write <= t) k += 1.0;
+  while (k * *dt_write <= t + same_time * *dt_write) k += 1.0;
   return k * *dt_write;
 }
 
 double Simulation::next_event() const {
   double event = time_.t_final;
-  if (!has_dense_output(stepping_.method)) event = std::min(event, next_written_time(now_.t));
   const std::vector<double>& reverse_at = solver_.scene().reverse_at;
   const auto reversal = std::upper_bound(reverse_at.begin(), reverse_at.end(), now_.t);
-  return reversal == reverse_at.end() ? event : std::min(event, *reversal);
+  if (reversal != reverse_at.end()) event = std::min(event, *reversal);
+  if (has_dense_output(stepping_.method)) return event;
+  const double written = next_written_time(now_.t);
+  return is_reached(written, event) ? event : written;
 }
 
 Advance Simulation::take_step(const Rates& rates) const {
@@ -221,7 +225,7 @@ Advance Simulation::take_step(const Rates& rates) const {
     throw ConfigurationRefused(std::string(refusal.what()) + "; steps down to " + dt_min +
                                " lead there");
   } catch (const StepRefused& refusal) {
-    throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + refusal.what() +
+    throw NumericsRefused(at_time(now_.t) + refusal.what() +
                           ", and steps are not to be shorter than " + dt_min);
   }
 }

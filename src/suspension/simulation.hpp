@@ -125,16 +125,18 @@ class Simulation {
   struct InContact {
     Solved free;
     ContactOutcome outcome;
-    Solution solution;  // with the forces of contact
-    SolveCost cost;     // of these
+    Solution solution;     // with the forces of contact
+    SolveCost cost;        // of these, and of the flow on more nodes
+    double seconds = 0.0;  // likewise
   };
-  // The beginning of a step with contact: its end, and what holds where it begins.
+  // The beginning of a step with contact: its end, and what holds where it begins. Costs are those
+  // of longer steps, too.
   struct Begun {
     double t_end;
     InContact stage;
   };
   // The second half of a step by Heun's method.
-  struct Corrected {
+  struct SecondHalf {
     ContactOutcome outcome;  // with the mean velocity of the step
     double error;            // of the first half, over that which is allowed
   };
@@ -147,12 +149,10 @@ class Simulation {
   Solved advance_in_contact(Begun begun);
   InContact in_contact(const Stage& stage, Solved free);
   LoadedCheck check(const Stage& stage, const InContact& found) const;
-  Solved on_more_nodes(const Stage& stage, Solved free);
-  void take_note(const StepInfo& step);
+  void put_on_more_nodes(const Stage& stage, InContact& found);
   ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
-  void take_note(const LoadResponse& response);
   void ask_for_less(bool in_contact);
-  Corrected corrected(const Begun& begun, StepInfo& info);
+  SecondHalf second_half(const Begun& begun, StepInfo& info);
   double instant(const Solution& solution) const;
   double planned_dt() const;
   double planned_end() const;
@@ -164,6 +164,8 @@ class Simulation {
   Advance take_step(const Rates& rates) const;
   Solved reverse();
   void note_solve(const Solution& solution);
+  void note_response(const LoadResponse& response);
+  void note_step(const StepInfo& step);
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);
@@ -172,6 +174,7 @@ class Simulation {
   Checkpoint checkpoint() const;
   bool is_reversal(double t) const;
   bool is_written_time(double t) const;
+  bool is_reached(double written, double end) const;
   double next_written_time(double t) const;
   double next_event() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "record/number_text.hpp"
 #include "suspension/node_choice.hpp"
@@ -35,8 +36,8 @@ constexpr int most_kept = 8;
 // What a solve without a step of its own moves the fastest boundary by.
 constexpr double separations_in_an_instant = 0.01;
 
-std::string refusal_of(const ContactOutcome& outcome) {
-  return "contact is not resolved: " + outcome.result.reason;
+std::string refusal_of(double t, const ContactOutcome& outcome) {
+  return at_time(t) + "contact is not resolved: " + outcome.result.reason;
 }
 
 // By how much a step is to be longer, for an error in units of what is allowed.
@@ -67,7 +68,7 @@ double Simulation::planned_end() const {
   return evened_end(now_.t, next_event(), planned_dt());
 }
 
-void Simulation::take_note(const LoadResponse& response) {
+void Simulation::note_response(const LoadResponse& response) {
   totals_.contact_solves += response.solves();
   totals_.gmres_iterations += response.cost().gmres_iterations;
   totals_.matvecs += response.cost().matvecs;
@@ -78,41 +79,42 @@ ContactOutcome Simulation::resolve(const ContactStage& stage, LoadResponse& resp
   ContactOutcome outcome = contact_->resolve(stage, response, closer_);
   totals_.ncp_iterations += outcome.iterations;
   totals_.contact_seconds += outcome.seconds;
-  totals_.halved_by_contact += outcome.result.status == ContactStatus::resolved ? 0 : 1;
   return outcome;
 }
 
 // Contact of a stage, on as many nodes as its forces ask for.
 Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
-  SolveCost cost;
+  InContact found{std::move(free), {}, {}, {}};
   while (true) {
-    LoadResponse response(solver_, stage.acting, free.solution, latest_.contacts,
-                          latest_.gmres_tolerance);
-    const VectorXd free_velocity = stage.known + stage.share * to_rate(free.solution);
-    InContact found{std::move(free), {}, {}, {}};
-    found.outcome = resolve({stage.start, free_velocity, stage.dt, stage.acting, stage.share,
-                             latest_.added[stage.index], stage.most_iterations},
-                            response);
-    take_note(response);
-    cost += response.cost();
+    const Solution& flow = found.free.solution;
+    LoadResponse response(solver_, stage.acting, flow, latest_.contacts, latest_.gmres_tolerance);
+    const VectorXd free_velocity = stage.known + stage.share * to_rate(flow);
+    found.outcome = dated(stage.t, [&] {
+      return resolve({stage.start, free_velocity, stage.dt, stage.acting, stage.share,
+                      latest_.added[stage.index], stage.most_iterations},
+                     response);
+    });
+    note_response(response);
+    found.cost += response.cost();
+    found.seconds += found.outcome.seconds;
+    found.solution = {};
     if (found.outcome.result.status == ContactStatus::resolved) {
       latest_.added[stage.index] = (found.outcome.result.velocity - free_velocity) / stage.share;
-      found.solution = contact_->with_forces(found.free.solution, found.outcome, response);
+      found.solution = contact_->with_forces(flow, found.outcome, response);
     }
     const LoadedCheck check = this->check(stage, found);
-    cost.matvecs += check.estimate.matvecs;
+    found.cost.matvecs += check.estimate.matvecs;
     totals_.matvecs += check.estimate.matvecs;
-    found.solution.error_estimate = std::max(
-        {found.free.solution.error_estimate, check.estimate.error, found.outcome.corrected});
-    found.cost = cost;
-    const bool nodes_do = check.needed == resolutions_of(found.free.solution.references);
+    found.solution.error_estimate =
+        std::max({flow.error_estimate, check.estimate.error, found.outcome.corrected});
+    const bool nodes_do = check.needed == resolutions_of(flow.references);
     const bool enough = nodes_do && check.gmres_tolerance == latest_.gmres_tolerance;
     if (enough || found.free.raised == most_raised) return found;
     latest_.in_contact = check.needed;
     latest_.kept = 0;
     latest_.gmres_tolerance = check.gmres_tolerance;
-    free = nodes_do ? std::move(found.free) : on_more_nodes(stage, std::move(found.free));
-    ++free.raised;
+    if (!nodes_do) put_on_more_nodes(stage, found);
+    ++found.free.raised;
   }
 }
 
@@ -132,19 +134,22 @@ LoadedCheck Simulation::check(const Stage& stage, const InContact& found) const 
   return solver_.check_loaded(stage.acting, found.solution, gmres_tolerance, drive_);
 }
 
-Simulation::Solved Simulation::on_more_nodes(const Stage& stage, Solved free) {
+// Solves for the flow of a stage again, on as many nodes as contact asks for.
+void Simulation::put_on_more_nodes(const Stage& stage, InContact& found) {
   const auto start = std::chrono::steady_clock::now();
-  const SolveCost before = free.solution.cost;
-  const double estimate = free.solution.error_estimate;
-  free.solution =
-      solver_.solve_nearby(stage.acting, latest_.in_contact, drive_, guess(stage.t, stage.acting));
-  free.solution.error_estimate = estimate;
-  note_solve(free.solution);
-  free.solution.cost += before;
-  latest_.densities.add(stage.t, stage.acting, free.solution.references, free.solution.density);
+  const auto solve_again = [&] {
+    return solver_.solve_nearby(stage.acting, latest_.in_contact, drive_,
+                                guess(stage.t, stage.acting));
+  };
+  const Solution before = std::exchange(found.free.solution, dated(stage.t, solve_again));
+  Solution& flow = found.free.solution;
+  note_solve(flow);
+  found.cost += flow.cost;
+  flow.cost = before.cost;
+  flow.error_estimate = before.error_estimate;
+  latest_.densities.add(stage.t, stage.acting, flow.references, flow.density);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  free.seconds += passed.count();
-  return free;
+  found.seconds += passed.count();
 }
 
 // Contact depends on the step that is to be taken: one that cannot be resolved is halved.
@@ -152,16 +157,23 @@ Simulation::Begun Simulation::begin_in_contact(Solved first, double t_end) {
   const Configuration configuration = to_configuration(now_.state);
   const VectorXd at_rest = VectorXd::Zero(now_.state.size());
   if (time_.tolerance) t_end = end_within_reach(configuration, to_rate(first.solution), t_end);
+  SolveCost cost;
+  double seconds = 0.0;
   while (true) {
     InContact stage = in_contact(
         {now_.t, t_end - now_.t, configuration, configuration, 1.0, at_rest, 0, most_iterations},
         std::move(first));
+    cost += stage.cost;
+    seconds += stage.seconds;
     if (stage.outcome.result.status == ContactStatus::resolved) {
+      stage.cost = cost;
+      stage.seconds = seconds;
       note_resolution(stage.solution);
       return {t_end, std::move(stage)};
     }
     first = std::move(stage.free);
-    t_end = shortened(t_end, 0.5, refusal_of(stage.outcome));
+    ++totals_.halved_by_contact;
+    t_end = shortened(t_end, 0.5, refusal_of(now_.t, stage.outcome));
   }
 }
 
@@ -174,19 +186,18 @@ double Simulation::end_within_reach(const Configuration& configuration,
 }
 
 double Simulation::shortened(double t_end, double factor, const std::string& reason) {
-  const double dt = t_end - now_.t;
-  if (dt <= stepping_.dt_min) {
-    throw NumericsRefused("t = " + short_number(now_.t, 6) + ": " + reason +
-                          "; steps down to time.dt_min = " + short_number(stepping_.dt_min) +
-                          " do not help");
+  const double shorter = now_.t + std::max(factor * (t_end - now_.t), stepping_.dt_min);
+  if (shorter >= t_end) {
+    throw NumericsRefused(reason + "; steps down to time.dt_min = " +
+                          short_number(stepping_.dt_min) + " do not help");
   }
   ++totals_.rejected_steps;
-  return now_.t + std::max(factor * dt, stepping_.dt_min);
+  return shorter;
 }
 
 // The mean velocity of a step by Heun's method: in its second half forces act at the state that its
 // first half leads to.
-Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) {
+Simulation::SecondHalf Simulation::second_half(const Begun& begun, StepInfo& info) {
   const double dt = begun.t_end - now_.t;
   const VectorXd& first = begun.stage.outcome.result.velocity;
   const VectorXd predicted = now_.state + dt * first;
@@ -196,9 +207,10 @@ Simulation::Corrected Simulation::corrected(const Begun& begun, StepInfo& info) 
   InContact stage =
       in_contact({begun.t_end, dt, start, acting, 0.5, 0.5 * first, 1, left}, std::move(free));
   info = with_solve(info, stage.free.solution, stage.free.seconds);
-  info = with_contact(info, stage.outcome, stage.cost);
+  info = with_contact(info, stage.outcome, stage.cost, stage.seconds);
   if (stage.outcome.result.status != ContactStatus::resolved) {
-    throw ConfigurationRefused(refusal_of(stage.outcome));
+    ++totals_.halved_by_contact;
+    throw ConfigurationRefused(refusal_of(begun.t_end, stage.outcome));
   }
   const Configuration end = to_configuration(now_.state + dt * stage.outcome.result.velocity);
   const double error = largest_distance(stage.free.solution.references, acting, end) /
@@ -221,52 +233,56 @@ void Simulation::recover_length(double dt, bool shortened) {
 }
 
 Simulation::Solved Simulation::advance_in_contact(Begun begun) {
-  StepInfo info = begun_step(begun.stage.free.solution, begun.stage.free.seconds);
-  info.error_estimate = begun.stage.solution.error_estimate;
+  StepInfo spent = begun_step(begun.stage.free.solution, begun.stage.free.seconds);
+  spent.error_estimate = begun.stage.solution.error_estimate;
   int rejected = 0, rejected_at_a_jump = 0;
   while (true) {
-    info.ncp_iterations = 0;  // those of the try that is taken
-    info = with_contact(info, begun.stage.outcome, begun.stage.cost);
+    StepInfo info = with_contact(spent, begun.stage.outcome, begun.stage.cost, begun.stage.seconds);
     try {
-      std::optional<Corrected> corrected;
-      if (stepping_.method == Method::heun) corrected = this->corrected(begun, info);
-      const ContactOutcome& outcome = corrected ? corrected->outcome : begun.stage.outcome;
-      const bool too_long = time_.tolerance && corrected->error > 1.0;
+      std::optional<SecondHalf> second;
+      if (stepping_.method == Method::heun) second = second_half(begun, info);
+      const ContactOutcome& outcome = second ? second->outcome : begun.stage.outcome;
+      const bool too_long = time_.tolerance && second->error > 1.0;
       const bool jumps = too_long && pairs_in_contact(begun.stage.outcome.forces) !=
                                          pairs_in_contact(outcome.forces);
       if (too_long && !(jumps && rejected_at_a_jump == most_rejections_at_a_jump)) {
         rejected_at_a_jump += jumps ? 1 : 0;
         ++rejected;
-        begun =
-            begin_in_contact(std::move(begun.stage.free),
-                             shortened(begun.t_end, contact_step_factor(corrected->error),
-                                       "the error of a step is " + short_number(corrected->error) +
-                                           " times that which time.tolerance allows"));
+        spent = with_costs_of(spent, info);
+        begun = begin_in_contact(
+            std::move(begun.stage.free),
+            shortened(begun.t_end, contact_step_factor(second->error),
+                      at_time(now_.t) + "the error of a step is " + short_number(second->error) +
+                          " times that which time.tolerance allows"));
         continue;
       }
       info.dt = begun.t_end - now_.t;
       const VectorXd state = now_.state + info.dt * outcome.result.velocity;
       const Configuration configuration = to_configuration(state);
-      if (!contact_->admits(configuration, closer_)) {
-        throw ConfigurationRefused("a step leads to gaps below contact.minimum_separation");
+      const std::string pairs = contact_->too_close(configuration, closer_);
+      if (!pairs.empty()) {
+        throw ConfigurationRefused(
+            at_time(begun.t_end) +
+            "a step leads to gaps below contact.minimum_separation: " + pairs);
       }
       ask_for_less(info.contacts > 0);
       Solved last = solve(begun.t_end, state, Role::step);
       info.t = begun.t_end;
-      const double duration = corrected ? 0.5 * info.dt : info.dt;
+      const double duration = second ? 0.5 * info.dt : info.dt;
       info = with_forces(info, begun.stage.outcome, duration);
-      if (corrected) info = with_forces(info, outcome, duration);
+      if (second) info = with_forces(info, outcome, duration);
       if (time_.tolerance) {
-        adapt_to_error(info, corrected->error, rejected > 0);
+        adapt_to_error(info, second->error, rejected > 0);
       } else if (!time_.effort) {
         recover_length(info.dt, begun.t_end < planned_end());
       }
       now_ = {begun.t_end, state, {}};
       closer_ = contact_->widened(closer_, configuration);
-      take_note(info);
+      note_step(info);
       return is_reversal(now_.t) ? reverse() : std::move(last);
     } catch (const ConfigurationRefused& refusal) {
       ++rejected;
+      spent = with_costs_of(spent, info);
       begun = begin_in_contact(std::move(begun.stage.free),
                                shortened(begun.t_end, 0.5, refusal.what()));
     }
@@ -286,7 +302,7 @@ void Simulation::ask_for_less(bool in_contact) {
   }
 }
 
-void Simulation::take_note(const StepInfo& step) {
+void Simulation::note_step(const StepInfo& step) {
   ++totals_.steps;
   totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
   totals_.largest_torque_imbalance =

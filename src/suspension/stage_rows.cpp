@@ -82,8 +82,8 @@ StageRows::StageRows(const ContactStage& stage, const References& references,
 
 ContactResult StageRows::resolved(const ContactStep& step) {
   const ContactResult first = resolved(step, Linearisation::exact, stage_.most_iterations);
-  if (first.status == ContactStatus::resolved) return first;
   const int left = stage_.most_iterations - first.iterations;
+  if (first.status == ContactStatus::resolved || left <= 0) return first;
   ContactResult second = resolved(step, Linearisation::symmetric, left);
   second.iterations += first.iterations;
   return second;

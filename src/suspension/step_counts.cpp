@@ -22,13 +22,22 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds) {
   return step;
 }
 
-StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost) {
+StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost,
+                      double seconds) {
   step.gmres_iterations += cost.gmres_iterations;
   step.matvecs += cost.matvecs;
   step.ncp_iterations += outcome.result.iterations;
   step.contacts =
       std::max(step.contacts, static_cast<int>(pairs_in_contact(outcome.forces).size()));
-  step.seconds += outcome.seconds;
+  step.seconds += seconds;
+  return step;
+}
+
+StepInfo with_costs_of(StepInfo step, const StepInfo& rejected) {
+  step.gmres_iterations = rejected.gmres_iterations;
+  step.matvecs = rejected.matvecs;
+  step.residual = rejected.residual;
+  step.seconds = rejected.seconds;
   return step;
 }
 

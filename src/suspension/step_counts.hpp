@@ -32,9 +32,18 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds);
 ///
 /// @param  step     so far
 /// @param  outcome  of the stage
-/// @param  cost     of its responses
+/// @param  cost     of its responses, those of all tries
+/// @param  seconds  wall time, likewise
 /// @return          counts with these
-StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost);
+StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost,
+                      double seconds);
+
+/// Adds what a try that was rejected has cost, nothing else of it.
+///
+/// @param  step      before the try
+/// @param  rejected  the same with the try
+/// @return           counts for the next try
+StepInfo with_costs_of(StepInfo step, const StepInfo& rejected);
 
 /// Adds what contact did in a stage of a step that is taken.
 ///

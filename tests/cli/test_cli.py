@@ -358,6 +358,39 @@ class Records(Program):
         self.assertEqual(information["exit_status"], 2)
         self.assertIn("body 0", information["message"])
 
+    def test_a_run_whose_contact_is_not_resolved_says_what_it_met(self):
+        """Slender ellipses that a long last step drives through each other."""
+        body = """
+            [[bodies]]
+            shape = { kind = "ellipse", semi_axes = [2.0, 0.3] }
+            position = %s
+            orientation = %s
+            n_nodes = "auto\""""
+        text = body % ("[-1.4, 0.3]", 0.7) + body % ("[1.4, -0.3]", 0.9) + """
+            [flow]
+            kind = "extensional"
+            rate = -30.0
+            reverse_at = [0.01, 0.02]
+            [solver]
+            tolerance = 1e-3
+            [contact]
+            minimum_separation = 0.05
+            [time]
+            t_final = 3.0
+            dt = 0.3
+            dt_min = 0.3
+            method = "euler"
+            """
+        for flag in "--overwrite", "--resume":  # which tries the same step again
+            refused = self.run_scene("--out", "a", flag, text=text, code=2)
+            self.assertRegex(refused.stderr, r"refused: t = 0\.02: contact is not resolved: body 0 "
+                             r"and body 1: .*a unit force .*time\.dt_min = 0\.3 do not help")
+            self.assertEqual(refused.stderr.count("t = "), 1)
+            steps = numpy.genfromtxt(self.folder / "a" / "steps.csv", names=True, delimiter=",")
+            numpy.testing.assert_array_equal(steps["t"], [0.01, 0.02])
+            table = numpy.genfromtxt(self.folder / "a" / "trajectory.csv", names=True, delimiter=",")
+            numpy.testing.assert_array_equal(table["t"], [0.0, 0.0])
+
     def test_unwritable_directory(self):
         (self.folder / "file").write_text("")
         result = self.run_scene("--out", "file/out", code=3)

@@ -50,6 +50,9 @@ BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
   BOOST_TEST(result.iterations == 7);
   BOOST_TEST(says(result, "contact 3, point 4"));
   BOOST_TEST(says(result, "acts across a gap of 1 "));
+  ContactStep named = misled(0.5);
+  named.name = [](const ContactKey& key) { return "bodies of " + std::to_string(key.contact); };
+  BOOST_TEST(says(resolve_contact(named, {.cuts_after = 100}), "bodies of 3: the force"));
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {
@@ -65,6 +68,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {
   BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 6);
   BOOST_TEST(std::isinf(result.gaps.maxCoeff()));
+  BOOST_TEST(says(result, "acts across a contact that is gone"));
 }
 
 BOOST_AUTO_TEST_CASE(a_slow_gradient_does_not_converge) {
@@ -75,6 +79,18 @@ BOOST_AUTO_TEST_CASE(a_slow_gradient_does_not_converge) {
   for (std::size_t k = 1; k < result.violations.size(); ++k) {
     BOOST_TEST(std::abs(result.violations[k] / result.violations[k - 1] - 0.95) < 1e-6);
   }
+  BOOST_TEST(says(result, "contact 3, point 4 by "));
+  BOOST_TEST(says(result, "a unit force opens it by "));
+}
+
+BOOST_AUTO_TEST_CASE(a_loop_without_iterations_tells_what_the_free_motion_violates) {
+  ContactStep step = misled(1.0);
+  step.guess = 2.0 * step.free_velocity;
+  const ContactResult result = resolve_contact(step, {.max_iterations = 0});
+  BOOST_TEST((result.status == ContactStatus::not_converged));
+  BOOST_TEST(result.iterations == 0);
+  BOOST_TEST((result.velocity == step.free_velocity));
+  BOOST_TEST(says(result, "contact 3, point 4 by 1"));
 }
 
 BOOST_AUTO_TEST_CASE(a_response_that_the_quadrature_does_not_see) {

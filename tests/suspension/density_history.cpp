@@ -52,6 +52,10 @@ BOOST_AUTO_TEST_CASE(cubic_densities_of_moving_bodies_are_guessed_exactly) {
   // The same time again replaces.
   history.add(0.45, moving(0.45), nodes, 2.0 * cubic(0.45, nodes));
   BOOST_TEST((history.guess(0.45, moving(0.45), nodes) - 2.0 * cubic(0.45, nodes)).norm() < 1e-12);
+  // So does one that differs by rounding, as after a reversal: three other times are left.
+  history.add(std::nextafter(0.45, 1.0), moving(0.45), nodes, cubic(0.45, nodes));
+  const ComplexVector exact = cubic(0.6, nodes);
+  BOOST_TEST((history.guess(0.6, moving(0.6), nodes) - exact).norm() < 1e-12 * exact.norm());
 }
 
 BOOST_AUTO_TEST_CASE(nodes_may_differ_from_density_to_density) {

@@ -81,6 +81,26 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
                         names_time_bodies_and_limit);
 }
 
+// Two disks in contact draw nearer than their nodes resolve. The end of the least step, from where
+// the run has got to, is rounded: up for some, down for others.
+BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
+  for (const double dt_min : {7e-4, 1.1e-3, 2.3e-3, 3.1e-3, 5e-3}) {
+    TimeSettings time{3.0, 0.1, euler};
+    time.dt_min = dt_min;
+    Scene scene = approaching(time);
+    for (Body& body : scene.bodies) body.n_nodes = 32;
+    scene.solver.tolerance = 1e-4;
+    scene.contact = ContactSettings{1e-4};
+    const auto says_when_and_what = [](const NumericsRefused& refusal) {
+      const std::string message = refusal.what();
+      return message.starts_with("t = ") && message.find("t = ", 1) == std::string::npos &&
+             message.find("body 0") != std::string::npos &&
+             message.find("time.dt_min = ") != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(steps_of(scene), NumericsRefused, says_when_and_what);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
   // One step leaves a gap of 0.04, two halves one of 0.4.
   Scene scene = approaching({0.66, 0.66, euler});
