@@ -77,8 +77,7 @@ class SuspensionSolver {
   ///
   /// @param  scene  without fills: with_fills_placed() comes first
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @throws NumericsRefused when a component's own block is singular (gauge length at a degenerate
-  ///                scale), or no number of nodes up to 4096 resolves a shape with automatic nodes
+  /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes
   /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
@@ -102,7 +101,8 @@ class SuspensionSolver {
   /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
   ///                tolerance that no node count within the limits of node_choice.hpp brings down
   /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
-  ///                large against held components, no convergence, and numbers that are not finite
+  ///                large against held components, a preconditioner that is singular, no
+  ///                convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
   Solution solve(const Configuration& configuration, double drive = 1.0,
@@ -203,6 +203,8 @@ class SuspensionSolver {
   /// @param  references     of each component
   /// @param  drive          as in solve()
   /// @return                problem, operator, and the preconditioner of the plan
+  /// @throws NumericsRefused when a block of the preconditioner is singular, as that of a held
+  ///                component is whose size is at the degenerate scale of flow.gauge_length
   DiscreteProblem discretise(const Configuration& configuration, const References& references,
                              double drive = 1.0) const;
 
@@ -249,7 +251,7 @@ class SuspensionSolver {
   ///
   /// @param  resolutions  of each component
   /// @return              bodies, then walls, in the scene's order
-  /// @throws NumericsRefused when a component's own block is singular
+  /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @par Cost      that of ReferenceShelf::get() a component
   References references(const Resolutions& resolutions) const;
 
