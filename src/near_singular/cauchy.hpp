@@ -50,7 +50,7 @@ class CauchyCurve {
   /// Prepares the matrices of one curve.
   ///
   /// @param  reference  N nodes, in the curve's own frame
-  /// @par Cost          O(N^3) multiplications, 64 N^2 bytes
+  /// @par Cost          O(N^2 log N) operations, 64 N^2 bytes
   explicit CauchyCurve(const Curve& reference);
 
   /// Computes the node values for densities given in the curve's frame, one a column.

@@ -25,7 +25,7 @@ class SuspensionOperator {
   ///
   /// @param  problem  the boundary value problem, n nodes in all
   /// @param  placed   the same components for near corrections; empty: none
-  /// @param  plan     tolerance of the near corrections
+  /// @param  plan     how nodes are summed, and to what tolerance; that of the near corrections
   /// @throws std::invalid_argument when Closure refuses the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                      const Plan& plan);

@@ -87,7 +87,7 @@ class ReferenceShelf {
   /// @param  kind        of the component
   /// @return             the one that all such components share
   /// @throws std::invalid_argument when N is odd or too small
-  /// @par Cost        O(N^3) for a new one, O(N^2) without near corrections
+  /// @par Cost        O(N^2 log N) for a new one, O(N^2) without near corrections
   std::shared_ptr<const Reference> get(const Shape& shape, const Resolution& resolution,
                                        ComponentKind kind);
 
