@@ -54,8 +54,9 @@ double resolution_error(double decay, Eigen::Index n_nodes) {
 int recommended_nodes(double decay, double tolerance) {
   if (std::isinf(decay)) return 0;
   const double needed = std::log(margin * error_factor * decay / tolerance) / decay;
-  // No more than an int holds: gaps of rounding would ask for anything.
-  return 16 * static_cast<int>(std::ceil(std::min(needed, 1e9) / 16.0));
+  // Gaps of rounding would ask for anything, and the error of their few nodes is underestimated: no
+  // more than an int holds, and none at least.
+  return 16 * static_cast<int>(std::ceil(std::clamp(needed, 0.0, 1e9) / 16.0));
 }
 
 TailEstimate tail_estimate(const ComplexVector& density, double scale) {

@@ -54,7 +54,7 @@ double resolution_error(double decay, Eigen::Index n_nodes);
 ///
 /// @param  decay      alpha, from density_decay()
 /// @param  tolerance  of velocities relative to their scale, > 0
-/// @return            multiple of 16; 0 where the gap asks for nothing
+/// @return            multiple of 16, from 0, where the gap asks for nothing, to 1e9
 int recommended_nodes(double decay, double tolerance);
 
 /// What the Fourier modes of a computed density say about its resolution.

@@ -116,6 +116,17 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(recommended_counts_are_counts_however_narrow_the_gap) {
+  for (double tolerance : {1e-2, 1e-6, 1e-12}) {
+    for (double decay = 1.0; decay > 1e-300; decay *= 0.1) {
+      const int nodes = recommended_nodes(decay, tolerance);
+      BOOST_TEST(nodes >= 0);
+      BOOST_TEST(nodes <= 1'000'000'000);
+      BOOST_TEST(nodes % 16 == 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(counts_grow_as_the_logarithm_of_the_depth) {
   int last = 0;
   for (double depth : {1e-2, 1e-3, 1e-4, 1e-5}) {
