@@ -93,7 +93,10 @@ class ReferenceShelf {
 
   /// Counts what is kept.
   /// @return number of references
-  std::size_t size() const { return kept_.size(); }
+  std::size_t size() const {
+    const std::lock_guard lock(mutex_);
+    return kept_.size();
+  }
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
@@ -107,7 +110,7 @@ class ReferenceShelf {
   ReferenceNeeds needs_;
   std::size_t patience_, calls_ = 0;
   std::vector<Kept> kept_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
 };
 
 /// @}
