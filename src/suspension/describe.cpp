@@ -7,6 +7,7 @@
 
 #include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
+#include "suspension/node_choice.hpp"
 #include "suspension/stepping.hpp"
 
 namespace stokesbook {
@@ -41,30 +42,41 @@ bool alike(const Resolution& a, const Resolution& b) {
   return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
 }
 
-// One line for all components that share a shape and a resolution.
+// Of nodes that are given; `most` is the largest number recommended, 0 where none is.
+std::string recommendation(int most) {
+  return most > 0 ? "; " + std::to_string(most) + " recommended for shape and gaps"
+                  : "; no number up to " + std::to_string(most_nodes_for_shape) +
+                        " resolves the shape to solver.tolerance";
+}
+
+// One line for all components that share a shape and a resolution, given or chosen.
 std::vector<std::string> component_lines(const SuspensionSolver& solver,
                                          const Resolutions& resolutions,
                                          const std::vector<int>& recommended) {
   const References& references = solver.references();
   std::vector<std::string> lines;
+  const auto is_chosen = [&](std::size_t component) {
+    return given_nodes(solver.scene(), component) == automatic_nodes;
+  };
   std::vector<bool> done(references.size(), false);
   for (std::size_t k = 0; k < references.size(); ++k) {
     if (done[k]) continue;
-    int members = 0, nodes = 0;
+    int members = 0, most = 0;
     for (std::size_t j = k; j < references.size(); ++j) {
-      if (references[j] != references[k] || !alike(resolutions[j], resolutions[k])) continue;
+      if (references[j] != references[k] || !alike(resolutions[j], resolutions[k]) ||
+          is_chosen(j) != is_chosen(k)) {
+        continue;
+      }
       done[j] = true;
       ++members;
-      nodes = std::max(nodes, recommended[j]);
+      most = std::max(most, recommended[j]);
     }
-    const bool chosen = given_nodes(solver.scene(), k) == automatic_nodes;
     lines.push_back(aligned(
         "components",
         std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
             (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
-            (chosen ? " to begin with, chosen" : "; " + std::to_string(nodes) + " recommended") +
-            " for shape and gaps"));
+            (is_chosen(k) ? " to begin with, chosen for shape and gaps" : recommendation(most))));
   }
   return lines;
 }

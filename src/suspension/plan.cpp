@@ -106,6 +106,17 @@ Plan::Line preconditioner_line(const Plan& plan, const Scene& scene, bool only_c
   return {"preconditioner", decision + "; where gaps are tight" + small + large, reason};
 }
 
+// Residuals do not fall below rounding.
+constexpr double least_gmres_tolerance = 1e-14;
+
+Plan::Line gmres_line(const Plan& plan, const SolverSettings& solver) {
+  const std::string decision = "to " + short_number(plan.gmres_tolerance) + ", without restart";
+  if (solver.gmres_tol) return {"GMRES", decision, "solver.gmres_tol"};
+  const std::string asked = "solver.tolerance = " + short_number(solver.tolerance) + " / 100";
+  const bool is_met = 0.01 * solver.tolerance >= least_gmres_tolerance;
+  return {"GMRES", decision, is_met ? asked : "rounding allows no less: " + asked};
+}
+
 Plan::Line fields_line(const FieldSettings& fields) {
   const FieldGrid grid = field_grid(fields);
   std::string quantities;
@@ -168,7 +179,8 @@ Plan make_plan(const Scene& scene) {
   plan.clusters_at_tight_gaps = chosen_here && census.free > 1 && census.held + census.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number; no sum is better than
   // rounding.
-  plan.gmres_tolerance = scene.solver.gmres_tol.value_or(std::max(1e-14, 0.01 * tolerance));
+  plan.gmres_tolerance =
+      scene.solver.gmres_tol.value_or(std::max(least_gmres_tolerance, 0.01 * tolerance));
   // Densities of films under pressure exceed what velocities are compared with by orders of
   // magnitude, and errors of sums are rough: as tails of densities they would ask for ever more
   // nodes.
@@ -196,10 +208,7 @@ Plan make_plan(const Scene& scene) {
     plan.lines.push_back({"coupling", "lagged: one sweep of block Jacobi a step after the first",
                           "solver.coupling; its error is reported, and not bounded"});
   }
-  plan.lines.push_back({"GMRES", "to " + short_number(plan.gmres_tolerance) + ", without restart",
-                        scene.solver.gmres_tol
-                            ? "solver.gmres_tol"
-                            : "solver.tolerance = " + short_number(tolerance) + " / 100"});
+  plan.lines.push_back(gmres_line(plan, scene.solver));
   if (is_couette_cell(scene)) {
     plan.lines.push_back({"rheology", "one solve without bodies", "a Couette cell's torque ratio"});
   }

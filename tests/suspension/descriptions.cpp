@@ -1,0 +1,73 @@
+// What the dry run tells of a scene is so: the reason that acted, who chose nodes, and what no
+// number of nodes resolves.
+
+#include <algorithm>
+
+#include "suspension/describe.hpp"
+#include "suspension/scenes.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+// All lines of one topic.
+std::vector<std::string> told(const Scene& scene, const std::string& topic) {
+  std::vector<std::string> lines = describe(SuspensionSolver(scene));
+  std::erase_if(lines, [&](const std::string& line) { return !line.starts_with(topic); });
+  return lines;
+}
+
+bool mentions(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+Scene disk(double tolerance) {
+  Scene result = scene({body(Circle{1.0}, 32, 0.0)}, ShearFlow{1.0});
+  result.solver.tolerance = tolerance;
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(descriptions)
+
+BOOST_AUTO_TEST_CASE(the_residual_follows_the_tolerance_until_rounding_limits_it) {
+  const std::string above = told(disk(1e-11), "GMRES").at(0), at = told(disk(1e-12), "GMRES").at(0),
+                    below = told(disk(1e-13), "GMRES").at(0);
+  BOOST_TEST(mentions(above, "to 1e-13"));
+  BOOST_TEST(mentions(at, "to 1e-14"));
+  BOOST_TEST(mentions(below, "to 1e-14"));
+  BOOST_TEST(!mentions(above, "rounding"));
+  BOOST_TEST(!mentions(at, "rounding"));
+  BOOST_TEST(mentions(below, "rounding"));
+}
+
+BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
+  Scene pair = disk(1e-6);
+  pair.bodies[0].n_nodes = automatic_nodes;
+  const int chosen = SuspensionSolver(pair).references()[0]->resolution.n_nodes;
+  pair.bodies.push_back(body(Circle{1.0}, chosen, {100.0, 0.0}));
+  for (int turn = 0; turn < 2; ++turn) {
+    const std::vector<std::string> lines = told(pair, "components");
+    BOOST_REQUIRE_EQUAL(lines.size(), 2U);
+    for (const bool is_chosen : {true, false}) {
+      const std::string& line = lines[is_chosen == (turn == 0) ? 0 : 1];
+      BOOST_TEST(mentions(line, "1 x circle 1"));
+      BOOST_TEST(mentions(line, "chosen") == is_chosen);
+      BOOST_TEST(mentions(line, "recommended") == !is_chosen);
+    }
+    std::swap(pair.bodies[0], pair.bodies[1]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_no_number_of_nodes_does_none_is_recommended) {
+  Scene slender = disk(1e-12);
+  slender.bodies[0].shape = Ellipse{1.0, 1e-3};
+  const std::string line = told(slender, "components").at(0);
+  BOOST_TEST(mentions(line, "no number up to 4096"));
+  BOOST_TEST(!mentions(line, "recommended"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test
