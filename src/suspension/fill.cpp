@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "record/number_text.hpp"
 #include "suspension/component_data.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/node_choice.hpp"
@@ -106,6 +107,19 @@ Region fluid_region(const std::vector<Obstacle>& walls) {
   return region;
 }
 
+// As many bodies as are asked for, or as fill their part of the region, to the nearest number.
+long count_of(const Fill& fill, double region_area, double body_area) {
+  if (fill.count) return *fill.count;
+  const double bodies = *fill.area_fraction * region_area / body_area;
+  if (bodies < 0.5) {
+    throw std::invalid_argument("[[fill]]: area_fraction = " + short_number(*fill.area_fraction) +
+                                " is less than half a body, which has " +
+                                short_number(body_area / region_area) +
+                                " of the region's area: give at least half of that, or count");
+  }
+  return std::lround(bodies);
+}
+
 bool in_box(const Curve& curve, const std::array<double, 4>& box) {
   return curve.x.real().minCoeff() >= box[0] && curve.x.imag().minCoeff() >= box[1] &&
          curve.x.real().maxCoeff() <= box[2] && curve.x.imag().maxCoeff() <= box[3];
@@ -139,8 +153,7 @@ Scene with_fills_placed(const Scene& scene) {
     const auto shape = std::make_shared<const Parametrisation>(parametrisation(fill.shape));
     const std::array<double, 4> box = fill.box.value_or(fluid.box);
     const double region_area = fill.box ? (box[2] - box[0]) * (box[3] - box[1]) : fluid.area;
-    const long count =
-        fill.count ? *fill.count : std::lround(*fill.area_fraction * region_area / area(reference));
+    const long count = count_of(fill, region_area, area(reference));
     int attempts = 0;
     for (long placed = 0; placed < count;) {
       if (++attempts > attempts_per_body) {

@@ -13,7 +13,8 @@ namespace stokesbook {
 /// @param  scene  with or without fills
 /// @return        the scene with their bodies after its own, and without fills
 /// @throws std::invalid_argument when a body finds no place in 20000 attempts (random sequential
-///                addition jams above an area fraction of about 0.5)
+///                addition jams above an area fraction of about 0.5), and when an area fraction is
+///                less than half a body
 /// @par Cost      a search in a RectangleIndex an attempt, closest_points() where two bounding
 ///                circles meet
 Scene with_fills_placed(const Scene& scene);

@@ -140,6 +140,18 @@ BOOST_AUTO_TEST_CASE(bodies_stay_inside_their_box_and_keep_away_from_given_bodie
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_area_fraction_below_half_a_body_is_refused) {
+  Scene scene = filled_cell(1);
+  const double one = 0.5 * 0.25 / (25.0 - 1.0);
+  scene.fills[0].area_fraction = 0.51 * one;
+  BOOST_TEST(with_fills_placed(scene).bodies.size() == 1U);
+  scene.fills[0].area_fraction = 0.49 * one;
+  const auto tells = [](const std::invalid_argument& error) {
+    return std::string(error.what()).find("area_fraction = 0.00255") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(with_fills_placed(scene), std::invalid_argument, tells);
+}
+
 BOOST_AUTO_TEST_CASE(a_fill_that_does_not_fit_says_how_far_it_got) {
   Scene scene = filled_cell(1);
   scene.fills[0].area_fraction = 0.8;
