@@ -29,7 +29,7 @@ Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Parametrisa
                        const Placement& placement) {
   return {{place(reference, placement.position, placement.orientation), std::move(shape),
            placement.position, placement.orientation},
-          bounding_radius(reference, 0.0)};
+          outer_radius(reference, 0.0)};
 }
 
 template <class BodyOrWall>

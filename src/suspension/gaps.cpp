@@ -26,7 +26,7 @@ std::vector<Rectangle> rectangles_of(const Configuration& configuration,
   ComplexVector corners(2 * static_cast<Eigen::Index>(references.size()));
   for (std::size_t k = 0; k < references.size(); ++k) {
     rectangles.push_back(
-        square_about(configuration[k].position, bounding_radius(references[k]->curve, 0.0)));
+        square_about(configuration[k].position, outer_radius(references[k]->curve, 0.0)));
     corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles[k].lower,
         rectangles[k].upper;
   }
@@ -45,7 +45,7 @@ class BroadPhase {
         rectangles_(rectangles_of(configuration, references)),
         index_(rectangles_) {
     for (const auto& reference : references) {
-      radius_.push_back(bounding_radius(reference->curve, 0.0));
+      radius_.push_back(outer_radius(reference->curve, 0.0));
       reach_.push_back(near_reach(reference->curve, tolerance));
     }
   }

@@ -17,8 +17,7 @@ class Border {
         side_(curve.side),
         position_(placement.position),
         turn_(std::polar(1.0, -placement.orientation)),
-        // Between nodes a curve rises by less than their spacing.
-        reach_(bounding_radius(curve, 0.0) + weights(curve).maxCoeff()) {}
+        reach_(outer_radius(curve, 0.0)) {}
 
   bool has_fluid_at(Complex point) const {
     const Complex local = (point - position_) * turn_;

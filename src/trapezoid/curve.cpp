@@ -1,5 +1,7 @@
 #include "trapezoid/curve.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace stokesbook {
@@ -45,6 +47,24 @@ Complex boundary_centroid(const Curve& curve) {
 
 double bounding_radius(const Curve& curve, Complex centre) {
   return (curve.x.array() - centre).abs().maxCoeff();
+}
+
+double outer_radius(const Curve& curve, Complex centre) {
+  const Eigen::Index n = curve.size();
+  const double half_spacing = std::numbers::pi / static_cast<double>(n);
+  const Eigen::ArrayXcd arm = curve.x.array() - centre;
+  const Eigen::ArrayXd slope = 2.0 * (arm.conjugate() * curve.dx.array()).real().abs();
+  const Eigen::ArrayXd bend =
+      2.0 * (curve.dx.array().abs2() + (arm.conjugate() * curve.ddx.array()).real());
+  double radius = 0.0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double most = std::max({bend[(j + n - 1) % n], bend[j], bend[(j + 1) % n]});
+    const double step = most < 0.0 ? std::min(half_spacing, slope[j] / -most) : half_spacing;
+    const double rise = step * (slope[j] + 0.5 * most * step), own = std::abs(arm[j]);
+    // The root of own^2 + rise, and own itself to the last bit where nothing rises.
+    radius = std::max(radius, own + rise / (own + std::sqrt(own * own + rise)));
+  }
+  return radius;
 }
 
 }  // namespace stokesbook

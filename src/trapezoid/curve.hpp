@@ -123,8 +123,20 @@ Complex boundary_centroid(const Curve& curve);
 ///
 /// @param  curve   N nodes
 /// @param  centre  point, length
-/// @return         radius, length; between nodes the curve may reach a little further
+/// @return         radius, length; between nodes the curve may reach a little further, see
+///                 outer_radius()
 double bounding_radius(const Curve& curve, Complex centre);
+
+/// Bounds the distance of a curve from a point, between nodes too.
+///
+/// Within half a spacing h of a node, \f$ g = |x-c|^2 \f$ is at most
+/// \f$ g_j + |g'_j|\tau + \frac12 M\tau^2,\ 0\le\tau\le\frac12h \f$, with the largest second
+/// derivative M of the node and its neighbours.
+/// @param  curve   N nodes
+/// @param  centre  c, length
+/// @return         radius, length; that of the farthest node, where none of the curve is farther
+/// @par Accuracy   too large, where the farthest point is no node, by an error of fourth order in h
+double outer_radius(const Curve& curve, Complex centre);
 
 /// @}
 

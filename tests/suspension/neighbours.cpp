@@ -1,6 +1,7 @@
 // Searches for neighbours find what tests of all pairs find: gaps, the closest pair where none is
 // in reach, and the points that lie in the fluid.
 
+#include <numbers>
 #include <random>
 
 #include <omp.h>
@@ -55,7 +56,7 @@ struct Placed {
     const Curve &p = references[a]->curve, &q = references[b]->curve;
     if (p.side == Side::fluid_inside || q.side == Side::fluid_inside) return true;
     const double apart = std::abs(configuration[a].position - configuration[b].position) -
-                         bounding_radius(p, 0.0) - bounding_radius(q, 0.0);
+                         outer_radius(p, 0.0) - outer_radius(q, 0.0);
     return apart < std::max(near_reach(p, tolerance), near_reach(q, tolerance));
   }
 
@@ -131,6 +132,11 @@ BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
   // Bounding circles of the ellipses are closer than those of the circles.
   test({body(Ellipse{1.0, 0.1}, 256, {0.0, 0.0}), body(Ellipse{1.0, 0.1}, 256, {0.0, 2.06}),
         body(Circle{0.3}, 256, {50.0, 0.0}), body(Circle{0.3}, 256, {51.1, 0.0})});
+  // Tips between nodes: the stars are closer than the circles, the circles about their nodes not.
+  const Star star{1.0, -0.3, 4};
+  const double tip = std::numbers::pi / 4.0, gap = 1.0;
+  test({body(star, 66, {0.0, 0.0}, tip), body(star, 66, {2.6 + gap, 0.0}, tip),
+        body(Circle{0.3}, 256, {50.0, 0.0}), body(Circle{0.3}, 256, {50.6 + gap + 1e-3, 0.0})});
 }
 
 BOOST_AUTO_TEST_CASE(one_component_has_no_gaps) {

@@ -68,6 +68,33 @@ BOOST_AUTO_TEST_CASE(the_centroid_weighs_by_arclength) {
   BOOST_TEST(std::abs(bounding_radius(curve, c + 0.5) - 1.5) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(the_outer_radius_holds_the_curve_between_nodes) {
+  // Tips at a quarter of the spacing from the nearest node.
+  const Shape star = Star{1.0, -0.3, 4};
+  BOOST_TEST(bounding_radius(body(star, 66), 0.0) < 1.2987);
+  BOOST_TEST(outer_radius(body(star, 66), 0.0) >= 1.3);
+  BOOST_TEST(outer_radius(body(star, 66), 0.0) < 1.3004);
+  for (const Shape& shape : {star, shapes[1], shapes[2], shapes[3], shapes[4]}) {
+    for (const Complex c : {Complex{}, Complex{0.1, 0.07}}) {
+      const double exact = bounding_radius(body(shape, 100000), c);
+      for (Index n : {12, 18, 34, 66, 130, 258}) {
+        const double radius = outer_radius(body(shape, n), c);
+        BOOST_TEST(radius >= (1.0 - 1e-9) * exact);
+        // Fourth order, with a constant for the star of five arms.
+        BOOST_TEST(radius <= (1.0 + std::pow(20.0 / static_cast<double>(n), 4)) * exact);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_nodes_are_farthest_the_outer_radius_is_theirs) {
+  for (Index n : {8, 32, 64, 100}) {
+    const Curve circle = body(Circle{0.7}, n), ellipse = body(Ellipse{2.0, 0.5}, 2 * n);
+    BOOST_TEST(outer_radius(circle, 0.0) == bounding_radius(circle, 0.0));
+    BOOST_TEST(outer_radius(ellipse, 0.0) == bounding_radius(ellipse, 0.0));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(curvatures_are_signed) {
   const double a = 2.0, b = 0.5;
   const Curve ellipse = body(Ellipse{a, b}, 30);
