@@ -64,7 +64,7 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
 }
 
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options) {
-  const ScaledLcp scaled = scale_problem(problem);  // checks it
+  require_valid(problem);
   return matrix_free_barzilai_borwein(
       LcpOperator{[&](const VectorXd& z) -> VectorXd { return problem.matrix * z; }, problem.offset,
                   problem.matrix.diagonal()},

@@ -39,6 +39,8 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
 /// @param  problem  with m rows, M symmetric and positive semidefinite
 /// @param  options  without a limit, 2000 products are allowed
 /// @return          solved or stalled; iterations are products with M
+/// @throws std::invalid_argument when M is not square or q not as long
+/// @throws std::domain_error when M or q is not finite
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options = {});
 
 /// @}

@@ -14,6 +14,8 @@ namespace {
 // What counts as zero beside offsets of size one, where rounding has touched z and w.
 constexpr double zero = 1e-9;
 
+}  // namespace
+
 void require_valid(const LcpProblem& problem) {
   const Index m = problem.offset.size();
   if (problem.matrix.rows() != m || problem.matrix.cols() != m) {
@@ -26,8 +28,6 @@ void require_valid(const LcpProblem& problem) {
     throw std::domain_error("a complementarity problem has numbers that are not finite");
   }
 }
-
-}  // namespace
 
 LcpUnits lcp_units(const VectorXd& diagonal, double largest, const VectorXd& offset) {
   LcpUnits units;

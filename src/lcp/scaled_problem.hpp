@@ -21,6 +21,13 @@ struct ScaledLcp {
   LcpUnits units;      ///< that it had
 };
 
+/// Checks that a problem is one.
+///
+/// @param  problem  any
+/// @throws std::invalid_argument when M is not square or q not as long
+/// @throws std::domain_error when M or q is not finite
+void require_valid(const LcpProblem& problem);
+
 /// Chooses the units.
 ///
 /// @param  diagonal  of M, m numbers
@@ -33,8 +40,8 @@ LcpUnits lcp_units(const Eigen::VectorXd& diagonal, double largest, const Eigen:
 ///
 /// @param  problem  any
 /// @return          the same without units
-/// @throws std::invalid_argument when M is not square or q not as long
-/// @throws std::domain_error when M or q is not finite
+/// @throws std::invalid_argument as require_valid() does
+/// @throws std::domain_error as require_valid() does
 ScaledLcp scale_problem(const LcpProblem& problem);
 
 /// Begins at the guess, without units.

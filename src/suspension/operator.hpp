@@ -50,10 +50,6 @@ class SuspensionOperator {
   /// @return what ties motions and loads to the density
   const Closure& closure() const { return closure_; }
 
-  /// Returns the near correction at the nodes.
-  /// @return none unless components were given for it
-  const std::optional<NearCorrection>& near_correction() const { return near_; }
-
  private:
   // The trapezoid rule's layer and the singularities of loads.
   ComplexVector plain_velocity(const ComplexVector& density, const std::vector<Load>& loads) const;

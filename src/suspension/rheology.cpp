@@ -146,7 +146,7 @@ double Rheometer::excess_dissipation(const Configuration& configuration, const S
     centres[static_cast<Index>(k)] = configuration[k].position;
   }
   const ComplexVector stream = drive * background_velocity(scene.flow, centres);
-  const FlowDerivatives gradient = background_derivatives(scene.flow, centres)[0];
+  const FlowDerivatives gradient = background_derivatives(scene.flow, centres.head(1))[0];
   const Complex strain = drive * gradient.strain;
   const double rotation = 0.5 * drive * gradient.vorticity;
   double power = 0.0;
