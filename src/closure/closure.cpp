@@ -40,6 +40,13 @@ Complex total_given_force(const StokesProblem& problem) {
   return total;
 }
 
+bool has_net_force(const StokesProblem& problem) {
+  // Rounding of the sum may leave a trace of forces that balance.
+  double scale = 0.0;
+  for (const Component& component : problem.components) scale += std::abs(component.force);
+  return std::abs(total_given_force(problem)) > 1e-12 * scale;
+}
+
 Completion with_balance(const StokesProblem& problem, Completion completion) {
   std::vector<Load>& loads = completion.loads;
   for (std::size_t wall = 0; wall < loads.size(); ++wall) {
@@ -59,13 +66,6 @@ namespace {
 
 bool is_prescribed(const Component& component) {
   return component.kind == ComponentKind::prescribed;
-}
-
-// Rounding of the sum may leave a trace of forces that balance.
-bool has_net_force(const StokesProblem& problem) {
-  double scale = 0.0;
-  for (const Component& component : problem.components) scale += std::abs(component.force);
-  return std::abs(total_given_force(problem)) > 1e-12 * scale;
 }
 
 }  // namespace

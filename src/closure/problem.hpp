@@ -60,6 +60,13 @@ bool is_bounded(const StokesProblem& problem);
 /// @return          total force on the fluid, force / length
 Complex total_given_force(const StokesProblem& problem);
 
+/// Tells whether the forces given on free bodies have a sum other than zero.
+///
+/// @param  problem  its components
+/// @return          true when the sum exceeds 1e-12 of the forces' magnitudes added up, more than
+///                  rounding leaves of forces that balance
+bool has_net_force(const StokesProblem& problem);
+
 /// @}
 
 }  // namespace stokesbook

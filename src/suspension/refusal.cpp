@@ -111,10 +111,8 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
            "least " +
            short_number(2.0 * extent) + ", or leave it out for zero net force";
   }
-  double scale = 0.0;
-  for (const Component& component : problem.components) scale += std::abs(component.force);
-  const Complex force = total_given_force(problem);
-  if (extent == 0.0 && !scene.gauge_length && std::abs(force) > 1e-12 * scale) {
+  if (extent == 0.0 && !scene.gauge_length && has_net_force(problem)) {
+    const Complex force = total_given_force(problem);
     return "the loads have a net force of (" + short_number(force.real()) + ", " +
            short_number(force.imag()) +
            ") in an unbounded plane, where velocities grow like the logarithm of the distance "

@@ -56,17 +56,12 @@ bool is_sheared(const BackgroundFlow& flow) {
 
 // Without a net force the disturbance decays, and so does what it dissipates. Held bodies and walls
 // add up to one where a gauge length is given.
-bool forces_balance(const Scene& scene) {
-  if (!scene.gauge_length) return true;
-  if (!scene.walls.empty()) return false;
-  Complex total{};
-  double scale = 0.0;
-  for (const Body& body : scene.bodies) {
-    if (body.held) return false;
-    total += body.force;
-    scale += std::abs(body.force);
-  }
-  return std::abs(total) <= 1e-12 * scale;
+bool forces_balance(const StokesProblem& problem) {
+  if (!problem.gauge_length) return true;
+  const bool all_free = std::ranges::all_of(problem.components, [](const Component& component) {
+    return component.kind == ComponentKind::free_body;
+  });
+  return all_free && !has_net_force(problem);
 }
 
 std::vector<Complex> stresslets_of(const StokesProblem& problem, const ComplexVector& density) {
@@ -138,7 +133,7 @@ double Rheometer::excess_dissipation(const Configuration& configuration, const S
                                      const std::vector<Complex>& stresslets, double drive) const {
   const Scene& scene = solver_.scene();
   const bool linear = !std::holds_alternative<TaylorGreenFlow>(scene.flow);
-  if (!linear || !forces_balance(scene) || std::ranges::any_of(scene.walls, deforms)) {
+  if (!linear || std::ranges::any_of(scene.walls, deforms)) {
     return Rheology::undefined;
   }
   ComplexVector centres(static_cast<Index>(configuration.size()));
@@ -177,7 +172,9 @@ Rheology Rheometer::operator()(const Configuration& configuration, const Solutio
   } else {
     const std::vector<Complex> stresslets = stresslets_of(flow.problem(), flow.density());
     rheology.stresslet = std::accumulate(stresslets.begin(), stresslets.end(), Complex{});
-    rheology.dissipation = excess_dissipation(configuration, solution, stresslets, drive);
+    if (forces_balance(flow.problem())) {
+      rheology.dissipation = excess_dissipation(configuration, solution, stresslets, drive);
+    }
   }
   if (empty_torque_) {
     const std::size_t inner = component_of(scene, *only_wall(scene, WallRole::inner));
