@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "closure/rigid_modes.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/layer_blocks.hpp"
 #include "trapezoid/rectangle_index.hpp"
@@ -34,7 +33,7 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
   std::vector<SmoothCurve> curves;
   double largest = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
-    radius.push_back(RigidModes(references[k]->curve, {}).gyration_radius());
+    radius.push_back(references[k]->gyration_radius);
     curves.push_back(smooth_curve(*references[k], configuration[k]));
     rectangles.push_back(bounding_rectangle(curves[k].nodes.x));
     if (!encloses(k)) largest = std::max(largest, radius[k]);

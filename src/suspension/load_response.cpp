@@ -8,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "suspension/definite_correction.hpp"
 
@@ -104,8 +103,8 @@ void LoadResponse::begin() {
   for (std::size_t k = 0; k < references_.size(); ++k) {
     const Reference& reference = *references_[k];
     if (reference.kind != ComponentKind::free_body) continue;
-    const double radius = RigidModes(reference.curve, {}).gyration_radius();
-    over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0, 1.0 / radius;
+    over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0,
+        1.0 / reference.gyration_radius;
   }
   if (discrete_->is_factorised) return;  // which needs no guesses
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "closure/rigid_modes.hpp"
 #include "suspension/clusters.hpp"
 
 namespace stokesbook {
@@ -35,11 +34,10 @@ bool is_circle(const std::shared_ptr<const Reference>& reference) {
 
 // In ascending order of gaps, so that the search ends with the first that is too wide.
 std::size_t pairs_within(double reach, const std::vector<Gap>& gaps, const References& references) {
-  const auto radius = [&](std::size_t k) {
-    return RigidModes(references[k]->curve, {}).gyration_radius();
-  };
   return static_cast<std::size_t>(std::ranges::count_if(gaps, [&](const Gap& gap) {
-    return gap.points.gap < reach * std::min(radius(gap.a), radius(gap.b));
+    const double radius =
+        std::min(references[gap.a]->gyration_radius, references[gap.b]->gyration_radius);
+    return gap.points.gap < reach * radius;
   }));
 }
 

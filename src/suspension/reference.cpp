@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "suspension/component_data.hpp"
 
@@ -21,10 +22,12 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
                                              : sample(shape, resolution.n_nodes, side),
                       std::make_shared<const Parametrisation>(parametrisation(shape)),
                       0.0,
+                      0.0,
                       {},
                       {},
                       {}};
   reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
+  reference.gyration_radius = RigidModes(reference.curve, {}).gyration_radius();
   if (needs.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
   if (needs.interpolation_tolerance) {
     reference.interpolation = std::make_shared<InterpolationCurve>(

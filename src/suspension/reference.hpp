@@ -44,6 +44,7 @@ struct Reference {
   Curve curve;                                             ///< nodes
   std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
   double rigid_motion_residual;               ///< of the curve, by the function of this name
+  double gyration_radius;                     ///< of the curve about its centroid, length
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
       interpolation;  ///< none unless velocities are to be interpolated

@@ -32,7 +32,7 @@ Method to_method(SteppingMethod method) {
 double largest_radius(const SuspensionSolver& solver) {
   double radius = 0.0;
   for (std::size_t k = 0; k < solver.scene().bodies.size(); ++k) {
-    radius = std::max(radius, solver.references()[k]->curve.x.cwiseAbs().maxCoeff());
+    radius = std::max(radius, bounding_radius(solver.references()[k]->curve, 0.0));
   }
   return radius > 0.0 ? radius : 1.0;
 }
