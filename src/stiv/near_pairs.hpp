@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cstddef>
-#include <utility>
 #include <vector>
 
+#include "stiv/component_pair.hpp"
 #include "stiv/contact_shape.hpp"
 #include "stiv/rigid_path.hpp"
 
@@ -11,9 +10,6 @@ namespace stokesbook {
 
 /// @addtogroup stiv
 /// @{
-
-/// Two components, the lesser number first.
-using ComponentPair = std::pair<std::size_t, std::size_t>;
 
 /// Bounds where a component is.
 ///

@@ -1,23 +1,25 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <map>
-#include <utility>
+
+#include "stiv/component_pair.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup stiv
 /// @{
 
+/// Pairs that may come closer than others, and how close, length, > 0.
+using CloserPairs = std::map<ComponentPair, double>;
+
 /// The least distance that the polygons of each pair of components keep.
 ///
 /// Gaps of the curves are narrower by at most the sum of the two sags: who wants them wider than
 /// delta asks for delta and both sags.
 struct Separation {
-  double everywhere;  ///< of pairs in general, length, > 0
-  std::map<std::pair<std::size_t, std::size_t>, double>
-      closer{};  ///< of pairs (lesser number first) that may come closer, length, > 0
+  double everywhere;     ///< of pairs in general, length, > 0
+  CloserPairs closer{};  ///< exceptions
 
   /// Returns the separation of a pair.
   /// @param  a  a component

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lcp/contact_loop.hpp"
@@ -15,9 +13,6 @@ namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
-
-/// Pairs that began closer than the separation, and how close they may come.
-using CloserPairs = std::map<std::pair<std::size_t, std::size_t>, double>;
 
 /// Packs pairs into numbers.
 ///
@@ -57,7 +52,7 @@ struct ContactOutcome {
   double seconds = 0.0;              ///< wall time, those of the responses included
   /// Pairs that do not open under their own force, or under no forces of all of them, or only by
   /// more correction of the response than the solver's tolerance: what too few nodes do.
-  std::vector<std::pair<std::size_t, std::size_t>> unseen{};
+  std::vector<ComponentPair> unseen{};
 };
 
 /// Keeps the components of a scene at their minimum separation.

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "near_singular/near_test.hpp"
+#include "stiv/component_pair.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
 namespace {
-
-using Pair = std::pair<std::size_t, std::size_t>;  // the lesser component first
 
 bool encloses(const Reference& reference) {
   return reference.curve.side == Side::fluid_inside;
@@ -51,24 +49,24 @@ class BroadPhase {
   }
 
   // Lower bound of a gap; an enclosing wall need not be convex, its bounding circle says nothing.
-  double least_gap(const Pair& pair) const {
+  double least_gap(const ComponentPair& pair) const {
     const auto [a, b] = pair;
     if (encloses(*references_[a]) || encloses(*references_[b])) return 0.0;
     return std::abs(configuration_[a].position - configuration_[b].position) - radius_[a] -
            radius_[b];
   }
 
-  bool in_reach(const Pair& pair) const {
+  bool in_reach(const ComponentPair& pair) const {
     return least_gap(pair) < std::max(reach_[pair.first], reach_[pair.second]);
   }
 
-  std::vector<Pair> pairs_in_reach() const { return pairs_within(reach_); }
+  std::vector<ComponentPair> pairs_in_reach() const { return pairs_within(reach_); }
 
   // Pairs out of reach whose gap may be less than a distance, the least lower bounds first.
-  std::vector<Pair> pairs_beyond_reach(double distance) const {
-    std::vector<Pair> pairs = pairs_within(std::vector<double>(reach_.size(), distance));
-    std::erase_if(pairs, [&](const Pair& pair) { return in_reach(pair); });
-    std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) { return least_gap(pair); });
+  std::vector<ComponentPair> pairs_beyond_reach(double distance) const {
+    std::vector<ComponentPair> pairs = pairs_within(std::vector<double>(reach_.size(), distance));
+    std::erase_if(pairs, [&](const ComponentPair& pair) { return in_reach(pair); });
+    std::ranges::stable_sort(pairs, {}, [&](const ComponentPair& pair) { return least_gap(pair); });
     return pairs;
   }
 
@@ -76,11 +74,11 @@ class BroadPhase {
 
  private:
   // Pairs nearer than the distance that goes with either component, ascending.
-  std::vector<Pair> pairs_within(const std::vector<double>& distance) const {
-    std::vector<Pair> pairs;
+  std::vector<ComponentPair> pairs_within(const std::vector<double>& distance) const {
+    std::vector<ComponentPair> pairs;
     for (std::size_t a = 0; a < distance.size(); ++a) {
       for (const std::size_t b : index_.meeting(widened(rectangles_[a], distance[a]))) {
-        const Pair pair = std::minmax(a, b);
+        const ComponentPair pair = std::minmax(a, b);
         const double gap = least_gap(pair);
         // Where either finds the other, the lesser counts the pair.
         if (b != a && gap < distance[a] && (a < b || gap >= distance[b])) pairs.push_back(pair);
@@ -108,7 +106,7 @@ std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
   // Further and further, as among distant bodies no bound is known.
   for (double within = std::min(bound, broad.smallest_reach());;
        within = std::min(bound, 2.0 * within)) {
-    for (const Pair& pair : broad.pairs_beyond_reach(within)) {
+    for (const ComponentPair& pair : broad.pairs_beyond_reach(within)) {
       if (broad.least_gap(pair) >= bound) break;
       const Gap gap{pair.first, pair.second,
                     closest_points(curves[pair.first], curves[pair.second])};

@@ -63,7 +63,7 @@ Resolutions finer_automatic(const Scene& scene, Resolutions before) {
 }
 
 Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
-                           const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {
+                           const std::vector<ComponentPair>& pairs) {
   std::set<std::size_t> components;
   for (const auto& [a, b] : pairs) components.insert({a, b});
   for (const std::size_t k : components) {

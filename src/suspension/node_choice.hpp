@@ -1,9 +1,9 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "stiv/component_pair.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/numerics_refused.hpp"
 
@@ -88,7 +88,7 @@ Resolutions finer_automatic(const Scene& scene, Resolutions before);
 /// @param  pairs   of components
 /// @return         half as many nodes again where they are automatic
 Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
-                           const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
+                           const std::vector<ComponentPair>& pairs);
 
 /// Extrapolates the nodes that a component needs from what its density's tail says.
 ///
