@@ -1,6 +1,7 @@
 #include "suspension/clusters.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 
 #include "suspension/gaps.hpp"
@@ -19,6 +20,33 @@ constexpr double layer_tolerance = 1e-3;
 // In mean radii of gyration: gaps within a cluster, and those of contacts that may make a rigid
 // network.
 constexpr double cluster_reach = 2.0, contact = 0.05;
+
+using Inverses = std::map<const Reference*, std::shared_ptr<const MatrixXd>>;
+
+// Of the cluster_block() of each distinct reference.
+Inverses inverse_blocks(const References& references, ClusterForm form, double gauge) {
+  Inverses inverses;
+  std::vector<const Reference*> distinct;
+  for (const auto& reference : references) {
+    if (inverses.try_emplace(reference.get()).second) distinct.push_back(reference.get());
+  }
+  // An exception must not leave a parallel loop; of several, that of the first component counts.
+  std::vector<std::exception_ptr> failures(distinct.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < distinct.size(); ++k) {
+    const Reference& reference = *distinct[k];
+    try {
+      inverses.at(&reference) = std::make_shared<const MatrixXd>(invert_block(
+          cluster_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, form, gauge)));
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return inverses;
+}
 
 }  // namespace
 
@@ -75,17 +103,7 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              std::optional<ClusterForm> given_form) {
   const auto neighbours = cluster_neighbours(configuration, references);
   const ClusterForm form = given_form.value_or(cluster_form(neighbours));
-  const double gauge = held_gauge(problem);
-  std::map<const Reference*, std::shared_ptr<const MatrixXd>> inverses;
-  for (const auto& reference : references) inverses[reference.get()];
-  std::vector<const Reference*> distinct;
-  for (const auto& [reference, inverse] : inverses) distinct.push_back(reference);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < distinct.size(); ++k) {
-    const Reference& reference = *distinct[k];
-    inverses.at(&reference) = std::make_shared<const MatrixXd>(invert_block(
-        cluster_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, form, gauge)));
-  }
+  const Inverses inverses = inverse_blocks(references, form, held_gauge(problem));
   std::vector<BlockDiagonalPreconditioner::Member> alone;
   for (std::size_t k = 0; k < references.size(); ++k) {
     alone.push_back({inverses.at(references[k].get()), configuration[k].orientation});

@@ -42,7 +42,7 @@ ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
 /// @param  placed         the same components for near corrections; empty: none
 /// @param  form           of the clusters; as cluster_form() chooses where none is given
 /// @return                the approximate inverse of its SuspensionOperator
-/// @throws std::domain_error as cluster_block() and ClusterPreconditioner do
+/// @throws std::domain_error as invert_block() and ClusterPreconditioner do
 /// @par Cost              that of ClusterPreconditioner, and of a
 /// cluster_block() a distinct reference
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,

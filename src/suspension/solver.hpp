@@ -203,8 +203,8 @@ class SuspensionSolver {
   /// @param  references     of each component
   /// @param  drive          as in solve()
   /// @return                problem, operator, and the preconditioner of the plan
-  /// @throws NumericsRefused when a block of the preconditioner is singular, as that of a held
-  ///                component is whose size is at the degenerate scale of flow.gauge_length
+  /// @throws NumericsRefused when the preconditioner is singular, as the block of a held component
+  ///                is whose size is at the degenerate scale of flow.gauge_length
   DiscreteProblem discretise(const Configuration& configuration, const References& references,
                              double drive = 1.0) const;
 

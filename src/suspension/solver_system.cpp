@@ -25,6 +25,18 @@ std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::si
   }
 }
 
+// Its clusters, or the reason why there are none.
+ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configuration& configuration,
+                                  const References& references,
+                                  const std::vector<PlacedCurve>& near) {
+  try {
+    return cluster_preconditioner(problem, configuration, references, near);
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused("preconditioner by clusters: " + std::string(error.what()) +
+                          "; set solver.preconditioner = \"block_diagonal\"");
+  }
+}
+
 }  // namespace
 
 StokesProblem SuspensionSolver::problem(const Configuration& configuration,
@@ -85,7 +97,7 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
       discrete.is_factorised = true;
       return discrete;
     case PreconditionerKind::clusters:
-      discrete.precondition = cluster_preconditioner(problem, configuration, references, near);
+      discrete.precondition = clusters_of(problem, configuration, references, near);
       return discrete;
     case PreconditionerKind::none:
       return discrete;

@@ -109,6 +109,23 @@ BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_block_that_is_singular_is_told_of_whatever_the_threads) {
+  const Discretised start(disk_hexagon(1, 1e-2));
+  References references = start.references;
+  Reference broken = *references[2];
+  broken.curve.dx.setZero();
+  references[2] = std::make_shared<const Reference>(broken);
+  for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
+    for (const int threads : {1, 2}) {
+      omp_set_num_threads(threads);
+      BOOST_CHECK_THROW(cluster_preconditioner(start.discrete.problem, start.configuration,
+                                               references, {}, form),
+                        std::domain_error);
+    }
+  }
+  omp_set_num_threads(1);
+}
+
 BOOST_AUTO_TEST_CASE(free_clusters_solve_crowds_and_held_ones_networks) {
   const auto count = [](const Scene& scene, ClusterForm form) {
     const DiscreteProblem discrete = Discretised(scene, form).discrete;
