@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <tuple>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
@@ -48,22 +47,6 @@ std::vector<Pose> poses_of(const Configuration& configuration) {
   return poses;
 }
 
-// Net force and torque of forces on all components, over the largest force and its distance.
-std::pair<double, double> imbalance(const VectorXd& force, const Configuration& acting) {
-  Complex net{};
-  double torque = 0.0, largest = 0.0, farthest = 0.0;
-  for (std::size_t k = 0; k < acting.size(); ++k) {
-    const auto first = static_cast<Index>(3 * k);
-    const Complex own(force[first], force[first + 1]);
-    net += own;
-    torque += force[first + 2] + cross(acting[k].position, own);
-    largest = std::max(largest, std::abs(own));
-    farthest = std::max(farthest, std::abs(acting[k].position));
-  }
-  if (largest == 0.0) return {0.0, 0.0};
-  return {std::abs(net) / largest, std::abs(torque) / (largest * std::max(farthest, 1e-300))};
-}
-
 void append(std::string& list, const std::string& text) {
   list += (list.empty() ? "" : ", ") + text;
 }
@@ -80,6 +63,32 @@ bool make_better(LoadResponse& response, ContactStatus status) {
 }
 
 }  // namespace
+
+Imbalance imbalance(const VectorXd& force, const Configuration& acting,
+                    const ContactShapes& shapes) {
+  std::vector<std::size_t> loaded;
+  Complex centre{};
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    if (force.segment<3>(static_cast<Index>(3 * k)).isZero(0.0)) continue;
+    loaded.push_back(k);
+    centre += acting[k].position;
+  }
+  if (loaded.empty()) return {0.0, 0.0};
+  centre /= static_cast<double>(loaded.size());
+  Complex net{};
+  double torque = 0.0, largest = 0.0, farthest = 0.0, radius = 0.0;
+  for (const std::size_t k : loaded) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex own(force[first], force[first + 1]), arm = acting[k].position - centre;
+    net += own;
+    torque += force[first + 2] + cross(arm, own);
+    // Two contacts of a body may cancel but for their torque.
+    largest = std::max({largest, std::abs(own), std::abs(force[first + 2]) / shapes[k]->radius});
+    farthest = std::max(farthest, std::abs(arm));
+    radius = std::max(radius, shapes[k]->radius);
+  }
+  return {std::abs(net) / largest, std::abs(torque) / (largest * (farthest + radius))};
+}
 
 VectorXd to_numbers(const CloserPairs& pairs) {
   VectorXd numbers(static_cast<Index>(3 * pairs.size()));
@@ -266,8 +275,9 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
     const StageRow& row = rows.seen(result.keys[i]);
     outcome.unseen.emplace_back(row.a, row.b);
   }
-  std::tie(outcome.force_imbalance, outcome.torque_imbalance) =
-      imbalance(result.force, stage.acting);
+  const auto [net_force, net_torque] = imbalance(result.force, stage.acting, shapes_);
+  outcome.force_imbalance = net_force;
+  outcome.torque_imbalance = net_torque;
   outcome.kkt_residual = result.kkt_residual / separation_;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
   outcome.seconds = passed.count();

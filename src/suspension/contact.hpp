@@ -26,6 +26,24 @@ Eigen::VectorXd to_numbers(const CloserPairs& pairs);
 /// @return          pairs
 CloserPairs to_pairs(const Eigen::VectorXd& numbers);
 
+/// What forces that components exert on each other leave over.
+struct Imbalance {
+  double force,  ///< net force over the largest
+      torque;    ///< net torque over the largest force and the lever that it may have
+};
+
+/// Measures how well forces between components balance, wherever the origin is.
+///
+/// Torques are taken about the mean position of the components that bear a load; the lever is the
+/// largest distance of these from there and the largest of their radii, added. The largest force
+/// is that on a component, or a component's torque over its radius.
+/// @param  force   3K numbers: force and torque about its position of each of K components
+/// @param  acting  where they act
+/// @param  shapes  of the components
+/// @return         rounding for forces that balance; zero where there are none
+Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
+                    const ContactShapes& shapes);
+
 /// A step, or a stage of one, for which contact is to be resolved.
 struct ContactStage {
   const Configuration& start;  ///< where the step begins
@@ -45,7 +63,7 @@ struct ContactOutcome {
   ContactResult result;              ///< mean velocity, multipliers, and how the loop ended
   std::vector<ContactForce> forces;  ///< of all rows that carry one
   double force_imbalance = 0.0;      ///< net force of all pairs over the largest force
-  double torque_imbalance = 0.0;     ///< net torque, over the largest force times its distance
+  double torque_imbalance = 0.0;     ///< net torque, both by imbalance()
   double kkt_residual = 0.0;         ///< of the result, in separations
   int iterations = 0;                ///< linear problems, those on columns too coarse included
   double corrected = 0.0;            ///< LoadResponse::corrected_by(), of what is resolved
