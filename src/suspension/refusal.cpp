@@ -96,6 +96,25 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
 
 }  // namespace
 
+std::string separation_refusal(double separation, const Configuration& start,
+                               const References& references) {
+  // Measured on pairs of disks pressed together: a gap of 1e-8 radii is kept to a part in 1e8, with
+  // polygons of 70 MB; of 1e-9, steps do not end. Gaps are kept to 1e-5 of themselves at 1e-10 of
+  // the distance from the origin; at 1e-11 steps are halved, and at 1e-12 gaps err by 3e-5.
+  constexpr double least_in_radii = 1e-8, least_in_distances = 1e-10;
+  double radius = 0.0, distance = 0.0;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const double own = outer_radius(references[k]->curve, 0.0);
+    radius = std::max(radius, own);
+    distance = std::max(distance, std::abs(start[k].position) + own);
+  }
+  const double least = std::max(least_in_radii * radius, least_in_distances * distance);
+  if (separation == 0.0 || !(separation < least)) return {};
+  return "contact.minimum_separation asks for gaps of " + short_number(separation) +
+         ", too narrow beside a radius of " + short_number(radius) + " and a distance of " +
+         short_number(distance) + " from the origin: give at least " + short_number(least);
+}
+
 std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
   if (is_bounded(problem)) {
     const double flux = net_flux(problem);

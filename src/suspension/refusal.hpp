@@ -51,6 +51,17 @@ std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
                           const std::vector<Gap>& gaps);
 
+/// Explains that contact would keep gaps which neither polygons nor positions carry: below 1e-8 of
+/// the largest radius, where polygons take too long, or below 1e-10 of the distance from the
+/// origin, where rounding of positions is no longer small against the gaps' tolerance.
+///
+/// @param  separation  that contact keeps, length; 0: no contact
+/// @param  start       placements of all components
+/// @param  references  of each component
+/// @return             a message naming lengths and limit; empty where there is no reason
+std::string separation_refusal(double separation, const Configuration& start,
+                               const References& references);
+
 /// Explains why data have no solution, or none that could be trusted: a net flux out of an enclosed
 /// fluid, a net force in an unbounded one, a gauge length that is not large.
 ///

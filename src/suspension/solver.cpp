@@ -82,6 +82,7 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
+  refuse(separation_refusal(separation(), initial_configuration(), references_));
 }
 
 double SuspensionSolver::separation() const {

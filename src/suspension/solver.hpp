@@ -77,7 +77,8 @@ class SuspensionSolver {
   ///
   /// @param  scene  without fills: with_fills_placed() comes first
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes
+  /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes, and by
+  ///                separation_refusal()
   /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 

@@ -1,9 +1,11 @@
 // The solver gives no answer it cannot stand behind: what it refuses names the components, the
 // values, and what to change; and what it recommends is then accepted and right.
 
+#include <cmath>
 #include <limits>
 
 #include "suspension/random_scenes.hpp"
+#include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
 
@@ -51,6 +53,34 @@ BOOST_AUTO_TEST_CASE(impossible_data) {
   Scene held = scene({held_body(Circle{1.0}, 32, 0.0, 0.0, {})}, UniformFlow{1.0});
   held.gauge_length = 1.0;
   check_refused(held, {"gauge_length", "2"});
+}
+
+BOOST_AUTO_TEST_CASE(separations_that_polygons_and_positions_carry) {
+  // Unit disks a little farther apart than the separation, pressed together for two long steps.
+  const auto pressed = [](double separation, double x) {
+    Scene result = pair(1.1 * separation, automatic_nodes, 1e-2);
+    result.flow = ExtensionalFlow{-3.0};
+    for (Body& body : result.bodies) body.position += x;
+    result.contact = ContactSettings{separation};
+    const double dt = 0.3 / std::sqrt(separation);
+    result.time = {.t_final = 2.0 * dt, .dt = dt, .method = SteppingMethod::euler};
+    result.output.dt_write = dt;
+    return result;
+  };
+  const auto check_kept = [&](double separation, double x) {
+    const std::vector<Frame> frames = frames_of(pressed(separation, x));
+    BOOST_REQUIRE_EQUAL(frames.size(), 3U);
+    for (std::size_t i : {1U, 2U}) {
+      const std::vector<BodyState>& bodies = frames[i].bodies;
+      const double gap = std::abs(bodies[1].position - bodies[0].position) - 2.0;
+      BOOST_TEST(gap == separation, boost::test_tools::tolerance(2e-5));
+    }
+  };
+  check_kept(1.01e-8, 0.0);
+  check_refused(pressed(0.99e-8, 0.0), {"minimum_separation", "9.9e-09", "at least 1e-08"});
+  check_kept(1.01e-6, 1e4);
+  check_refused(pressed(0.99e-6, 1e4),
+                {"minimum_separation", "9.9e-07", "1e+04", "at least 1e-06"});
 }
 
 BOOST_AUTO_TEST_CASE(failed_iterations) {
