@@ -4,7 +4,6 @@
 #include <exception>
 #include <map>
 
-#include "suspension/gaps.hpp"
 #include "suspension/layer_blocks.hpp"
 #include "trapezoid/rectangle_index.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
-#include "suspension/gaps.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/stage_rows.hpp"
 
 namespace stokesbook {

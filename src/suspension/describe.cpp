@@ -8,6 +8,7 @@
 #include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/stepping.hpp"
 
 namespace stokesbook {

@@ -9,8 +9,8 @@
 
 #include "record/number_text.hpp"
 #include "suspension/component_data.hpp"
-#include "suspension/gaps.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/scene_components.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {

@@ -120,25 +120,6 @@ std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
 
 }  // namespace
 
-std::string component_name(const Scene& scene, std::size_t component) {
-  const std::size_t bodies = scene.bodies.size();
-  return component < bodies ? "body " + std::to_string(component)
-                            : "wall " + std::to_string(component - bodies);
-}
-
-int given_nodes(const Scene& scene, std::size_t component) {
-  const std::size_t bodies = scene.bodies.size();
-  return component < bodies ? scene.bodies[component].n_nodes
-                            : scene.walls[component - bodies].n_nodes;
-}
-
-SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
-  SmoothCurve curve{place(reference.curve, placement.position, placement.orientation),
-                    reference.parametrisation, placement.position, placement.orientation};
-  if (reference.resolution.is_graded()) curve.parameters = reference.parameters;
-  return curve;
-}
-
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
                            double tolerance) {
   if (configuration.size() < 2) return {};

@@ -1,31 +1,24 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
-#include "scene/scene.hpp"
+#include "near_singular/closest_points.hpp"
 #include "suspension/configuration.hpp"
+#include "suspension/density_decay.hpp"
 #include "suspension/reference.hpp"
-#include "suspension/resolution.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
 
-/// Names a component for messages and contact tables.
-///
-/// @param  scene      that it is part of
-/// @param  component  bodies first, then walls
-/// @return            "body 3" or "wall 0", both counted from 0
-std::string component_name(const Scene& scene, std::size_t component);
-
-/// Returns the number of nodes that the scene gives a component.
-///
-/// @param  scene      that it is part of
-/// @param  component  bodies first, then walls
-/// @return            nodes, or automatic_nodes
-int given_nodes(const Scene& scene, std::size_t component);
+/// Two components and where they come closest.
+struct Gap {
+  std::size_t a = 0,     ///< one component
+      b = 0;             ///< the other, after it
+  ClosestPoints points;  ///< point_a on a, point_b on b
+};
 
 /// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
 /// and the closest pair.
@@ -52,13 +45,6 @@ struct GapResolution {
 /// @return                rates of decay and estimated error
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
                              const References& references);
-
-/// Places a component.
-///
-/// @param  reference  shared nodes, in the shape's own frame
-/// @param  placement  where they are
-/// @return            its nodes and its curve in the plane
-SmoothCurve smooth_curve(const Reference& reference, const Placement& placement);
 
 /// @}
 

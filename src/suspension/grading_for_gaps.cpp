@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "suspension/resolution.hpp"
+#include "suspension/density_decay.hpp"
 
 namespace stokesbook {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "suspension/reference.hpp"
+#include "suspension/resolution.hpp"
 
 namespace stokesbook {
 

@@ -7,6 +7,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
+#include "suspension/scene_components.hpp"
 
 namespace stokesbook {
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.hpp"
 #include "stiv/component_pair.hpp"
 #include "suspension/gaps.hpp"
 #include "suspension/numerics_refused.hpp"

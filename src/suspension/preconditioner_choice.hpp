@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "suspension/gaps.hpp"
 #include "suspension/plan.hpp"
 #include "suspension/reference.hpp"
-#include "suspension/resolution.hpp"
 
 namespace stokesbook {
 

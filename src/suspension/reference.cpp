@@ -49,6 +49,13 @@ Resolutions resolutions_of(const References& references) {
   return resolutions;
 }
 
+SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
+  SmoothCurve curve{place(reference.curve, placement.position, placement.orientation),
+                    reference.parametrisation, placement.position, placement.orientation};
+  if (reference.resolution.is_graded()) curve.parameters = reference.parameters;
+  return curve;
+}
+
 std::shared_ptr<const Reference> ReferenceShelf::get(const Shape& shape,
                                                      const Resolution& resolution,
                                                      ComponentKind kind) {

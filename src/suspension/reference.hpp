@@ -11,29 +11,14 @@
 #include "krylov/block_diagonal.hpp"
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_targets.hpp"
-#include "trapezoid/grading.hpp"
+#include "suspension/configuration.hpp"
+#include "suspension/resolution.hpp"
 #include "trapezoid/shape.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
-
-/// How finely a component is discretised.
-struct Resolution {
-  int n_nodes = 0;    ///< collocation nodes, even
-  Grading grading{};  ///< where they crowd; without clusters: equidistant
-
-  /// Tells whether nodes crowd anywhere.
-  /// @return true when the grading has clusters
-  bool is_graded() const { return !grading.clusters.empty(); }
-
-  /// @return true when all members are equal
-  bool operator==(const Resolution&) const = default;
-};
-
-/// The resolution of each component: bodies, then walls, in the scene's order.
-using Resolutions = std::vector<Resolution>;
 
 /// What all components of one shape, resolution and kind share, in the shape's own frame.
 struct Reference {
@@ -67,6 +52,13 @@ using References = std::vector<std::shared_ptr<const Reference>>;
 /// @param  references  of each component
 /// @return             in the same order
 Resolutions resolutions_of(const References& references);
+
+/// Places a component.
+///
+/// @param  reference  shared nodes, in the shape's own frame
+/// @param  placement  where they are
+/// @return            its nodes and its curve in the plane
+SmoothCurve smooth_curve(const Reference& reference, const Placement& placement);
 
 /// Keeps the references that are in use, each built once.
 ///

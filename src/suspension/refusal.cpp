@@ -7,6 +7,7 @@
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/scene_components.hpp"
 
 namespace stokesbook {
 

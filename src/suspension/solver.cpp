@@ -9,6 +9,7 @@
 #include "suspension/density_history.hpp"
 #include "suspension/node_choice.hpp"
 #include "suspension/refusal.hpp"
+#include "suspension/scene_components.hpp"
 
 namespace stokesbook {
 

@@ -16,7 +16,6 @@
 #include "suspension/numerics_refused.hpp"
 #include "suspension/plan.hpp"
 #include "suspension/reference.hpp"
-#include "suspension/resolution.hpp"
 
 namespace stokesbook {
 

@@ -5,6 +5,7 @@
 #include "suspension/component_data.hpp"
 #include "suspension/grading_for_gaps.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook {

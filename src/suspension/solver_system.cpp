@@ -7,6 +7,7 @@
 #include "suspension/layer_blocks.hpp"
 #include "suspension/preconditioner_choice.hpp"
 #include "suspension/refusal.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook {

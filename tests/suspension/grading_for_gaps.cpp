@@ -14,8 +14,8 @@
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
 #include "support/smooth_curve.hpp"
+#include "suspension/density_decay.hpp"
 #include "suspension/operator.hpp"
-#include "suspension/resolution.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -1,4 +1,4 @@
-#include "suspension/resolution.hpp"
+#include "suspension/density_decay.hpp"
 
 #include <algorithm>
 #include <cmath>
