@@ -158,13 +158,14 @@ double fourier_tail(const ComplexVector& f) {
 }
 
 TrigonometricPolynomial::TrigonometricPolynomial(const ComplexVector& values) {
-  require_even(values.size());
-  const Index n = values.size();
+  const Index n = values.size(), highest = n / 2;
+  if (n == 0) throw std::invalid_argument("a trigonometric polynomial needs a value, got none");
   const ComplexVector c = fourier_coefficients(values);
-  coefficients_.resize(n + 1);
-  for (Index k = -n / 2; k <= n / 2; ++k) {
-    coefficients_[k + n / 2] = c[(k + n) % n];
+  coefficients_.resize(2 * highest + 1);
+  for (Index k = -highest; k <= highest; ++k) {
+    coefficients_[k + highest] = c[(k + n) % n];
   }
+  if (n % 2 != 0) return;  // no mode stands for a cosine
   coefficients_[0] *= 0.5;
   coefficients_[n] *= 0.5;
 }

@@ -109,8 +109,8 @@ class TrigonometricPolynomial {
 
   /// Interpolates values at equidistant nodes.
   ///
-  /// @param  values  at the N nodes, N even
-  /// @throws std::invalid_argument when N is odd or 0
+  /// @param  values  at the N nodes, any N >= 1
+  /// @throws std::invalid_argument when N is 0
   /// @par Accuracy  geometric in N for analytic functions: @ref claim_01_7
   /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);
@@ -123,7 +123,7 @@ class TrigonometricPolynomial {
   Jet operator()(double t) const;
 
  private:
-  ComplexVector coefficients_;  // k = -N/2 ... N/2, ascending
+  ComplexVector coefficients_;  // k = -N/2 ... N/2, rounded to 0, ascending
 };
 
 /// @}

@@ -18,7 +18,6 @@ using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
 ///
 /// @param  shape  in its own frame
 /// @return        evaluates points and derivatives, exact to rounding
-/// @throws std::invalid_argument when a NodalCurve has an odd number of points
 /// @par Cost      O(1) a point; for a NodalCurve with p points O(p)
 Parametrisation parametrisation(const Shape& shape);
 

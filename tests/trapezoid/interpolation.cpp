@@ -1,4 +1,5 @@
 // The trigonometric interpolant between its nodes, and resampling to more or fewer of them.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,23 +40,26 @@ struct Exponential {
 
 BOOST_AUTO_TEST_CASE(jets_between_the_nodes) {
   const Exponential f;
-  const TrigonometricPolynomial interpolant(f.at_nodes(32));
-  for (double t : {-7.0, 0.0, 0.05, 1.0, 3.3, 6.28}) {
-    const TrigonometricPolynomial::Jet jet = interpolant(t);
-    BOOST_TEST(std::abs(jet.value - f.value(t)) < 5e-15);
-    BOOST_TEST(std::abs(jet.first - f.first(t)) < 2e-14);
-    BOOST_TEST(std::abs(jet.second - f.second(t)) < 2e-13);
+  for (Index n : {32, 33}) {
+    const TrigonometricPolynomial interpolant(f.at_nodes(n));
+    for (double t : {-7.0, 0.0, 0.05, 1.0, 3.3, 6.28}) {
+      const TrigonometricPolynomial::Jet jet = interpolant(t);
+      BOOST_TEST(std::abs(jet.value - f.value(t)) < 5e-15);
+      BOOST_TEST(std::abs(jet.first - f.first(t)) < 2e-14);
+      BOOST_TEST(std::abs(jet.second - f.second(t)) < 2e-13);
+    }
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_interpolant_passes_through_the_nodes) {
-  for (Index n : {2, 4, 62, 256}) {
+  for (Index n : {1, 2, 3, 4, 9, 62, 63, 256}) {
     const ComplexVector values = random_vector(n, 4);
     const TrigonometricPolynomial interpolant(values);
     for (Index j = 0; j < n; ++j) {
       BOOST_TEST(std::abs(interpolant(node(j, n)).value - values[j]) < 1e-13);
     }
   }
+  BOOST_CHECK_THROW(TrigonometricPolynomial{ComplexVector{}}, std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(the_interpolant_of_real_values_is_real) {
@@ -78,10 +82,11 @@ BOOST_AUTO_TEST_CASE(resampling_up_keeps_the_interpolant) {
         const Complex back = TrigonometricPolynomial(fine)(node(j, n)).value;
         BOOST_TEST(std::abs(back - values[j]) < 5e-14);
       }
-      if (n % 2 != 0) continue;
       const TrigonometricPolynomial interpolant(values);
+      // Rounding grows with the number of modes.
+      const double tolerance = 1e-14 * std::max(1.0, static_cast<double>(n) / 16.0);
       for (Index j = 0; j < m; ++j) {
-        BOOST_TEST(std::abs(interpolant(node(j, m)).value - fine[j]) < 1e-14);
+        BOOST_TEST(std::abs(interpolant(node(j, m)).value - fine[j]) < tolerance);
       }
     }
   }
