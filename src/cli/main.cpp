@@ -1,5 +1,7 @@
 #include <csignal>
+#include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -115,5 +117,11 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "stokes: out of memory\n";
     return stokesbook::exit_refused;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "stokes: " << error.path1().string() << ": " << error.code().message() << '\n';
+    return stokesbook::exit_io;
+  } catch (const std::exception& error) {
+    std::cerr << "stokes: internal error: " << error.what() << '\n';
+    return stokesbook::exit_internal;
   }
 }

@@ -12,6 +12,7 @@ inline constexpr int exit_done = 0;
 inline constexpr int exit_bad_usage = 1;  ///< command line or scene
 inline constexpr int exit_refused = 2;  ///< the numerics declined; what was computed so far is kept
 inline constexpr int exit_io = 3;
+inline constexpr int exit_internal = 4;  ///< a defect of the program
 /// @}
 
 /// What the command line asks of `stokes run` and `stokes solve`.

@@ -395,6 +395,9 @@ class Records(Program):
         (self.folder / "file").write_text("")
         result = self.run_scene("--out", "file/out", code=3)
         self.assertIn("file/out", result.stderr)
+        long = "a" * 300  # letters are too many for a name
+        result = self.run_scene("--out", long, code=3)
+        self.assertRegex(result.stderr, rf"^stokes: {long}.*: File name too long\n$")
 
     def test_solve_prints_and_records_one_frame(self):
         text = PAIR[:PAIR.index("[time]")]
