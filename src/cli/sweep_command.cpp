@@ -38,7 +38,7 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
                      " tasks, counted from 0; " + std::to_string(*options.task) +
                      " is none of them");
   }
-  require_sweep(options.out, sweep, *options.task);
+  require_task(options.out, sweep, *options.task);
   const TaskFolder folder(options.out, *options.task);
   folder.make();
   const FileLock lock(folder.lock());
@@ -184,7 +184,7 @@ int run_sweep(const SweepOptions& given) {
   const Sweep sweep = read_sweep(options.file);
   if (options.task) return run_task(sweep, options);
   if (options.collect) {
-    require_sweep(options.out, sweep, 0);
+    require_sweep(options.out, manifest(sweep));
     write_results(sweep, options);
     return exit_done;
   }

@@ -18,6 +18,16 @@ constexpr const char* manifest_name = "tasks.csv";
 constexpr const char* another_sweep =
     "is of another sweep, or the scene has changed since: give another --out";
 
+void require_manifest(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) return;
+  throw RecordError(path, "is not there: stokes sweep with --plan writes it");
+}
+
+void require_same(const std::filesystem::path& path, std::string_view manifest) {
+  if (read_text(path) != manifest) throw RecordError(path, another_sweep);
+}
+
 std::string header(const Sweep& sweep) {
   std::string text = "task,folder,";
   for (const Axis& axis : sweep.axes) text += csv_cell(axis.name) + ",";
@@ -59,17 +69,19 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest) {
   const std::filesystem::path path = out / manifest_name;
   if (!std::filesystem::exists(path, error)) {
     write_atomically(path, manifest, SafeFrom::power_cut);
-  } else if (read_text(path) != manifest) {
-    throw RecordError(path, another_sweep);
+  } else {
+    require_same(path, manifest);
   }
 }
 
-void require_sweep(const std::filesystem::path& out, const Sweep& sweep, std::size_t task) {
+void require_sweep(const std::filesystem::path& out, std::string_view manifest) {
+  require_manifest(out / manifest_name);
+  require_same(out / manifest_name, manifest);
+}
+
+void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task) {
   const std::filesystem::path path = out / manifest_name;
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw RecordError(path, "is not there: stokes sweep with --plan writes it");
-  }
+  require_manifest(path);
   const std::string text = read_text(path);
   const std::string first = header(sweep);
   const std::size_t found = text.find(row(sweep, task), first.size() - 1);

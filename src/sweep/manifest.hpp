@@ -39,6 +39,13 @@ std::string manifest(const Sweep& sweep);
 /// @throws RecordError when the folder cannot be written, or holds another sweep
 void open_sweep(const std::filesystem::path& out, std::string_view manifest);
 
+/// Checks that a folder holds a sweep, all of it.
+///
+/// @param  out       folder
+/// @param  manifest  of the sweep
+/// @throws RecordError when the folder holds no sweep or another one
+void require_sweep(const std::filesystem::path& out, std::string_view manifest);
+
 /// Checks that a folder holds the sweep, as far as one task tells.
 ///
 /// @param  out    folder
@@ -47,7 +54,7 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest);
 /// @throws SceneError as scene_of() does
 /// @throws RecordError when the folder holds no sweep, or the task has other
 /// values or another scene
-void require_sweep(const std::filesystem::path& out, const Sweep& sweep, std::size_t task);
+void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task);
 
 /// @}
 

@@ -64,21 +64,28 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   const Sweep sweep = folder.sweep(axis + "[0.5, 0.25]\n");
   const std::filesystem::path out = folder.path() / "out";
   const auto require = [&](const Sweep& asked, std::size_t task) {
-    return message_of<RecordError>(folder, [&] { require_sweep(out, asked, task); });
+    return message_of<RecordError>(folder, [&] { require_task(out, asked, task); });
   };
-  BOOST_TEST(require(sweep, 0) ==
-             "out/tasks.csv: is not there: stokes sweep with --plan writes it");
+  const auto require_all = [&](const Sweep& asked) {
+    return message_of<RecordError>(folder, [&] { require_sweep(out, manifest(asked)); });
+  };
+  const std::string none = "out/tasks.csv: is not there: stokes sweep with --plan writes it";
+  BOOST_TEST(require(sweep, 0) == none);
+  BOOST_TEST(require_all(sweep) == none);
   open_sweep(out, manifest(sweep));
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
   open_sweep(out, manifest(sweep));
   BOOST_TEST(require(sweep, 0) == "no error");
   BOOST_TEST(require(sweep, 1) == "no error");
+  BOOST_TEST(require_all(sweep) == "no error");
 
   const std::string other =
       "out/tasks.csv: is of another sweep, or the scene has changed since: give another --out";
   const Sweep changed = folder.sweep(axis + "[0.5, 0.125]\n");
   BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep: no harm
   BOOST_TEST(require(changed, 1) == other);
+  BOOST_TEST(require_all(changed) == other);
+  BOOST_TEST(require_all(folder.sweep(axis + "[0.5]\n")) == other);
   const auto open = [&] { open_sweep(out, manifest(changed)); };
   BOOST_TEST(message_of<RecordError>(folder, open) == other);
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));

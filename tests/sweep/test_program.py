@@ -260,6 +260,15 @@ n_nodes = 48
         for how in [], ["--plan"], ["--task", 0], ["--collect"]:
             self.assertIn("tasks.csv: is of another sweep, or the scene has changed",
                           self.sweep("--out", "a", *how, code=3).stderr)
+        self.write("scene.toml", SCENE)
+        # The first task is the same: of old results, some would get new labels.
+        for old, new in ("to = 1.0", "to = 9.0"), ("count = 5", "count = 2"), ("[2, 3]", "[2, 4]"):
+            self.write("sweep.toml", SWEEP.replace(old, new))
+            refused = self.sweep("--out", "a", "--collect", code=3)
+            self.assertIn("tasks.csv: is of another sweep", refused.stderr)
+        self.assertFalse((self.folder / "a/results.csv").exists())
+        self.write("sweep.toml", SWEEP)
+        self.sweep("--out", "a", "--collect")
 
 
 if __name__ == "__main__":
