@@ -50,6 +50,13 @@ void require_quantity(const Quantity& quantity, const Scene& scene) {
   }
 }
 
+void require_use_of_seeds(const std::vector<AxisValue>& seeds, const Scene& scene) {
+  if (seeds.size() < 2 || !scene.fills.empty()) return;
+  throw SceneError(seeds[1].where +
+                   ": seeds: the scene has no [[fill]], and seeds change nothing else: runs would "
+                   "be the same, and no independent samples; leave all but one out");
+}
+
 }  // namespace
 
 std::vector<std::string> Task::overrides() const {
@@ -93,6 +100,7 @@ Scene scene_of(const Sweep& sweep, const Task& task) {
   try {
     const Scene scene = read_scene(sweep.scene, task.overrides());
     for (const Quantity& quantity : sweep.quantities) require_quantity(quantity, scene);
+    require_use_of_seeds(sweep.seeds.values, scene);
     return scene;
   } catch (const SceneError& error) {
     throw SceneError(with_place(error.what(), task));

@@ -52,7 +52,8 @@ std::size_t task_count(const Sweep& sweep);
 /// @return         its values
 Task task_of(const Sweep& sweep, std::size_t number);
 
-/// Reads the scene of a task and checks that it defines the quantities to collect.
+/// Reads the scene of a task and checks that it defines the quantities to collect, and that seeds,
+/// if there are several, change it.
 ///
 /// @param  sweep  the sweep
 /// @param  task   of the sweep

@@ -166,4 +166,19 @@ BOOST_AUTO_TEST_CASE(values_that_the_scene_refuses_are_found_in_the_sweep_file) 
   });
 }
 
+BOOST_AUTO_TEST_CASE(seeds_must_change_something) {
+  const std::string problem =
+      ": seeds: the scene has no [[fill]], and seeds change nothing else: runs would be the same, "
+      "and no independent samples; leave all but one out";
+  check({
+      {"seeds = [1, 2]\n", "2:13" + problem},
+      {"seeds = { first = 1, count = 2 }\n", "2:9" + problem},
+  });
+  const Folder folder;
+  const auto read = [&](const std::string& text) { return manifest(folder.sweep(text)).size(); };
+  BOOST_CHECK_NO_THROW(read("seeds = [1]\n"));
+  folder.add_fill();
+  BOOST_CHECK_NO_THROW(read("seeds = [1, 2]\n"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -40,6 +40,15 @@ class Folder {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
+  /// Gives the scene something that depends on the seed.
+  void add_fill() const {
+    std::string text = text_of("scene.toml");
+    text.insert(text.find("[time]"),
+                "[[fill]]\nshape = { kind = 'circle', radius = 0.1 }\ncount = 2\n"
+                "region = { box = [2, 2, 4, 4] }\nn_nodes = 32\n");
+    write("scene.toml", text);
+  }
+
   /// The sweep of a text on this folder's scene, whose line 1 is that of the scene.
   Sweep sweep(const std::string& text) const {
     return read_sweep(write("sweep.toml", "scene = 'scene.toml'\n" + text));

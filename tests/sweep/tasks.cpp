@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(all_combinations_once_seeds_fastest) {
 
 BOOST_AUTO_TEST_CASE(scenes_have_the_values) {
   const Folder folder;
+  folder.add_fill();
   const Sweep sweep = folder.sweep(two_axes);
   const Scene scene = scene_of(sweep, task_of(sweep, 7));
   BOOST_TEST(*scene.time->dt == 0.25);
@@ -90,6 +91,7 @@ BOOST_AUTO_TEST_CASE(long_values_are_whole) {
 
 BOOST_AUTO_TEST_CASE(manifests_list_tasks_and_tell_scenes_apart) {
   const Folder folder;
+  folder.add_fill();
   const std::string text = manifest(folder.sweep(two_axes));
   BOOST_TEST(text.starts_with("task,folder,dt,bodies.0.shape,seed,scene\n"));
   BOOST_TEST(
