@@ -6,6 +6,7 @@ Usage: test_program.py PROGRAM SWEEPS [unittest arguments]
 import csv
 import fcntl
 import os
+import re
 import signal
 import statistics
 import subprocess
@@ -82,6 +83,19 @@ class Results(Sweeping):
             self.assertEqual(planned.returncode, 0, planned.stderr)
             last = len((out / "tasks.csv").read_text().splitlines()) - 2
             self.assertIn(f"--array=0-{last} ", planned.stdout)
+
+    def test_the_page_of_sweeps(self):
+        """Its sweep has the columns that its lines of Python print."""
+        page = (SWEEPS.parents[2] / "docs/sweeps.md").read_text()
+        blocks = dict(re.findall(r"```(toml|python)\n(.*?)```", page, re.DOTALL))
+        self.write("page.toml", blocks["toml"].replace("../scenes", str(SWEEPS.parent / "scenes")))
+        for how in "--plan", "--collect":
+            subprocess.run([PROGRAM, "sweep", "page.toml", "--out", "out/sweep", "--quiet", how],
+                           cwd=self.folder, stdout=subprocess.DEVNULL, check=True)
+        printed = subprocess.run([sys.executable, "-c", blocks["python"]], cwd=self.folder,
+                                 capture_output=True, text=True)
+        self.assertEqual(printed.returncode, 0, printed.stderr)
+        self.assertEqual(printed.stdout.count(" +- "), 6)
 
     def test_a_task_of_a_sweep_that_ships(self):
         out = self.folder / "a"
