@@ -1,10 +1,13 @@
 #include "sweep/manifest.hpp"
 
+#include <algorithm>
+#include <map>
 #include <system_error>
 
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
 #include "record/record_error.hpp"
+#include "scene/error.hpp"
 #include "scene/write.hpp"
 #include "sweep/file_lock.hpp"
 #include "sweep/task.hpp"
@@ -35,11 +38,24 @@ std::string header(const Sweep& sweep) {
   return text + "scene\n";
 }
 
-std::string row(const Sweep& sweep, std::size_t number) {
-  const Task task = task_of(sweep, number);
-  std::string text = std::to_string(number) + "," + TaskFolder::name(number) + ",";
+std::string scene_fingerprint(const Sweep& sweep, const Task& task) {
+  return fingerprint(to_toml(scene_of(sweep, task)));
+}
+
+std::string row(const Task& task, const std::string& scene) {
+  std::string text = std::to_string(task.number) + "," + TaskFolder::name(task.number) + ",";
   for (const Setting& setting : task.settings) text += csv_cell(setting.chosen.value) + ",";
-  return text + fingerprint(to_toml(scene_of(sweep, task))) + "\n";
+  return text + scene + "\n";
+}
+
+/// Where it stands is where the tasks differ.
+[[noreturn]] void refuse_repetition(const Task& task, const Task& earlier) {
+  const auto same = [](const Setting& a, const Setting& b) {
+    return a.chosen.value == b.chosen.value;
+  };
+  const auto [differs, _] = std::ranges::mismatch(task.settings, earlier.settings, same);
+  throw SceneError(differs->chosen.where + ": " + task.description() + ": the scene is that of " +
+                   earlier.description());
 }
 
 }  // namespace
@@ -57,7 +73,14 @@ std::string csv_cell(std::string_view text) {
 
 std::string manifest(const Sweep& sweep) {
   std::string text = header(sweep);
-  for (std::size_t k = 0; k < task_count(sweep); ++k) text += row(sweep, k);
+  std::map<std::string, std::size_t> tasks;  // by the fingerprint of their scene
+  for (std::size_t k = 0; k < task_count(sweep); ++k) {
+    const Task task = task_of(sweep, k);
+    const std::string scene = scene_fingerprint(sweep, task);
+    const auto [earlier, is_new] = tasks.emplace(scene, k);
+    if (!is_new) refuse_repetition(task, task_of(sweep, earlier->second));
+    text += row(task, scene);
+  }
   return text;
 }
 
@@ -84,7 +107,9 @@ void require_task(const std::filesystem::path& out, const Sweep& sweep, std::siz
   require_manifest(path);
   const std::string text = read_text(path);
   const std::string first = header(sweep);
-  const std::size_t found = text.find(row(sweep, task), first.size() - 1);
+  const Task asked = task_of(sweep, task);
+  const std::size_t found =
+      text.find(row(asked, scene_fingerprint(sweep, asked)), first.size() - 1);
   if (!text.starts_with(first) || found == std::string::npos || text[found - 1] != '\n') {
     throw RecordError(path, another_sweep);
   }

@@ -29,7 +29,7 @@ std::filesystem::path sweep_lock(const std::filesystem::path& out);
 /// @param  sweep  any
 /// @return        text of `tasks.csv`: `task,folder`, the axes, `seed` if the sweep has seeds, and
 ///                `scene`, a fingerprint of all that the task's scene says
-/// @throws SceneError as scene_of() does
+/// @throws SceneError as scene_of() does, and when two tasks have the same scene
 std::string manifest(const Sweep& sweep);
 
 /// Makes the folder of a sweep, or finds that it is the same sweep's.

@@ -12,6 +12,7 @@
 #include "scene/table_reader.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_value.hpp"
+#include "sweep/results.hpp"
 
 namespace stokesbook {
 
@@ -178,12 +179,12 @@ Quantity read_quantity(const Node& node) {
   return quantity;
 }
 
-/// Names head columns of one table.
-void require_distinct(const std::string& name, std::vector<std::string>& names, const Node& node) {
-  if (std::ranges::find(names, name) != names.end()) {
-    fail(node, "is called '" + name + "', as another is: give it a name of its own");
+void require_distinct(const std::string& column, std::vector<std::string>& columns,
+                      const Node& node) {
+  if (std::ranges::find(columns, column) != columns.end()) {
+    fail(node, "gives tables a second column '" + column + "': give it a name of its own");
   }
-  names.push_back(name);
+  columns.push_back(column);
 }
 
 }  // namespace
@@ -198,11 +199,13 @@ Sweep read_sweep(const std::filesystem::path& path) {
   if (!text_of(sweep.scene)) {
     fail(*root.find("scene"), "there is no file to read at " + sweep.scene.string());
   }
-  std::vector<std::string> names{sweep.seeds.name};
+  // Those that tables of every sweep have.
+  std::vector<std::string> columns{"task", "folder", "seed",      "scene",
+                                   "runs", "failed", "unfinished"};
   std::vector<std::string> keys;
   for (const Node& node : root.tables("axes")) {
     const Axis& axis = sweep.axes.emplace_back(read_axis(node));
-    require_distinct(axis.name, names, node);
+    require_distinct(axis.name, columns, node);
     if (std::ranges::find(keys, axis.key) != keys.end()) {
       fail(node, "sets " + axis.key + ", as another axis does");
     }
@@ -210,7 +213,8 @@ Sweep read_sweep(const std::filesystem::path& path) {
   }
   sweep.seeds.values = read_seeds(root);
   for (const Node& node : root.tables("collect")) {
-    require_distinct(sweep.quantities.emplace_back(read_quantity(node)).name, names, node);
+    const Quantity& quantity = sweep.quantities.emplace_back(read_quantity(node));
+    for (const std::string& column : columns_of(quantity)) require_distinct(column, columns, node);
   }
   if (sweep.axes.empty() && sweep.seeds.values.empty()) {
     fail(document, "a sweep must vary something: write [[axes]] or seeds");

@@ -42,6 +42,10 @@ std::string with_error_bar(const Estimate& estimate) {
 
 }  // namespace
 
+std::array<std::string, 3> columns_of(const Quantity& quantity) {
+  return {quantity.name, quantity.name + "_standard_error", quantity.name + "_interval"};
+}
+
 std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep) {
   std::vector<ResultRow> rows;
   for (std::size_t k = 0; k < task_count(sweep); k += runs_per_combination(sweep)) {
@@ -55,9 +59,7 @@ std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows) {
   for (const Axis& axis : sweep.axes) text += csv_cell(axis.name) + ",";
   text += "runs,failed,unfinished";
   for (const Quantity& quantity : sweep.quantities) {
-    for (const char* ending : {"", "_standard_error", "_interval"}) {
-      text += "," + quantity.name + ending;
-    }
+    for (const std::string& column : columns_of(quantity)) text += "," + column;
   }
   text += '\n';
   for (const ResultRow& row : rows) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ struct ResultRow {
   std::vector<Estimate> estimates;  ///< one a quantity
 };
 
+/// Names the columns of a quantity.
+///
+/// @param  quantity  of a sweep
+/// @return           those of its mean, standard error and interval, see Estimate
+std::array<std::string, 3> columns_of(const Quantity& quantity);
+
 /// Collects the quantities of all runs that are done.
 ///
 /// @param  out    folder of the sweep
@@ -33,8 +40,8 @@ std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sw
 ///
 /// @param  sweep  the sweep
 /// @param  rows   its results
-/// @return        the axes, `runs,failed,unfinished`, and for each quantity its mean under its
-///                name, `_standard_error` and `_interval`, with 17 digits; see Estimate
+/// @return        the axes, `runs,failed,unfinished`, and for each quantity its columns_of(), with
+///                17 digits
 std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows);
 
 /// Writes results for people: mean +- half the width of the 95 % confidence interval.

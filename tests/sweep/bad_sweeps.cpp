@@ -90,7 +90,13 @@ BOOST_AUTO_TEST_CASE(axes) {
       {axis("name = 'a b'\nvalues = [1]\n"),
        "4:8: axes[0].name = \"a b\": must be a name of letters, digits and _"},
       {axis("values = [0.1]\n") + axis("values = [0.2]\n"),
-       "5:1: axes[1]: is called 'time.dt', as another is: give it a name of its own"},
+       "5:1: axes[1]: gives tables a second column 'time.dt': give it a name of its own"},
+      {axis("name = 'seed'\nvalues = [0.1]\n"),
+       "2:1: axes[0]: gives tables a second column 'seed': give it a name of its own"},
+      {axis("name = 'runs'\nvalues = [0.1]\n"),
+       "2:1: axes[0]: gives tables a second column 'runs': give it a name of its own"},
+      {axis("name = 'folder'\nvalues = [0.1]\n"),
+       "2:1: axes[0]: gives tables a second column 'folder': give it a name of its own"},
       {axis("values = [0.1]\n") + axis("name = 'dt'\nvalues = [0.2]\n"),
        "5:1: axes[1]: sets time.dt, as another axis does"},
   });
@@ -145,7 +151,16 @@ BOOST_AUTO_TEST_CASE(quantities) {
        "3:1: collect fx: the scene has 0 walls, counted from 0; 0 is none of them"},
       {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
                 "table = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
-       "7:1: collect[1]: is called 's11', as another is: give it a name of its own"},
+       "7:1: collect[1]: gives tables a second column 's11': give it a name of its own"},
+      {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
+                "name = 's11_interval'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
+       "7:1: collect[1]: gives tables a second column 's11_interval': give it a name of its own"},
+      {quantity("name = 's_interval'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n"
+                "[[collect]]\nname = 's'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n"),
+       "8:1: collect[1]: gives tables a second column 's_interval': give it a name of its own"},
+      {axis("name = 's11'\nvalues = [0.1]\n") +
+           "[[collect]]\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n",
+       "6:1: collect[0]: gives tables a second column 's11': give it a name of its own"},
   });
 }
 
@@ -163,6 +178,18 @@ BOOST_AUTO_TEST_CASE(values_that_the_scene_refuses_are_found_in_the_sweep_file) 
       {"seeds = [1]\n[[axes]]\nkey = 'output.formats'\nvalues = [['csv'], ['vtk']]\n"
        "[[collect]]\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n",
        "6:1: collect s11: the scene writes no rheology.csv: its formats lack \"csv\""},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(no_two_tasks_have_the_same_scene) {
+  check({
+      {axis("values = [1, 1.0]\n"),
+       "4:14: task 1: time.dt = 1.0: the scene is that of task 0: time.dt = 1"},
+      // The second axis sets again what the first one sets.
+      {"[[axes]]\nkey = 'flow.rate'\nvalues = [1.0, 2.0]\n"
+       "[[axes]]\nkey = 'flow'\nvalues = [{ kind = 'shear', rate = 3.0 }]\n",
+       "4:16: task 1: flow.rate = 2.0, flow = { kind = \"shear\", rate = 3.0 }: the scene is that "
+       "of task 0: flow.rate = 1.0, flow = { kind = \"shear\", rate = 3.0 }"},
   });
 }
 
