@@ -1,6 +1,7 @@
 #include "suspension/stepping.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace stokesbook {
 
@@ -91,8 +92,10 @@ double largest_distance(const References& references, const Configuration& p,
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
   SteppingSettings settings{.method = to_method(time.method), .dt = time.dt};
-  settings.dt_min =
-      time.dt_min.value_or(1e-6 * (adapts_steps(time) ? time.t_final : time.dt.value_or(0.0)));
+  const double none = std::numeric_limits<double>::infinity();
+  const double longest =
+      std::min({time.t_final, time.dt.value_or(none), time.dt_max.value_or(none)});
+  settings.dt_min = time.dt_min.value_or(1e-6 * longest);
   if (time.dt_max) settings.dt_max = *time.dt_max;
   Configuration scale(solver.references().size(),
                       {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});

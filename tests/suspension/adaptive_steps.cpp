@@ -116,6 +116,25 @@ BOOST_AUTO_TEST_CASE(circles_that_approach_each_other_are_better_than_asked) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_least_step_is_a_millionth_of_the_longest_that_may_be) {
+  const auto least = [](TimeSettings time) {
+    Scene scene;
+    scene.bodies = {body_at(Circle{1.0}, 0.0, 32)};
+    scene.time = time;
+    return stepping_settings(SuspensionSolver(scene)).dt_min;
+  };
+  TimeSettings time{1e6, 0.1, dormand_prince54};
+  time.dt_max = 0.5;
+  BOOST_TEST(least(time) == 1e-7, boost::test_tools::tolerance(1e-15));
+  time.dt.reset();
+  BOOST_TEST(least(time) == 5e-7, boost::test_tools::tolerance(1e-15));
+  time.dt_max.reset();
+  BOOST_TEST(least(time) == 1.0, boost::test_tools::tolerance(1e-15));
+  time.dt_min = 0.25;
+  BOOST_TEST(least(time) == 0.25);
+  BOOST_TEST(least({1e6, 0.1}) == 1e-7, boost::test_tools::tolerance(1e-15));
+}
+
 BOOST_AUTO_TEST_CASE(units_of_length_and_time_do_not_matter) {
   // Millimetres and minutes instead of metres and seconds, in powers of two.
   const auto ends_of = [](double length, double time) {
