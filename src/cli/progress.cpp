@@ -26,7 +26,7 @@ void Progress::step(const StepInfo& info) {
   const double elapsed = duration<double>(now - start_).count();
   const double left = elapsed * (t_final_ - info.t) / (info.t - t_start_);
   std::printf(
-      "%st = %.4g of %.4g, dt %.3g, gap %.3g, %d contacts, %d GMRES iterations, %.0f s left%s",
+      "%st = %.4g of %.4g, dt %.3g, gap %.3g, %d contacts, %d GMRES iterations, %.3g s left%s",
       terminal_ ? "\r\033[K" : "", info.t, t_final_, info.dt, info.min_gap, info.contacts,
       info.gmres_iterations, left, terminal_ ? "" : "\n");
   std::fflush(stdout);

@@ -46,6 +46,14 @@ std::optional<EffortBounds> read_effort(const TableReader& time) {
   return effort;
 }
 
+// Time plus a step differs from time, and steps or frames are not too many.
+void refuse_endless(const TableReader& table, std::string_view key, const Node& t_final) {
+  constexpr double shortest = 1e-12;
+  const std::optional<double> length = table.get(key, positive_number);
+  if (!length || *length >= shortest * read(t_final, positive_number)) return;
+  fail(*table.find(key), "must be at least 1e-12 time.t_final, which is " + t_final.text);
+}
+
 // dt_min <= dt <= dt_max, as far as they are given.
 void check_limits(const TableReader& table, const TimeSettings& time) {
   const auto ordered = [&](std::optional<double> low, std::optional<double> high,
@@ -110,6 +118,9 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   time.dt_min = table.get("dt_min", positive_number);
   time.dt_max = table.get("dt_max", positive_number);
   check_limits(table, time);
+  for (const std::string_view key : {"dt", "dt_min", "dt_max"}) {
+    refuse_endless(table, key, *table.find("t_final"));
+  }
   return time;
 }
 
@@ -119,6 +130,9 @@ OutputSettings read_output(const TableReader& root) {
   if (node == nullptr) return output;
   const TableReader table(*node, {"dt_write", "formats", "fields"});
   output.dt_write = table.get("dt_write", positive_number);
+  if (const Node* time = root.find("time")) {
+    refuse_endless(table, "dt_write", *TableReader(*time).find("t_final"));
+  }
   if (const Node* formats = table.find("formats")) {
     output.formats = read_distinct(*formats, output_formats);
   }

@@ -1,8 +1,10 @@
 /// What to_toml writes, parse_scene reads back: bit for bit.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <variant>
@@ -142,6 +144,13 @@ void add_contact(Scene& scene, Dice& dice) {
   for (Fill& fill : scene.fills) fill.n_nodes = 2 * dice.integer(4, 200);
 }
 
+/// Makes a run of steps and frames that may be given.
+void let_end(TimeSettings& time, std::optional<double> dt_write) {
+  for (const std::optional<double> length : {time.dt, time.dt_min, time.dt_max, dt_write}) {
+    if (length) time.t_final = std::min(time.t_final, 5e11 * *length);
+  }
+}
+
 void add_settings(Scene& scene, Dice& dice) {
   using enum OutputFormat;
   scene.solver.tolerance = dice.uniform(1e-14, 0.1);
@@ -158,6 +167,7 @@ void add_settings(Scene& scene, Dice& dice) {
   if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
   if (dice.coin()) add_contact(scene, dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();
+  if (scene.time) let_end(*scene.time, scene.output.dt_write);
   scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg, html}});
   if (dice.coin()) {
     using enum FieldQuantity;
