@@ -17,6 +17,7 @@
 #include "scene/error.hpp"
 #include "scene/parse.hpp"
 #include "scene/write.hpp"
+#include "suspension/contact.hpp"
 #include "suspension/describe.hpp"
 #include "suspension/fill.hpp"
 #include "suspension/simulation.hpp"
@@ -165,7 +166,9 @@ int run_scene(const RunOptions& options) {
     std::fflush(stdout);
   }
   if (options.dry_run) {
-    const Solution first = solver.solve(solver.initial_configuration());
+    const Configuration placed = solver.initial_configuration();
+    if (scene.contact) SuspensionContact(solver).admit_start(placed);
+    const Solution first = solver.solve(placed);
     std::printf("  %s\n", describe(solver, first).c_str());
     return exit_done;
   }

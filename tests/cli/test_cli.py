@@ -130,6 +130,12 @@ class Plan(Program):
         self.assertIn("body 0 and body 1", result.stderr)
         self.assertIn("n_nodes", result.stderr)
         self.assertRegex(result.stdout, r"48 nodes; \d+ recommended")
+        # A gap of 2 is nothing to the solver, but it is to contact.
+        contact = ("--set", 'time.method="euler"', "--set", "contact.minimum_separation=2.5")
+        for how in [], ["--dry-run"]:
+            result = self.run_scene(*how, *contact, "--out", "close", code=2)
+            self.assertIn("contact.allow_close", result.stderr)
+        self.run_scene("--dry-run", *contact, "--set", "contact.allow_close=true")
 
     def test_dry_run_reports_nodes_and_estimate(self):
         result = self.run_scene("--dry-run", text=PAIR.replace("n_nodes = 48", 'n_nodes = "auto"'))
