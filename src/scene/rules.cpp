@@ -11,7 +11,8 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-constexpr int fewest_nodes = 8;  // fewer resolve no curve
+constexpr std::int64_t fewest_nodes = 8;        // fewer resolve no curve
+constexpr std::int64_t most_nodes = 1'000'000;  // no memory holds what more take
 
 std::string type_of(const Node& node) {
   if (const auto* array = std::get_if<Array>(&node.value)) {
@@ -128,12 +129,13 @@ std::vector<double> value_as(const Node& node, std::string_view expected) {
 int read(const Node& node, NodeCount rule) {
   const auto* word = std::get_if<std::string>(&node.value);
   if (word != nullptr && *word == automatic_word) return automatic_nodes;
-  const int count = value_as<int>(node, describe(rule));
+  const auto count = value_as<std::int64_t>(node, describe(rule));
+  if (count > most_nodes) fail(node, "must be at most " + std::to_string(most_nodes));
   if (count < fewest_nodes || count % 2 != 0) {
-    const auto next = std::max<std::int64_t>(fewest_nodes, std::int64_t{count} + 1);
+    const std::int64_t next = std::max(fewest_nodes, count + 1);
     fail(node, "must be " + describe(rule) + " (try " + std::to_string(next) + ")");
   }
-  return count;
+  return static_cast<int>(count);
 }
 
 std::string describe(NodeCount) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -179,7 +180,8 @@ inline constexpr NodeCount node_count;
 /// @param  node  the value
 /// @param  rule  #node_count
 /// @return       number of nodes, or automatic_nodes
-/// @throws SceneError when it is neither an even integer >= 8, which the message names, nor "auto"
+/// @throws SceneError when it is neither an even integer from 8 to 1000000, the nearest of which the
+///         message names, nor "auto"
 int read(const Node& node, NodeCount rule);
 
 /// Says what a number of nodes must be.
@@ -201,10 +203,13 @@ inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
     "two rows of two numbers [[a, b], [c, d]]"};
 
-/// Corners of a box that is not empty.
+/// Corners of a box that is not empty, with sides that are numbers.
 inline constexpr Requirement<std::array<double, 4>> any_box{
-    "[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax",
-    [](const std::array<double, 4>& box) { return box[0] < box[2] && box[1] < box[3]; }};
+    "[xmin, ymin, xmax, ymax] with finite sides, xmin < xmax and ymin < ymax",
+    [](const std::array<double, 4>& box) {
+      const double width = box[2] - box[0], height = box[3] - box[1];
+      return width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height);
+    }};
 
 /// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",

@@ -94,9 +94,14 @@ BOOST_AUTO_TEST_CASE(bodies) {
        "s.toml:3:11: bodies[0].n_nodes = 32.0: must be an even integer >= 8 or \"auto\", not a "
        "float"},
       {disk("n_nodes = 5000000000\n"),
-       "s.toml:3:11: bodies[0].n_nodes = 5000000000: must be an even integer >= 8 or \"auto\", and "
-       "no larger "
-       "than 2147483647"},
+       "s.toml:3:11: bodies[0].n_nodes = 5000000000: must be at most 1000000"},
+      {disk("n_nodes = 2147483647\n"),
+       "s.toml:3:11: bodies[0].n_nodes = 2147483647: must be at most 1000000"},
+      {disk("n_nodes = 1000002\n"),
+       "s.toml:3:11: bodies[0].n_nodes = 1000002: must be at most 1000000"},
+      {disk("n_nodes = 999999\n"),
+       "s.toml:3:11: bodies[0].n_nodes = 999999: must be an even integer >= 8 or \"auto\" (try "
+       "1000000)"},
       {disk("n_nodes = 'many'\n"),
        "s.toml:3:11: bodies[0].n_nodes = \"many\": must be an even integer >= 8 or \"auto\", not a "
        "string"},
@@ -161,18 +166,22 @@ BOOST_AUTO_TEST_CASE(fills) {
        "s.toml:9:10: fill[0].region = 3: must be \"fluid\" or { box = [xmin, ymin, xmax, ymax] }, "
        "not an integer"},
       {fill("count = 5\nregion = { box = [0, 0, 1] }\n"),
-       "s.toml:5:18: fill[0].region.box = [0, 0, 1]: must be [xmin, ymin, xmax, ymax] with xmin < "
+       "s.toml:5:18: fill[0].region.box = [0, 0, 1]: must be [xmin, ymin, xmax, ymax] with finite "
+       "sides, xmin < "
        "xmax and ymin < ymax, not an array of 3"},
       {fill("count = 5\nregion = { box = [1, 0, 1, 1] }\n"),
-       "s.toml:5:18: fill[0].region.box = [1, 0, 1, 1]: must be [xmin, ymin, xmax, ymax] with xmin "
+       "s.toml:5:18: fill[0].region.box = [1, 0, 1, 1]: must be [xmin, ymin, xmax, ymax] with "
+       "finite sides, xmin "
        "< xmax and ymin < ymax"},
       {fill("count = 5\nregion = { box = [0, 1, 1, 1] }\n"),
-       "s.toml:5:18: fill[0].region.box = [0, 1, 1, 1]: must be [xmin, ymin, xmax, ymax] with xmin "
+       "s.toml:5:18: fill[0].region.box = [0, 1, 1, 1]: must be [xmin, ymin, xmax, ymax] with "
+       "finite sides, xmin "
        "< xmax and ymin < ymax"},
       {fill("count = 5\nregion = { bx = [0, 0, 1, 1] }\n"),
        "s.toml:5:12: fill[0].region.bx = [0, 0, 1, 1]: unknown key, did you mean 'box'?"},
       {fill("count = 5\nregion = {}\n"),
-       "s.toml:5:10: fill[0].region.box is missing: must be [xmin, ymin, xmax, ymax] with xmin < "
+       "s.toml:5:10: fill[0].region.box is missing: must be [xmin, ymin, xmax, ymax] with finite "
+       "sides, xmin < "
        "xmax and ymin < ymax"},
       {tank() + fill("count = 5\nclearance = -0.1\n"),
        "s.toml:9:13: fill[0].clearance = -0.1: must be a number >= 0"},
