@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "scene/csv_table.hpp"
 #include "scene/error.hpp"
 
 namespace stokesbook::scene_text {
@@ -30,6 +31,14 @@ Node& element(Node& parent, std::string_view index, const std::string& where) {
   return elements[k];
 }
 
+/// Of a path that is written as messages write it, bodies[0].n_nodes.
+std::string with_dots(std::string_view path) {
+  std::string dotted(path);
+  std::ranges::replace(dotted, '[', '.');
+  std::erase(dotted, ']');
+  return dotted;
+}
+
 Node& child(Node& parent, std::string_view name, const std::string& where) {
   if (std::holds_alternative<Table>(parent.value)) return entry(parent, name, where);
   if (std::holds_alternative<Array>(parent.value)) return element(parent, name, where);
@@ -47,13 +56,9 @@ Node with_override(Node document, std::string_view setting) {
   if (path.empty() || equals == std::string_view::npos) {
     throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");
   }
+  const std::string dotted = with_dots(path);
   Node* target = &document;
-  for (bool last = false; !last;) {
-    const std::size_t dot = path.find('.');
-    target = &child(*target, path.substr(0, dot), where);
-    last = dot == std::string_view::npos;
-    if (!last) path.remove_prefix(dot + 1);
-  }
+  for (const std::string_view name : split(dotted, '.')) target = &child(*target, name, where);
   Node value = parse_value(setting.substr(equals + 1), target->path, where);
   value.key = target->key;
   *target = std::move(value);

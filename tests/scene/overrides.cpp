@@ -25,6 +25,15 @@ BOOST_AUTO_TEST_CASE(replace_values) {
   BOOST_TEST(scene.bodies[1].position == Complex(4.0, 2.0));
 }
 
+BOOST_AUTO_TEST_CASE(paths_may_be_written_as_messages_write_them) {
+  const Scene scene = parse(two_disks, {"bodies[1].n_nodes=64", "bodies[0].shape.radius = 0.25"});
+  BOOST_TEST(scene.bodies[0].n_nodes == 32);
+  BOOST_TEST(scene.bodies[1].n_nodes == 64);
+  BOOST_TEST((scene.bodies[0].shape == Shape(Circle{0.25})));
+  BOOST_TEST(error_of(two_disks, {"bodies[2].n_nodes=8"}) ==
+             "--set bodies[2].n_nodes: bodies has 2 elements, counted from 0; '2' is none of them");
+}
+
 BOOST_AUTO_TEST_CASE(add_values_and_tables) {
   const Scene scene = parse(disk(), {"time.t_final=3", "time.dt=0.5", "flow.kind='shear'",
                                      "flow.rate=2", "bodies.0.shape.radius=0.25"});
