@@ -27,6 +27,9 @@ std::string version_text() {
   return text;
 }
 
+// Where a system starts no more, OpenMP ends the program.
+const CLI::Range number_of_threads(1, 1024);
+
 void add_scene_options(CLI::App& command, RunOptions& options) {
   command.add_option("scene", options.scene, "scene file (TOML)")->required();
   command.add_option("--out", options.out, "directory of the results [out/<name of the scene>]");
@@ -34,7 +37,7 @@ void add_scene_options(CLI::App& command, RunOptions& options) {
       .add_option("--set", options.overrides, "replace a value of the scene, as in time.dt=0.01")
       ->allow_extra_args(false);
   command.add_option("--threads", options.threads, "number of threads [all processors]")
-      ->check(CLI::PositiveNumber);
+      ->check(number_of_threads);
   command.add_flag("--overwrite", options.overwrite, "replace a run in the directory");
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
@@ -47,7 +50,7 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
       command.add_option("--jobs", options.jobs, "tasks at a time [all processors]")
           ->check(CLI::PositiveNumber);
   command.add_option("--threads", options.threads, "number of threads of each task [1]")
-      ->check(CLI::PositiveNumber);
+      ->check(number_of_threads);
   CLI::Option* task =
       command.add_option("--task", options.task, "run this task only, counted from 0")
           ->check(CLI::NonNegativeNumber)

@@ -86,7 +86,8 @@ class Usage(Program):
     def test_bad_usage(self):
         for arguments in ([], ["walk"], ["run"], ["run", "a.toml", "--thread"],
                           ["run", "a.toml", "--resume", "--overwrite"],
-                          ["run", "a.toml", "--threads", "0"]):
+                          ["run", "a.toml", "--threads", "0"],
+                          ["run", "a.toml", "--threads", "1025"]):
             result = stokes(*arguments)
             self.assertEqual(result.returncode, 1, arguments)
             self.assertNotEqual(result.stderr, "")
