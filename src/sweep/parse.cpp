@@ -4,15 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "record/csv.hpp"
+#include "record/number_text.hpp"
 #include "scene/csv_table.hpp"
 #include "scene/nearest_word.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_value.hpp"
 #include "sweep/results.hpp"
+#include "sweep/task.hpp"
 
 namespace stokesbook {
 
@@ -47,7 +50,16 @@ constexpr Requirement<std::string> column_name{
                                   "abcdefghijklmnopqrstuvwxyz0123456789_"
                                   "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
     }};
-constexpr Requirement<int> several{"an integer >= 2", [](const int& k) { return k >= 2; }};
+/// A cluster's queue holds no more; each has a folder.
+constexpr std::size_t most_tasks = 100'000;
+constexpr Requirement<int> several{"an integer from 2 to 100000",
+                                   [](const int& k) { return k >= 2 && k <= int{most_tasks}; }};
+constexpr Requirement<int> number_of_seeds{
+    "an integer from 1 to 100000", [](const int& k) { return k >= 1 && k <= int{most_tasks}; }};
+constexpr Requirement<std::int64_t> first_seed{
+    "an integer from 0 to 9223372036854675807", [](const std::int64_t& k) {
+      return k >= 0 && k <= std::numeric_limits<std::int64_t>::max() - int{most_tasks};
+    }};
 constexpr Requirement<int> item_number{"an integer >= 0", [](const int& k) { return k >= 0; }};
 constexpr Requirement<std::int64_t> seed{"an integer >= 0",
                                          [](const std::int64_t& k) { return k >= 0; }};
@@ -127,8 +139,8 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
   if (node == nullptr) return {};
   if (std::holds_alternative<Table>(node->value)) {
     const TableReader table(*node, {"first", "count"});
-    const std::int64_t first = table.require("first", seed);
-    const int count = table.require("count", positive_integer);
+    const std::int64_t first = table.require("first", first_seed);
+    const int count = table.require("count", number_of_seeds);
     std::vector<AxisValue> seeds;
     for (int k = 0; k < count; ++k) seeds.push_back({toml_value(first + k), node->where});
     return seeds;
@@ -187,6 +199,15 @@ void require_distinct(const std::string& column, std::vector<std::string>& colum
   columns.push_back(column);
 }
 
+/// Counts them in floating point, where no product is too large.
+void require_few_tasks(const Node& document, const Sweep& sweep) {
+  auto tasks = static_cast<double>(runs_per_combination(sweep));
+  for (const Axis& axis : sweep.axes) tasks *= static_cast<double>(axis.values.size());
+  if (tasks <= most_tasks) return;
+  fail(document, "has " + short_number(tasks, 6) + " tasks: at most " + std::to_string(most_tasks) +
+                     " may be in one sweep");
+}
+
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& path) {
@@ -219,6 +240,7 @@ Sweep read_sweep(const std::filesystem::path& path) {
   if (sweep.axes.empty() && sweep.seeds.values.empty()) {
     fail(document, "a sweep must vary something: write [[axes]] or seeds");
   }
+  require_few_tasks(document, sweep);
   return sweep;
 }
 

@@ -50,8 +50,18 @@ BOOST_AUTO_TEST_CASE(top) {
       {"seeds = [3, 3]\n", "2:13: seeds[1] = 3: is there already"},
       {"seeds = 3\n",
        "2:9: seeds = 3: must be a list of integers or { first, count }, not an integer"},
-      {"seeds = { first = 1 }\n", "2:9: seeds.count is missing: must be an integer >= 1"},
-      {"seeds = { first = 1, count = 0 }\n", "2:30: seeds.count = 0: must be an integer >= 1"},
+      {"seeds = { first = 1 }\n",
+       "2:9: seeds.count is missing: must be an integer from 1 to 100000"},
+      {"seeds = { first = 1, count = 0 }\n",
+       "2:30: seeds.count = 0: must be an integer from 1 to 100000"},
+      {"seeds = { first = 1, count = 2000000000 }\n",
+       "2:30: seeds.count = 2000000000: must be an integer from 1 to 100000"},
+      {"seeds = { first = 9223372036854775807, count = 2 }\n",
+       "2:19: seeds.first = 9223372036854775807: must be an integer from 0 to "
+       "9223372036854675807"},
+      {"seeds = { first = 1, count = 1000 }\n" +
+           axis("range = { from = 1, to = 2, count = 101 }\n"),
+       "1:1: has 101000 tasks: at most 100000 may be in one sweep"},
   });
 }
 
@@ -105,9 +115,11 @@ BOOST_AUTO_TEST_CASE(axes) {
 BOOST_AUTO_TEST_CASE(ranges) {
   check({
       {axis("range = { from = 0.1, to = 1.0 }\n"),
-       "4:9: axes[0].range.count is missing: must be an integer >= 2"},
+       "4:9: axes[0].range.count is missing: must be an integer from 2 to 100000"},
       {axis("range = { from = 0.1, to = 1.0, count = 1 }\n"),
-       "4:41: axes[0].range.count = 1: must be an integer >= 2"},
+       "4:41: axes[0].range.count = 1: must be an integer from 2 to 100000"},
+      {axis("range = { from = 0.1, to = 1.0, count = 100001 }\n"),
+       "4:41: axes[0].range.count = 100001: must be an integer from 2 to 100000"},
       {axis("range = { from = 0.1, to = 0.1, count = 3 }\n"),
        "4:28: axes[0].range.to = 0.1: must differ from where the range begins"},
       {axis("range = { from = 0, to = 1, count = 3, spacing = 'logarithmic' }\n"),
