@@ -78,7 +78,8 @@ void print_plan(const Sweep& sweep, const SweepOptions& options) {
   const std::vector<std::string> task = task_command(options);
   std::vector<std::string> collect(task.begin(), task.begin() + 5);
   collect.emplace_back("--collect");
-  const std::string output = (fs::absolute(options.out) / "runs" / "slurm-%a.txt").string();
+  const std::string output =
+      in_slurm((fs::absolute(options.out) / "runs").string()) + "/slurm-%a.txt";
   std::printf("# %zu tasks, listed in %s\n%s", task_count(sweep),
               (options.out / "tasks.csv").c_str(),
               batch_commands({task, collect, output, task_count(sweep), options.threads}).c_str());

@@ -269,9 +269,9 @@ struct TimeSettings {
   /// steps are adapted; none: the default for methods that adapt them, and steps stay as they are
   /// for Heun's, which adapts them in scenes with contact.
   std::optional<double> tolerance{};
-  std::optional<double> dt_min{};  ///< least step, > 0; none: a millionth of the least of
-                                   ///< t_final, dt and dt_max
-  std::optional<double> dt_max{};  ///< longest step of methods that adapt, and by effort
+  std::optional<double> dt_min{};        ///< least step, > 0; none: a millionth of the least of
+                                         ///< t_final, dt and dt_max
+  std::optional<double> dt_max{};        ///< longest step of methods that adapt, and by effort
   std::optional<EffortBounds> effort{};  ///< of methods of fixed steps; none: dt stays
 
   /// @return true when all members are equal

@@ -26,6 +26,12 @@ std::string shell_quoted(std::string_view word) {
   return quoted + "'";
 }
 
+std::string in_slurm(std::string_view path) {
+  std::string text;
+  for (const char letter : path) text += letter == '%' ? "%%" : std::string(1, letter);
+  return text;
+}
+
 std::string batch_commands(const Batch& batch) {
   const std::string last = std::to_string(batch.tasks - 1);
   const std::string task = shell_command(batch.task);

@@ -16,6 +16,12 @@ namespace stokesbook {
 /// @return       the word; in single quotes unless it is made of harmless letters
 std::string shell_quoted(std::string_view word);
 
+/// Writes a path so that Slurm takes it as it is, where it looks for patterns such as `%a`.
+///
+/// @param  path  any
+/// @return       the path, each % doubled
+std::string in_slurm(std::string_view path);
+
 /// What is to be run elsewhere.
 struct Batch {
   std::vector<std::string> task;     ///< words of the command that runs a task, but its number

@@ -34,6 +34,10 @@ BOOST_AUTO_TEST_CASE(quoted_words_pass_a_shell) {
   BOOST_TEST(shell_quoted("plain/path-1.toml") == "plain/path-1.toml");
 }
 
+BOOST_AUTO_TEST_CASE(paths_hold_no_pattern_of_slurm) {
+  BOOST_TEST(in_slurm("/out/at_5%a%%/runs") == "/out/at_5%%a%%%%/runs");
+}
+
 BOOST_AUTO_TEST_CASE(commands_number_the_tasks_from_zero) {
   const std::string text = batch_commands({{"run it", "--task"}, {"collect"}, "out/%a.txt", 20, 3});
   BOOST_TEST(text.find("sbatch --array=0-19 --cpus-per-task=3 --requeue ") != std::string::npos);

@@ -256,7 +256,9 @@ n_nodes = 48
             self.assertFalse((self.folder / "a").exists())
 
     def test_bad_usage(self):
-        self.sweep("--out", "a", "--plan")
+        planned = self.sweep("--out", "a", "--plan")
+        self.assertIn("/a/runs/slurm-%a.txt", planned.stdout)
+        self.assertIn("/5%%a/runs/slurm-%a.txt", self.sweep("--out", "5%a", "--plan").stdout)
         for arguments in (["--jobs", 0], ["--task", -1], ["--task", 0, "--plan"], ["--jobs", 2, "--plan"],
                           ["--task", 0, "--jobs", 2], ["--plan", "--collect"], ["--threads", 0]):
             self.sweep("--out", "a", *arguments, code=1)
