@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include "scene/error.hpp"
 
@@ -26,10 +27,15 @@ std::string join(std::initializer_list<std::string_view> headers) {
 }
 
 double parse_number(std::string_view field, std::string_view column, const std::string& where) {
+  const bool has_plus = field.starts_with('+') && !field.starts_with("+-");
+  const std::string_view digits = field.substr(has_plus ? 1 : 0);
   double value = 0.0;
-  const char* const end = field.data() + field.size();
-  const auto [stop, status] = std::from_chars(field.data(), end, value);
-  if (status != std::errc{} || stop != end || !std::isfinite(value)) {
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, status] = std::from_chars(digits.data(), end, value);
+  if (status == std::errc::result_out_of_range) {
+    value = std::strtod(std::string(digits).c_str(), nullptr);  // 0, or infinite
+  }
+  if (status == std::errc::invalid_argument || stop != end || !std::isfinite(value)) {
     throw SceneError(where + ": " + std::string(column) + " = " + std::string(field) +
                      ": must be a finite number");
   }
@@ -50,10 +56,13 @@ CsvRow parse_row(std::string_view line, const std::string& header, const std::st
   return row;
 }
 
-std::string without_spaces(std::string_view line) {
-  std::string text(line);
-  std::erase(text, ' ');
-  return text;
+std::string header_of(std::string_view line) {
+  std::string header;
+  for (const std::string_view column : split(line, ',')) {
+    if (!header.empty()) header += ',';
+    header += trim(column);
+  }
+  return header;
 }
 
 }  // namespace
@@ -82,7 +91,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name,
       table.rows.push_back(parse_row(line, table.header, where));
       continue;
     }
-    table.header = without_spaces(line);
+    table.header = header_of(line);
     if (std::ranges::find(headers, table.header) == headers.end()) {
       throw SceneError(where + ": header = " + std::string(line) + ": must be " + join(headers));
     }

@@ -15,7 +15,7 @@ struct CsvRow {
 
 /// Numbers in named columns.
 struct CsvTable {
-  std::string header;        ///< without spaces, "x,y,theta"
+  std::string header;        ///< without blanks, "x,y,theta"
   std::vector<CsvRow> rows;  ///< in file order
 };
 

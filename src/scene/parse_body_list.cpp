@@ -3,6 +3,7 @@
 #include "scene/csv_file.hpp"
 #include "scene/error.hpp"
 #include "scene/sections.hpp"
+#include "scene/toml_value.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -11,10 +12,15 @@ namespace {
 constexpr std::string_view placements_header = "x,y,theta";
 constexpr std::string_view ellipses_header = "cx,cy,semi_a,semi_b,theta";
 
+double semi_axis(const CsvRow& row, std::size_t column, const std::string& name) {
+  const double length = row.values[column];
+  if (positive_number.holds(length)) return length;
+  throw SceneError(row.where + ": " + name + " = " + toml_value(length) + ": must be " +
+                   describe(positive_number));
+}
+
 Ellipse ellipse_of(const CsvRow& row) {
-  const Ellipse ellipse{row.values[2], row.values[3]};
-  if (ellipse.a > 0.0 && ellipse.b > 0.0) return ellipse;
-  throw SceneError(row.where + ": semi_a and semi_b must be > 0");
+  return {semi_axis(row, 2, "semi_a"), semi_axis(row, 3, "semi_b")};
 }
 
 std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& directory) {

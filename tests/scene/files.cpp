@@ -104,6 +104,16 @@ BOOST_AUTO_TEST_CASE(list_of_equal_bodies) {
   BOOST_TEST((scene.bodies == expected));
 }
 
+BOOST_AUTO_TEST_CASE(numbers_of_other_programs) {
+  const Folder folder;
+  folder.write("a.csv", "x,\ty,\ttheta\n+1.5,\t1e-400,\t-1e-400\n+1E+2,5e-324,0.1e-400\n");
+  const std::vector<Body> bodies = parse(list, {}, folder.path()).bodies;
+  BOOST_TEST(bodies.at(0).position == Complex(1.5, 0.0));
+  BOOST_TEST(bodies.at(0).orientation == 0.0);
+  BOOST_TEST(bodies.at(1).position == Complex(100.0, 5e-324));
+  BOOST_TEST(bodies.at(1).orientation == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(list_of_ellipses_and_order_of_lists) {
   const Folder folder;
   folder.write("a.csv",
@@ -148,10 +158,14 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
              "a.csv:3: theta = inf: must be a finite number");
   BOOST_TEST(error_with_csv(list, one + "4,5,1e999\n") ==
              "a.csv:3: theta = 1e999: must be a finite number");
+  for (const std::string number : {"+-1", "++1", "+", "-", "1e400", "-1e400", "1e-400x"}) {
+    BOOST_TEST(error_with_csv(list, one + "4," + number + ",6\n") ==
+               "a.csv:3: y = " + number + ": must be a finite number");
+  }
   BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,0,4,5\n") ==
-             "a.csv:3: semi_a and semi_b must be > 0");
-  BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,3,0,5\n") ==
-             "a.csv:3: semi_a and semi_b must be > 0");
+             "a.csv:3: semi_a = 0.0: must be a number > 0");
+  BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,3,-4.5,5\n") ==
+             "a.csv:3: semi_b = -4.5: must be a number > 0");
   BOOST_TEST(error_with_csv(list, ellipse) ==
              "s.toml:3:1: body_lists[0].shape: the file gives each body its own ellipse: leave the "
              "shape out");
