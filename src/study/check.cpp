@@ -65,7 +65,8 @@ class LawCheck {
     if (!use(above_floor * window_.floor)) return verdict_;
     std::vector<double> orders = local_orders(used_points());
     orders.erase(orders.begin());
-    const bool grows = std::is_sorted(orders.begin(), orders.end());
+    const auto is_finite = [](double order) { return std::isfinite(order); };
+    const bool grows = std::ranges::all_of(orders, is_finite) && std::ranges::is_sorted(orders);
     return decide(grows && orders.back() >= law.order, orders.back(),
                   "orders from " + short_number(orders.front()) + " to " +
                       short_number(orders.back()) + (grows ? ", growing" : ", not growing") +
