@@ -11,7 +11,8 @@ namespace stokesbook::study {
 /// @{
 
 /// @name Laws: what a claim says of the errors e at the points x
-/// Every band has two sides: a method that is better than its theory is not understood.
+/// Bands about a known number have two sides: a method that is better than its theory is not
+/// understood. One side have what is zero but for rounding, and orders that grow without bound.
 /// @{
 
 /// \f$ e = C x^{-p} \f$.
