@@ -237,8 +237,8 @@ std::string claims_page(const std::vector<StudyResult>& results) {
                   escaped(law_text(line.claim->law, experiment.x)) + " | " +
                   escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) +
                   ": " + (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
-                  (found.holds() ? "holds" : "**fails**") + " | @ref " +
-                  anchor(result, experiment) + " |";
+                  (found.holds() ? found.verdict_text() : "**" + found.verdict_text() + "**") +
+                  " | @ref " + anchor(result, experiment) + " |";
           for (const std::string& name : line.claim->api) page += " @ref " + name;
           page += " |\n\n";
         });

@@ -85,6 +85,12 @@ bool LineResult::holds() const {
   return !verdict || (verdict->outcome == Outcome::holds && control->rejected());
 }
 
+std::string LineResult::verdict_text() const {
+  if (!verdict) return {};
+  const bool only_control = verdict->outcome == Outcome::holds && !control->rejected();
+  return to_string(verdict->outcome) + (only_control ? ", but its control is not rejected" : "");
+}
+
 bool StudyResult::holds() const {
   return std::ranges::all_of(experiments, [](const std::vector<LineResult>& lines) {
     return std::ranges::all_of(lines, &LineResult::holds);

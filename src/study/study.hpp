@@ -85,6 +85,10 @@ struct LineResult {
   /// Tells whether the claim holds and its control was rejected.
   /// @return  true also where nothing is claimed
   bool holds() const;
+
+  /// Says how the claim fared.
+  /// @return  its outcome, with the control if that was not rejected; empty where nothing is claimed
+  std::string verdict_text() const;
 };
 
 /// A cost by its name on axes and in tables.

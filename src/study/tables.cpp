@@ -38,10 +38,8 @@ std::string caption(const Experiment& experiment) {
 
 std::string verdict_cell(const LineResult& result, const std::string& attributes) {
   if (!result.verdict) return cell("shown for comparison", attributes);
-  if (result.verdict->outcome != Outcome::holds) {
-    return cell("<b>" + to_string(result.verdict->outcome) + "</b>", attributes);
-  }
-  return cell(result.holds() ? "holds" : "<b>holds, as does its defective control</b>", attributes);
+  const std::string text = result.verdict_text();
+  return cell(result.holds() ? text : "<b>" + text + "</b>", attributes);
 }
 
 std::string claim_link(const Claim& claim) {

@@ -84,6 +84,25 @@ BOOST_AUTO_TEST_CASE(tables_show_what_failed) {
   BOOST_TEST(contains(claims_page({result}), "**fails**"));
 }
 
+BOOST_AUTO_TEST_CASE(tables_and_pages_say_the_same_of_a_claim) {
+  const auto check_said = [](const Study& study, const std::string& text) {
+    std::ostringstream progress;
+    const StudyResult result = run(study, Size::quick, progress);
+    BOOST_TEST(!result.holds());
+    const std::string cell = "<td><b>" + text + "</b></td>";
+    BOOST_TEST(contains(convergence_table(study.experiments[0], result.experiments[0]),
+                        "<b>" + text + "</b></td>"));
+    BOOST_TEST(contains(claims_table(result), cell));
+    BOOST_TEST(contains(claims_page({result}), "| **" + text + "** |"));
+  };
+  Study too_few = sample_study();
+  too_few.experiments[0].lines[0].claim->window.from = 1e9;
+  check_said(too_few, "inconclusive");
+  Study loose = sample_study();
+  loose.experiments[0].lines[0].claim->law = Algebraic{2.0, 100.0};
+  check_said(loose, "holds, but its control is not rejected");
+}
+
 BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   const Study study = sample_study();
   StudyResult result = sample_result();
