@@ -1,0 +1,86 @@
+"""The script ./stokes on a system that is not Debian, with programs that only say what they were asked.
+
+Usage: test_front_end.py SCRIPT [unittest arguments]
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(sys.argv[1])
+TOOLS = ("awk cat cut date dirname flock getconf grep head id mkdir mktemp readlink rm sed sh").split()
+
+
+class FrontEnd(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name).resolve() / "book"
+        self.tools = self.root.parent / "tools"
+        for path in self.root, self.tools:
+            path.mkdir()
+        shutil.copy(SCRIPT, self.root)
+        for tool in TOOLS:
+            if found := shutil.which(tool):
+                (self.tools / tool).symlink_to(found)
+        self.program(self.tools / "cmake", f'echo "$@" >>{self.root}/asked; '
+                     'echo "ninja: no work to do."')
+
+    def program(self, path, lines):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"#!/bin/sh\n{lines}\n")
+        path.chmod(0o755)
+
+    def configure(self, source):
+        """A build that was configured from a path of the source."""
+        build = self.root / "build" / "release"
+        self.program(build / "bin" / "stokes", 'echo "ran $*"')
+        (build / "build.ninja").touch()
+        (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={source}\n")
+
+    def stokes(self, *arguments, code=0):
+        result = subprocess.run([self.root / "stokes", *arguments], capture_output=True, text=True,
+                                env={"PATH": str(self.tools), "HOME": str(self.root)})
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
+
+    def test_what_cmake_has_found_is_not_asked_for(self):
+        self.assertIn("  libeigen3-dev ", self.stokes("run", code=1).stderr)
+        self.configure(self.root)
+        self.assertEqual(self.stokes("run", "a.toml").stdout, "ran run a.toml\n")
+
+    def test_what_else_is_missing_is_named(self):
+        self.configure(self.root)
+        for command, missing in ("docs", "doxygen"), ("test", "chromium"), ("exercise", "python3"):
+            errors = self.stokes(command, code=1).stderr
+            self.assertRegex(errors, rf"^stokes: not installed yet:\n(  .*\n)*  {missing} ")
+            self.assertNotIn("libeigen3-dev", errors)
+
+    def test_a_build_that_was_configured_is_kept(self):
+        link = self.root.parent / "link"
+        link.symlink_to(self.root)
+        for source in self.root, link:
+            self.configure(source)
+            self.stokes("run")
+        self.assertNotIn("--fresh", (self.root / "asked").read_text())
+        self.configure(self.root.parent / "other")  # the tree has moved
+        self.stokes("run")
+        self.assertIn("--fresh", (self.root / "asked").read_text())
+
+    def test_help(self):
+        for command in "test", "docs", "exercise", "check":
+            self.assertIn("./stokes exercise [03] ", self.stokes(command, "--help").stdout)
+
+    def test_bad_usage(self):
+        for tool in "doxygen", "python3", "chromium", "slurmctld", "parallel", "clang++", "c++":
+            self.program(self.tools / tool, "exit 0")
+        self.configure(self.root)
+        self.assertIn("needs a name", self.stokes("test", "--preset", code=1).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
