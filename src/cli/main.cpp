@@ -86,6 +86,9 @@ int run_program(int argc, char** argv) {
   sweep_options.program = argv[0];
   CLI::App& sweep = *app.add_subcommand("sweep", "run a scene with many values, with error bars");
   add_sweep_options(sweep, sweep_options);
+  for (CLI::App* command : {&run, &solve, &sweep}) {
+    command->set_version_flag("--version", version_text());
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

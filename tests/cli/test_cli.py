@@ -79,9 +79,10 @@ class Usage(Program):
             result = stokes(*arguments)
             self.assertEqual(result.returncode, 0)
             self.assertIn("scene", result.stdout)
-        version = stokes("--version")
-        self.assertEqual(version.returncode, 0)
-        self.assertRegex(version.stdout, r"^stokes \d+\.\d+\.\d+ \(git .+, (GNU|Clang)")
+        for command in [], ["run"], ["solve"], ["sweep"]:
+            version = stokes(*command, "--version")
+            self.assertEqual(version.returncode, 0)
+            self.assertRegex(version.stdout, r"^stokes \d+\.\d+\.\d+ \(git .+, (GNU|Clang)")
 
     def test_bad_usage(self):
         for arguments in ([], ["walk"], ["run"], ["run", "a.toml", "--thread"],
