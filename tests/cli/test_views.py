@@ -49,6 +49,24 @@ class Views(unittest.TestCase):
         expected = numpy.stack([bodies["x"].T, -bodies["y"].T], axis=-1)
         numpy.testing.assert_allclose(numpy.array(drawn, float), expected, rtol=1e-5)
 
+    def test_plot_run_of_tables_that_hold_less(self):
+        table = self.run_folder.parent / "trajectory.csv"
+        lines = (self.run_folder / "trajectory.csv").read_text().splitlines()
+        read_table = module("plot_run").read_table
+        for n_lines, shape in (1, (0, 0)), (2, (1, 1)), (1 + 5, (1, 5)), (1 + 5 + 3, (1, 5)):
+            table.write_text("\n".join(lines[:n_lines]) + "\n")
+            self.assertEqual(read_table(table)["x"].shape, shape)
+
+        def message(*arguments):
+            result = subprocess.run([sys.executable, "-B", VIEWS / "plot_run.py", *arguments],
+                                    capture_output=True, text=True)
+            self.assertEqual(result.returncode, 1)
+            return result.stderr
+
+        self.assertEqual(message(), "usage: plot_run.py FOLDER\n")
+        table.write_text(lines[0] + "\n")
+        self.assertEqual(message(table.parent), f"{table} holds no body\n")
+
     def test_paraview_run_asks_for_what_a_run_has(self):
         script = module("paraview_run")
         for name, place, array, _ in (script.BODIES, script.CONTACTS, script.FIELDS[0]):

@@ -10,10 +10,15 @@ import numpy
 
 
 def read_table(path):
-    """The columns of trajectory.csv or walls.csv by name: a row a written time, a column a body."""
-    rows = numpy.genfromtxt(path, names=True, delimiter=",")
-    n_times = len(numpy.unique(rows["t"]))
-    return {name: rows[name].reshape(n_times, -1) for name in rows.dtype.names}
+    """The columns of trajectory.csv or walls.csv by name: a row a written time, a column a body.
+
+    The last time is left out while a run that goes on has not written all of it.
+    """
+    rows = numpy.atleast_1d(numpy.genfromtxt(path, names=True, delimiter=","))
+    n_bodies = numpy.count_nonzero(rows["t"] == rows["t"][0]) if len(rows) else 0
+    n_times = len(rows) // n_bodies if n_bodies else 0
+    return {name: rows[name][: n_times * n_bodies].reshape(n_times, n_bodies)
+            for name in rows.dtype.names}
 
 
 def draw_paths(x, y):
@@ -31,6 +36,10 @@ def draw_paths(x, y):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: plot_run.py FOLDER")
     folder = pathlib.Path(sys.argv[1])
     bodies = read_table(folder / "trajectory.csv")
+    if bodies["x"].size == 0:
+        sys.exit(f"{folder / 'trajectory.csv'} holds no body")
     (folder / "paths.svg").write_text(draw_paths(bodies["x"], bodies["y"]))
