@@ -68,7 +68,7 @@ class Exercise:
         return f"{self.number}  {self.title()}"
 
     def title(self):
-        return (self.folder / "README.md").read_text().splitlines()[0].removeprefix("# ")
+        return text_of_file(self.folder / "README.md").splitlines()[0].removeprefix("# ")
 
     def target(self, part):
         return f"exercise_{self.number}_{part}"
@@ -96,7 +96,7 @@ def variants(source):
         if not condition:
             raise Failure(f"{source}:{number}: {message}")
 
-    for number, line in enumerate(source.read_text().splitlines(keepends=True), 1):
+    for number, line in enumerate(text_of_file(source).splitlines(keepends=True), 1):
         if "//@" not in line:
             (pieces if group is None else block).append(line)
             continue
@@ -125,11 +125,19 @@ def text_of(piece, variant):
     return piece if isinstance(piece, str) else "".join(piece.get(variant, piece["solution"]))
 
 
+def text_of_file(path):
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        line = path.read_bytes().count(b"\n", 0, error.start) + 1
+        raise Failure(f"{path}:{line}: not in UTF-8") from error
+
+
 def write(path, text):
     """Keeps the time of a file that has this text already, so that it is not compiled again."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.exists() or path.read_text() != text:
-        path.write_text(text)
+    if not path.exists() or text_of_file(path) != text:
+        path.write_text(text, encoding="utf-8")
 
 
 def list_exercises():
@@ -145,7 +153,7 @@ def copy(number):
     for exercise in exercises(number):
         place = pathlib.Path("exercises") / exercise.place
         starter = variants(exercise.folder / "exercise.cpp")[0]["starter"]
-        for path, text in [(place / "README.md", (exercise.folder / "README.md").read_text()),
+        for path, text in [(place / "README.md", text_of_file(exercise.folder / "README.md")),
                            (place / "exercise.cpp", starter)]:
             if path.exists():
                 print(f"kept   {path}: it is yours; for a fresh one, move it away first")
@@ -177,7 +185,7 @@ def check_one(build, exercise):
         return False
     # The compiler names the reader's file in what it says.
     write(build / "exercises" / exercise.place / "reader.cpp",
-          f'#line 1 "{reader}"\n' + reader.read_text())
+          f'#line 1 "{reader}"\n' + text_of_file(reader))
     ninja = ["cmake", "--build", build, "--target"]
     library = [*ninja, f"stokesbook_{exercise.method}", exercise.target("check")]
     # The first time this takes a while; a terminal shows how far it is.
@@ -257,5 +265,9 @@ def main(command, *arguments):
 if __name__ == "__main__":
     try:
         main(*sys.argv[1:] or [""])
-    except Failure as failure:
+        sys.stdout.flush()
+    except BrokenPipeError:  # nobody reads on; nor at the interpreter's end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except (Failure, OSError) as failure:
         sys.exit(f"stokes: {failure}")

@@ -4,6 +4,7 @@ Usage: test_exercises.py CHAPTERS BUILD [unittest arguments]
 """
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,26 @@ class Reader(Tool):
                 self.assertIn(f"there is no exercise {number}", text)
                 self.assertIn("  01.2  The distance of a pole", text)
         self.assertIn("usage", self.tool("exercise", "01", "02", code=1))
+
+    def test_files_that_cannot_be_used(self):
+        reader = self.folder / PLACE / "exercise.cpp"
+        reader.parent.mkdir(parents=True)
+        reader.write_bytes(b"// fine\n// na\xefve\n")
+        self.assertIn(f"{PLACE / 'exercise.cpp'}:2: not in UTF-8\n",
+                      self.tool("check", BUILD, "01.1", code=1))
+        shutil.rmtree(self.folder / "exercises")
+        (self.folder / "exercises").write_text("")
+        text = self.tool("exercise", "01", code=1)
+        self.assertRegex(text, r"^stokes: \[Errno \d+\] .*exercises")
+        self.assertEqual(text.count("\n"), 1)
+
+    def test_nobody_reads_on(self):
+        process = subprocess.Popen([sys.executable, CHAPTERS / "exercises.py", "exercise"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder)
+        process.stdout.close()
+        self.assertEqual(process.stderr.read(), b"")
+        process.stderr.close()
+        self.assertEqual(process.wait(), 1)
 
     def test_nothing_to_check(self):
         self.assertIn("./stokes exercise NN", self.tool("check", BUILD, code=1))
