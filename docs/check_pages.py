@@ -35,7 +35,7 @@ CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
 TYPED_RESULT = re.compile(
     r"\b\d+(?:\.\d+)?[eE][-+]?\d+\b"
     r"|\b10\s*(?:\^|<sup>)|\b10[⁻⁰¹²³⁴-⁹]+"
-    r"|(?<![\w.])(?=\d*\.\d)(?=(?:\.?\d){4})\d+\.\d+(?![\w.])"
+    r"|(?<![\w.])(?=\d*\.\d)(?=[0.]*[1-9](?:\.?\d){3})\d+\.\d+(?!\.?\w)"
     r"|(?<![\w.])\d+(?:\.\d+)?\s*(?:iterations?|seconds?|ms|µs|s)\b")
 EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-2])\.\d{1,2}\)")  # (01.10)
 TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
@@ -46,22 +46,27 @@ def blanked(match):
     return "\n" * match[0].count("\n")
 
 
-def without_code(text):
-    """The text without fenced blocks, and the language of each block with its line."""
-    lines, languages, fence = [], [], None
+def fenced(text):
+    """Numbers of the lines of fenced blocks, and the language of each block with its line."""
+    numbers, languages, fence = set(), [], None
     for number, line in enumerate(text.splitlines(), 1):
         found = FENCE.match(line)
         if fence is None and found:
             fence = found[2]
             languages.append((number, found[3].strip("{.")))
+            numbers.add(number)
         elif fence is not None:
+            numbers.add(number)
             if line.strip() == fence:
                 fence = None
-        else:
-            lines.append(line)
-            continue
-        lines.append("")
-    return "\n".join(lines) + "\n", languages
+    return numbers, languages
+
+
+def without_code(text):
+    """The text with blank lines instead of fenced blocks."""
+    code = fenced(text)[0]
+    return "".join(f"{'' if number in code else line}\n"
+                   for number, line in enumerate(text.splitlines(), 1))
 
 
 def indented_code(text):
@@ -85,12 +90,10 @@ def indented_code(text):
 def empty_headings(text):
     """Headings followed by no text before the next heading of their level or above, or the end."""
     found, open_headings = [], []  # the latter: (level, line), each without text so far
-    in_code = False
+    code = fenced(text)[0]
     for number, line in enumerate(text.splitlines(), 1):
-        if FENCE.match(line):
-            in_code = not in_code
         heading = HEADING.match(line)
-        if heading and not in_code:
+        if heading and number not in code:
             level = len(heading[1])
             found += [start for other, start in open_headings if other >= level]
             open_headings = [(o, start) for o, start in open_headings if o < level]
@@ -134,7 +137,7 @@ def chapter_violations(name, text):
     """Breaches of the rules in one chapter.md."""
     if not re.match(r"# \S.* \{#chapter_\d\d\}\n", text):
         return [f"{name}:1: the first line must be a title and anchor: # Title {{#chapter_NN}}"]
-    prose, languages = without_code(text)
+    prose, languages = without_code(text), fenced(text)[1]
     violations = text_violations(name, text)
     violations += [f"{name}:{line}: a block of {language or 'code'}: show code by @snippet"
                    for line, language in languages if language not in SHELL]

@@ -50,6 +50,12 @@ class Chapters(unittest.TestCase):
                       "47 iterations", "2.5 s", "30 ms"]:
             self.assert_found(f"The error\nis {typed}, say.\n", "chapter.md:4", "typed result")
 
+    def test_digits_that_are_significant(self):
+        for definition in "0.125", "0.0125", "0.001", "1.25", "12.5", "100", "0.5":
+            self.assertEqual(chapter(f"A radius\nof {definition}.\n"), [])
+        for typed in "0.1250", "0.01234", "1.000", "10.25":
+            self.assert_found(f"The error\nis {typed}.\n", "chapter.md:4", "typed result")
+
     def test_typed_result_in_a_formula(self):
         self.assert_found("\\f$ 1.3 \\cdot 10^{-12} \\f$\n", "typed result")
         self.assert_found("\\f[ x = 4.32\\times10^{-3} \\f]\n", "typed result")
@@ -58,6 +64,9 @@ class Chapters(unittest.TestCase):
         self.assert_found("## One\n\n## Two\n\nText.\n", "chapter.md:3", "nothing under it")
         self.assert_found("Text.\n\n## Last\n", "chapter.md:5", "nothing under it")
         self.assert_found("Text.\n\n### Deep\n\n## Next\n\nText.\n", "chapter.md:5")
+        # A fence ends with as many marks as it began with.
+        self.assert_found("````sh\n```\n````\n\n## One\n\n## Two\n\nText.\n", "chapter.md:7")
+        self.assertEqual(chapter("## One\n\n````sh\n```\n# no heading\n# nor this\n````\n"), [])
 
     def test_unfinished(self):
         for mark in ["TODO", "FIXME", "???"]:
