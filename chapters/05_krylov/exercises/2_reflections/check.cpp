@@ -59,7 +59,7 @@ Pair two_circles(double gap) {
           BlockDiagonalPreconditioner({{inverse, 0.0}, {inverse, 0.0}})};
 }
 
-// The powers of K, summed: b - K b + K^2 b - ..., through the blocks.
+// The powers of E, summed: b - E b + E^2 b - ..., through the blocks.
 VectorXd series(const Pair& pair, int rounds) {
   VectorXd term = pair.system.rhs, sum = VectorXd::Zero(term.size());
   for (int k = 0; k < rounds; ++k) {
