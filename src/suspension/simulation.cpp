@@ -6,6 +6,7 @@
 
 #include "record/number_text.hpp"
 #include "suspension/fields.hpp"
+#include "suspension/refusal.hpp"
 #include "suspension/step_counts.hpp"
 #include "suspension/stepping.hpp"
 
@@ -47,6 +48,15 @@ Rate shorter_where_refused(const Rate& rate) {
       throw InadmissibleState(refusal.what());
     }
   };
+}
+
+// Densities that are a worse start than none: the sweeps of steps before have made them so.
+std::string divergence_refusal(const Solution& lagged) {
+  if (!(lagged.gmres.residual > 1.0)) return {};
+  return "the lagged coupling diverges: the densities of the step before leave a residual of " +
+         short_number(lagged.gmres.residual, 3) +
+         " times the data. Each step is one sweep, whatever its length: shorter ones do not help, "
+         "solver.coupling = \"global\" does";
 }
 
 // The polynomial through four: more amplify what GMRES leaves, and stages are not that smooth.
@@ -136,7 +146,11 @@ Solution Simulation::solve_by_guess(double t, const Configuration& configuration
   const DensityHistory& densities = latest_.densities;
   const DensityGuess guess = this->guess(t, configuration);
   const bool local = solver_.scene().solver.coupling == Coupling::local;
-  if (local && !densities.empty()) return solver_.solve_lagged(configuration, guess, drive_);
+  if (local && !densities.empty()) {
+    Solution solution = solver_.solve_lagged(configuration, guess, drive_);
+    refuse(divergence_refusal(solution));
+    return solution;
+  }
   return estimated
              ? solver_.solve(configuration, drive_, guess, latest_.in_contact)
              : solver_.solve_nearby(configuration, densities.latest_resolutions(), drive_, guess);

@@ -39,6 +39,9 @@ struct Observer {
 /// It is also no longer than lets bodies that come near each other move past each other by the
 /// ratio of the smaller one's area and perimeter.
 ///
+/// With the lagged coupling, a solve that begins with a residual above that of no density at all
+/// is refused: the sweeps diverge, as they do in crowds.
+///
 /// Solves begin with a guess from earlier ones, see DensityHistory. The error is estimated at
 /// written times, and at the first step's end after eight solves without; steps between carry the
 /// latest estimate.

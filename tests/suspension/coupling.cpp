@@ -5,6 +5,8 @@
 
 #include "double_layer/double_layer.hpp"
 #include "scenes.hpp"
+#include "support/recorded_run.hpp"
+#include "support/touching.hpp"
 
 namespace stokesbook::test {
 namespace {
@@ -68,6 +70,23 @@ BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
     for (Body& body : aligned.bodies) body.position.imag(0.0);
     BOOST_TEST(std::abs(spectral_radius(Solved(aligned)) - radii[k]) < 0.006);
   }
+}
+
+// Seven disks, whose sweeps diverge: the run stops after as many steps of any length, and says why.
+BOOST_AUTO_TEST_CASE(a_crowd_is_refused_whatever_the_step) {
+  Scene crowd = disk_hexagon(1, 0.02, 1e-3);
+  crowd.solver.coupling = Coupling::local;
+  const auto steps = [&](double dt) {
+    const RecordedRun run = recorded_run(over(crowd, 400.0 * dt, dt), Refusals::recorded);
+    BOOST_TEST(run.stopped.find("the lagged coupling diverges") != std::string::npos, run.stopped);
+    return run.steps.size();
+  };
+  const std::size_t of_short_ones = steps(1e-6);
+  BOOST_TEST(of_short_ones > 2U);
+  BOOST_TEST(of_short_ones < 400U);
+  BOOST_TEST(steps(1e-8) == of_short_ones);
+  crowd.solver.coupling = Coupling::global;
+  BOOST_TEST(recorded_run(over(crowd, 1e-4, 1e-6)).steps.size() == 100U);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
