@@ -1,11 +1,8 @@
 // Hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by, units
 // far from one. Errors are against closed forms, symmetries, or a solution to more digits.
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include "double_layer/stresslet_sum.hpp"
-#include "fmm/fmm.hpp"
 #include "hard_case.hpp"
 #include "support/closed_forms.hpp"
 #include "support/eccentric_annulus.hpp"
@@ -17,33 +14,9 @@ using std::numbers::pi;
 
 namespace {
 
-std::string text(const char* format, double number) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, number);
-  return buffer;
-}
-
-double distance_of_motions(const RigidMotion& a, const RigidMotion& b, double length) {
-  return std::max(std::abs(a.velocity - b.velocity), length * std::abs(a.omega - b.omega));
-}
-
 Measure against(std::size_t component, const RigidMotion& exact, double length = 1.0) {
   return [=](const Solution& solution) {
     return distance_of_motions(solution.motions[component], exact, length);
-  };
-}
-
-// The same scene asked for three more digits.
-Measure against_finer(const Scene& scene) {
-  return [finer = scene](const Solution& solution) mutable {
-    finer.solver.tolerance *= 1e-3;
-    const SuspensionSolver solver(finer);
-    const Solution reference = solver.solve(solver.initial_configuration());
-    double most = 0.0;
-    for (std::size_t k = 0; k < solution.motions.size(); ++k) {
-      most = std::max(most, distance_of_motions(solution.motions[k], reference.motions[k], 1.0));
-    }
-    return most;
   };
 }
 
@@ -180,25 +153,6 @@ HardCase stress_at_a_surface() {
           }};
 }
 
-HardCase crowds_apart() {
-  return {"08", "fast sum over two crowds a million times as far apart as they are wide", [] {
-            const Curve small = sample(Ellipse{1e-8, 5e-9}, 32, Side::fluid_outside);
-            std::vector<Curve> curves;
-            for (int k = 0; k < 100; ++k) {
-              const Complex place{3e-8 * (k % 10), 3e-8 * (k / 10)};
-              curves.push_back(stokesbook::place(small, place, 0.1 * k));
-              curves.push_back(stokesbook::place(small, place + 0.3, 0.2 * k));
-            }
-            const ComplexVector density =
-                ComplexVector::LinSpaced(200 * 32, Complex{1.0, 0.0}, Complex{0.0, 1.0});
-            const double tolerance = 1e-9;
-            const Fmm fast(curves, ComplexVector(), FmmSettings::for_tolerance(tolerance));
-            const ComplexVector direct = StressletSum(curves)(density);
-            return Finding{.tolerance = tolerance,
-                           .error = (fast.velocity(density) - direct).norm() / direct.norm()};
-          }};
-}
-
 }  // namespace
 
 std::vector<HardCase> answers() {
@@ -216,7 +170,6 @@ std::vector<HardCase> answers() {
   cases.push_back(degenerate_gauge());
   cases.push_back(walls_only());
   cases.push_back(stress_at_a_surface());
-  cases.push_back(crowds_apart());
   return cases;
 }
 

@@ -1,6 +1,7 @@
 #include "hard_case.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace stokesbook::verification::hard_cases {
 
@@ -13,6 +14,29 @@ bool is_met(const HardCase& hard, const Finding& finding) {
   return hard.due != Due::answer && std::ranges::all_of(hard.words, [&](const std::string& word) {
            return finding.refusal.find(word) != std::string::npos;
          });
+}
+
+std::string text(const char* format, double number) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, number);
+  return buffer;
+}
+
+double distance_of_motions(const RigidMotion& a, const RigidMotion& b, double length) {
+  return std::max(std::abs(a.velocity - b.velocity), length * std::abs(a.omega - b.omega));
+}
+
+Measure against_finer(const Scene& scene) {
+  return [finer = scene](const Solution& solution) mutable {
+    finer.solver.tolerance *= 1e-3;
+    const SuspensionSolver solver(finer);
+    const Solution reference = solver.solve(solver.initial_configuration());
+    double most = 0.0;
+    for (std::size_t k = 0; k < solution.motions.size(); ++k) {
+      most = std::max(most, distance_of_motions(solution.motions[k], reference.motions[k], 1.0));
+    }
+    return most;
+  };
 }
 
 Finding solve(const Scene& scene, const Measure& error) {

@@ -39,6 +39,15 @@ bool is_met(const HardCase& hard, const Finding& finding);
 /// Distance of a solution from what is known, a velocity.
 using Measure = std::function<double(const Solution&)>;
 
+/// A number in a sentence, by a format of printf.
+std::string text(const char* format, double number);
+
+/// Larger one of the differences of velocities and, times a length, of angular velocities.
+double distance_of_motions(const RigidMotion& a, const RigidMotion& b, double length);
+
+/// Compares with the same scene, asked for three more digits.
+Measure against_finer(const Scene& scene);
+
 /// Solves a scene's start, and compares; refusals are findings.
 Finding solve(const Scene& scene, const Measure& error);
 
@@ -54,6 +63,10 @@ Scene circles_in_extension(double gap, double tolerance);
 /// @name The cases
 /// @{
 std::vector<HardCase> answers();   ///< one instant, which has an answer
+std::vector<HardCase> crowds();    ///< instants of many bodies
+std::vector<HardCase> sums();      ///< fast sums
+std::vector<HardCase> contacts();  ///< runs in which bodies are pressed together
+std::vector<HardCase> problems();  ///< of complementarity
 std::vector<HardCase> motions();   ///< runs
 std::vector<HardCase> refusals();  ///< what must not be answered
 /// @}

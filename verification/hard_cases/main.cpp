@@ -40,7 +40,8 @@ Row row_of(const HardCase& hard) {
 
 int run(const std::string& html) {
   std::vector<Row> rows;
-  for (const auto& cases : {answers(), motions(), refusals()}) {
+  for (const auto& cases :
+       {answers(), crowds(), sums(), motions(), contacts(), problems(), refusals()}) {
     for (const HardCase& hard : cases) {
       rows.push_back(row_of(hard));
       print(std::cout, rows.back());
