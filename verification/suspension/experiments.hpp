@@ -22,6 +22,8 @@ study::Experiment cost_of_contact();
 study::Experiment random_crowds();
 study::Experiment taylor_green_in_contact();
 study::Experiment lagged_contact();
+study::Experiment lagged_steps();
+study::Experiment lagged_growth();
 study::Experiment extension_order();
 study::Experiment extension_gaps();
 study::Experiment extension_apart();
@@ -29,12 +31,18 @@ study::Experiment couette_starts();
 study::Experiment couette_digits();
 study::Experiment couette_turns();
 study::Experiment couette_second_turn();
+study::Experiment couette_interval();
+study::Experiment couette_small();
+study::Experiment couette_care();
 study::Experiment couette_seeds();
+study::Experiment couette_unattended();
 study::Experiment lobed_iterations();
+study::Experiment lobed_run();
 study::Experiment vortex_iterations();
 study::Experiment injection();
 study::Experiment rotors();
 study::Experiment narrow_gaps();
+study::Experiment contact_response();
 std::vector<study::Experiment> methods_compared();
 /// @}
 

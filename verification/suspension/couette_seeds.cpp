@@ -1,0 +1,371 @@
+// Couette cells from random starts: means over the second revolution with what they leave open, of
+// a small cell and of the published ones, and what the runs took.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "couette_series.hpp"
+#include "experiments.hpp"
+#include "scenes.hpp"
+#include "support/once.hpp"
+#include "suspension/fill.hpp"
+#include "sweep/estimate.hpp"
+#include "sweep/parse.hpp"
+#include "sweep/task.hpp"
+
+namespace stokesbook::verification::suspension {
+
+using namespace study;
+
+namespace {
+
+using Runs = std::vector<CouetteSeries>;
+
+/// How the small cell is run.
+enum class Care {
+  usual,
+  double_care  ///< half the tolerance, half the step
+};
+
+/// The small cell that ships over two revolutions, from one random start.
+const CouetteSeries& small_run(unsigned seed, Care care) {
+  static test::Once<std::pair<unsigned, Care>, CouetteSeries> runs;
+  return runs({seed, care}, [&] {
+    Scene scene = shipped_scene("couette_small");
+    scene.seed = seed;
+    scene.time->t_final = 4.0 * std::numbers::pi;
+    scene.contact->minimum_separation = 0.01;
+    scene.output.dt_write = 0.2;
+    if (care == Care::double_care) {
+      scene.solver.tolerance *= 0.5;
+      *scene.time->dt *= 0.5;
+    }
+    return couette_series(with_fills_placed(scene));
+  });
+}
+
+/// Consecutive starts.
+struct Starts {
+  unsigned first, count;
+};
+
+Runs small_runs(const Starts& starts) {
+  Runs runs;
+  for (unsigned k = 0; k < starts.count; ++k)
+    runs.push_back(small_run(starts.first + k, Care::usual));
+  return runs;
+}
+
+/// How a mean is taken; other values are planted defects.
+struct Averaging {
+  double from = 1.0, to = 2.0;  ///< revolutions
+  double area = 1.0;            ///< to which a property is referred, of that of the cell
+};
+
+constexpr Averaging of_fluid{.area = 0.95}, of_the_start{.from = 0.0, .to = 0.125};
+
+Estimate estimate(const Runs& runs, const CouetteProperty& property,
+                  const Averaging& averaging = {}) {
+  std::vector<double> values;
+  for (const CouetteSeries& run : runs) {
+    values.push_back(mean(run, property, averaging.from, averaging.to) / averaging.area);
+  }
+  return estimate_mean(values);
+}
+
+/// Difference of two estimates, over what it may be, 19 times in 20.
+double apart(const Estimate& a, const Estimate& b) {
+  return std::abs(a.mean - b.mean) / std::hypot(a.interval, b.interval);
+}
+
+std::vector<unsigned> counts(Size size) {
+  return size == Size::full ? std::vector{4U, 6U, 8U, 16U, 32U} : std::vector{4U, 6U, 8U};
+}
+
+/// Measures a function of a number of starts.
+template <class Quantity>
+Measure over_counts(const Quantity& quantity) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (const unsigned n : counts(size)) {
+      measurements.push_back({.x = static_cast<double>(n), .error = quantity(n)});
+    }
+    return measurements;
+  };
+}
+
+Measure small_means(const CouetteProperty& property) {
+  return over_counts([=](unsigned n) {
+    return estimate(small_runs({1, n}), property).mean - property.without;
+  });
+}
+
+Measure small_intervals(const CouetteProperty& property) {
+  return over_counts([=](unsigned n) { return estimate(small_runs({1, n}), property).interval; });
+}
+
+/// The second half of the starts against the first.
+Measure halves(const CouetteProperty& property, const Averaging& of_second = {}) {
+  return over_counts([=](unsigned n) {
+    const Runs first = small_runs({1, n / 2}), second = small_runs({1 + n / 2, n / 2});
+    return apart(estimate(first, property), estimate(second, property, of_second));
+  });
+}
+
+/// Measures a function of a start.
+template <class Quantity>
+Measure of_starts(unsigned first, unsigned last, const Quantity& quantity) {
+  return [=](Size) {
+    std::vector<Measurement> measurements;
+    for (unsigned seed = first; seed <= last; ++seed) {
+      measurements.push_back({.x = static_cast<double>(seed), .error = quantity(seed)});
+    }
+    return measurements;
+  };
+}
+
+Measure second_revolutions(const CouetteProperty& property) {
+  return of_starts(1, 8, [=](unsigned seed) {
+    return mean(small_run(seed, Care::usual), property, 1.0, 2.0) - property.without;
+  });
+}
+
+/// Change of a start's mean viscosity by double care, over what eight starts leave open.
+Measure changes(const Averaging& averaging = {}) {
+  return of_starts(2, 4, [=](unsigned seed) {
+    const double usual = mean(small_run(seed, Care::usual), viscosity, 1.0, 2.0),
+                 careful = mean(small_run(seed, Care::double_care), viscosity, averaging.from,
+                                averaging.to);
+    return std::abs(careful / averaging.area - usual) /
+           estimate(small_runs({1, 8}), viscosity).interval;
+  });
+}
+
+/// @param  kept  in separations; more than one is a planted defect
+Measure lost(double kept) {
+  return of_starts(1, 8, [=](unsigned seed) {
+    return std::max(0.0, kept - small_run(seed, Care::usual).least_gap);
+  });
+}
+
+/// What is printed of the published cells, in the sweep's order. Disks have no order.
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, none},
+                                                        {1220.0, none},
+                                                        {1420.0, none},
+                                                        {1100.0, 520.0},
+                                                        {1230.0, 600.0},
+                                                        {1360.0, 650.0},
+                                                        {1080.0, 910.0},
+                                                        {1180.0, 890.0},
+                                                        {none, none}}};
+
+/// Cells with random starts: the small one, and in the full size the published ones, as the sweep
+/// has them.
+const std::vector<Runs>& cells(Size size) {
+  static test::Once<Size, std::vector<Runs>> all;
+  return all(size, [&] {
+    std::vector<Runs> cells{small_runs({1, 8})};
+    if (size == Size::quick) return cells;
+    const Sweep sweep = read_sweep(STOKESBOOK_SWEEPS "/couette_published.toml");
+    cells.resize(1 + printed_of_cells.size());
+    for (std::size_t k = 0; k < task_count(sweep); ++k) {
+      const Scene scene = with_fills_placed(scene_of(sweep, task_of(sweep, k)));
+      cells.at(1 + k / runs_per_combination(sweep)).push_back(couette_series(scene));
+    }
+    return cells;
+  });
+}
+
+/// Measures a function of a cell's number and runs, where there is one.
+template <class Quantity>
+Measure of_cells(const Quantity& quantity) {
+  return [=](Size size) {
+    std::vector<Measurement> measurements;
+    for (std::size_t k = 0; k < cells(size).size(); ++k) {
+      const double value = quantity(k, cells(size)[k]);
+      if (!std::isnan(value)) measurements.push_back({.x = static_cast<double>(k), .error = value});
+    }
+    return measurements;
+  };
+}
+
+Line of_random_runs(const std::string& key, const std::string& label,
+                    const CouetteProperty& property) {
+  return {.key = key, .label = label, .measure = of_cells([=](std::size_t, const Runs& runs) {
+                                        return estimate(runs, property).mean - property.without;
+                                      })};
+}
+
+Line interval(const std::string& key, const CouetteProperty& property) {
+  return {.key = key + "_interval",
+          .label = "half of its 95 % interval",
+          .measure = of_cells(
+              [=](std::size_t, const Runs& runs) { return estimate(runs, property).interval; })};
+}
+
+/// By how much a further run may differ from the mean of others, 19 times in 20, and its print.
+double range_of_a_run(const Estimate& estimate, std::size_t runs) {
+  return estimate.interval * std::sqrt(static_cast<double>(runs) + 1.0) + printed_unit;
+}
+
+Line off(const std::string& key, const CouetteProperty& property) {
+  return {.key = key + "_off",
+          .label = "from print, over what a run may differ",
+          .measure = of_cells([=](std::size_t cell, const Runs& runs) {
+            if (cell == 0) return none;
+            const Estimate found = estimate(runs, property);
+            return std::abs(found.mean - printed_of(printed_of_cells[cell - 1], property)) /
+                   range_of_a_run(found, runs.size());
+          })};
+}
+
+/// Mean over a cell's runs of what they took.
+template <class Value>
+Line taken(const std::string& key, const std::string& label, Value CouetteSeries::*value) {
+  return {.key = key, .label = label, .measure = of_cells([=](std::size_t, const Runs& runs) {
+                                        double sum = 0.0;
+                                        for (const CouetteSeries& run : runs)
+                                          sum += static_cast<double>(run.*value);
+                                        return sum / static_cast<double>(runs.size());
+                                      })};
+}
+
+Line of_halves(const std::string& key, const std::string& id, const std::string& what,
+               const CouetteProperty& property, const Control& control) {
+  return {.key = key + "_halves",
+          .label = "difference of its halves, over what it may be",
+          .measure = halves(property),
+          .claim = Claim{.id = id,
+                         .statement = "Two halves of random starts of a Couette cell have the "
+                                      "same mean " +
+                                      what + ", to what their 95 % intervals leave open.",
+                         .law = Identity{1.0},
+                         .reason = "independent starts, and Student's intervals of both, added as "
+                                   "independent errors are",
+                         .api = {"stokesbook::estimate_mean"}},
+          .control = control};
+}
+
+}  // namespace
+
+Experiment couette_interval() {
+  return {
+      .key = "couette_interval",
+      .title = "A small Couette cell, 13 ellipses 2:1 at 5 %: means over the second revolution",
+      .x = "random starts n",
+      .error = "in thousandths, or as said",
+      .axes = Axes::nominal,
+      .lines = {
+          {.key = "viscosity", .label = "added viscosity", .measure = small_means(viscosity)},
+          {.key = "viscosity_interval",
+           .label = "half of its 95 % interval",
+           .measure = small_intervals(viscosity)},
+          of_halves("viscosity", "12_49", "viscosity", viscosity,
+                    {"torque over the area of the fluid instead of the cell's, in one half",
+                     halves(viscosity, of_fluid)}),
+          {.key = "order", .label = "order parameter", .measure = small_means(order)},
+          {.key = "order_interval",
+           .label = "half of its 95 % interval",
+           .measure = small_intervals(order)},
+          of_halves("order", "12_50", "order parameter", order,
+                    {"the first eighth of a revolution, in one half", halves(order, of_the_start)}),
+          {.key = "alone",
+           .label = "order parameter of the same, each alone in the local shear",
+           .measure = small_means(alone)}}};
+}
+
+Experiment couette_seeds() {
+  return {.key = "couette_seeds",
+          .title =
+              "Means over the second revolution from random starts, four of each published "
+              "cell and eight of the small one",
+          .x = "cell k: 0 the small one; full size: 1 to 3 of disks, 4 to 6 of 3:1, 7 to 9 of 6:1, "
+               "at 5, 10 and 15 %",
+          .error = "in thousandths, or as said",
+          .axes = Axes::nominal,
+          .lines = {of_random_runs("viscosity", "added viscosity", viscosity),
+                    interval("viscosity", viscosity), off("viscosity", viscosity),
+                    of_random_runs("order", "order parameter", order), interval("order", order),
+                    off("order", order)}};
+}
+
+Experiment couette_unattended() {
+  return {
+      .key = "couette_unattended",
+      .title =
+          "What the same runs took, each in the mean over its cell: two revolutions with "
+          "contact, on one thread, unattended",
+      .x = "cell k",
+      .error = "number, or as said",
+      .axes = Axes::nominal,
+      .lines = {
+          taken("seconds", "seconds", &CouetteSeries::seconds),
+          taken("steps", "steps", &CouetteSeries::steps),
+          taken("gmres", "iterations of GMRES", &CouetteSeries::gmres_iterations),
+          taken("contact", "contact iterations", &CouetteSeries::contact_iterations),
+          {.key = "gap",
+           .label = "least gap of all, in separations (2 and more count as 2)",
+           .measure = of_cells([](std::size_t, const Runs& runs) {
+             return std::ranges::min(runs, {}, &CouetteSeries::least_gap).least_gap;
+           })},
+          {.key = "estimate",
+           .label = "largest error estimate of all, in tolerances",
+           .measure = of_cells([](std::size_t, const Runs& runs) {
+             return std::ranges::max(runs, {}, &CouetteSeries::largest_estimate).largest_estimate;
+           })}}};
+}
+
+Experiment couette_small() {
+  return {
+      .key = "couette_small",
+      .title = "The same cell from each of its starts",
+      .x = "random start k",
+      .error = "mean over the second revolution in thousandths, or as said",
+      .axes = Axes::nominal,
+      .lines = {{.key = "viscosity",
+                 .label = "added viscosity",
+                 .measure = second_revolutions(viscosity)},
+                {.key = "order", .label = "order parameter", .measure = second_revolutions(order)},
+                {.key = "alone",
+                 .label = "order parameter of the same, each alone in the local shear",
+                 .measure = second_revolutions(alone)}}};
+}
+
+Experiment couette_care() {
+  return {
+      .key = "couette_care",
+      .title = "What errors do to these runs",
+      .x = "random start k",
+      .error = "as said",
+      .axes = Axes::nominal,
+      .lines = {
+          {.key = "care",
+           .label = "change of the viscosity by half the tolerance and half the step, over the "
+                    "interval of the mean",
+           .measure = changes(),
+           .claim = Claim{.id = "12_51",
+                          .statement = "Half the tolerance and half the step change a mean "
+                                       "viscosity by less than random starts leave open.",
+                          .law = Identity{1.0},
+                          .reason = "tolerances are of the worst velocity, and means are over "
+                                    "many; starts differ by the distances of bodies",
+                          .api = {"stokesbook::Rheometer"}},
+           .control = Control{"torque over the area of the fluid instead of the cell's",
+                              changes(of_fluid)}},
+          {.key = "lost",
+           .label = "part of the separation that the narrowest gap lacks",
+           .measure = lost(1.0),
+           .claim = Claim{.id = "12_52",
+                          .statement = "From any start, two revolutions of the small Couette cell "
+                                       "keep the separation.",
+                          .law = Identity{1e-3},
+                          .reason = "each step resolves contact with the mobility of all bodies "
+                                    "together",
+                          .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"a separation 1 % wider than what is kept", lost(1.01)}}}};
+}
+
+}  // namespace stokesbook::verification::suspension
