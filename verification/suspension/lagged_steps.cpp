@@ -117,7 +117,7 @@ Experiment lagged_growth() {
       .lines = {{.key = "growth",
                  .label = "48 ellipses in vortices",
                  .measure = growth(Coupling::local),
-                 .claim = Claim{.id = "12_53",
+                 .claim = Claim{.id = "12_52",
                                 .statement = "In a crowd the lagged coupling multiplies its error "
                                              "by the spectral radius of block Jacobi in each step, "
                                              "however short.",

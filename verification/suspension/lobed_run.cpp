@@ -100,7 +100,7 @@ Experiment lobed_run() {
           {.key = "growth",
            .label = "block diagonal: difference from 32 nodes, in parts",
            .measure = growth(Residual::given),
-           .claim = Claim{.id = "12_54",
+           .claim = Claim{.id = "12_53",
                           .statement = "The iterations of a run of lobed bodies do not "
                                        "grow with the nodes, as published.",
                           .law = Identity{0.1},

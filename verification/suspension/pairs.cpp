@@ -210,7 +210,7 @@ Experiment contact_response() {
                 {.key = "automatic_off",
                  .label = "automatic nodes: difference from 1",
                  .measure = response_errors(stokesbook::automatic_nodes, NearSingular::automatic),
-                 .claim = Claim{.id = "12_55",
+                 .claim = Claim{.id = "12_54",
                                 .statement = "Automatic nodes give the response to a force of "
                                              "contact to 1e-6 of itself, down to a twentieth "
                                              "of the spacing of 32 nodes.",
