@@ -9,7 +9,10 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A file that grows by whole records and can be cut back to an earlier length.
+/// A file that grows by records and can be cut back to an earlier length.
+///
+/// A kill in the middle of a record leaves what went into the pages of the file before the next; see
+/// GrowingFile where that matters.
 class AppendFile {
  public:
   /// Makes a new, empty file.
@@ -31,11 +34,15 @@ class AppendFile {
   /// @param  other  left without one
   AppendFile(AppendFile&& other) noexcept;
 
+  /// Takes over an open file in exchange for its own.
+  /// @param  other  left with that, which it closes in the end
+  /// @return        this one
+  AppendFile& operator=(AppendFile&& other) noexcept;
+
   /// Closes the file.
   ~AppendFile();
 
-  /// Appends a record, with one system call if the disk takes it whole, so that a kill leaves whole
-  /// records; of one that goes across a page of the file it may leave the part before.
+  /// Appends a record.
   ///
   /// @param  record  its bytes, with the end of line if it is one
   /// @throws RecordError when not all of it could be written; what was written of it is cut off
@@ -45,6 +52,10 @@ class AppendFile {
   ///
   /// @throws RecordError when the disk does not take it
   void sync();
+
+  /// Tells whether there is a file.
+  /// @return false once another object has taken it over
+  bool is_open() const { return descriptor_ >= 0; }
 
   /// Returns the length.
   /// @return bytes, whole records only

@@ -18,20 +18,30 @@ constexpr const char* partial_extension = ".partial";
 }  // namespace
 
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger) {
-  std::filesystem::path partial = path;
-  partial += partial_extension;
-  std::error_code error;
-  std::filesystem::remove(partial, error);
+  const std::filesystem::path partial = partial_of(path);
+  std::error_code none;
+  std::filesystem::remove(partial, none);
   AppendFile file = AppendFile::create(partial);
   file.append(text);
   if (danger == SafeFrom::power_cut) file.sync();
-  std::filesystem::rename(partial, path, error);
-  if (error) throw RecordError(path, "renaming " + partial.filename().string(), error);
+  rename_file(partial, path);
   if (danger == SafeFrom::power_cut) sync_names(path.parent_path());
 }
 
-bool is_partial(const std::filesystem::path& path) {
-  return path.extension() == partial_extension;
+std::filesystem::path partial_of(const std::filesystem::path& path) {
+  std::filesystem::path partial = path;
+  return partial += partial_extension;
+}
+
+std::filesystem::path without_partial(std::filesystem::path path) {
+  while (path.extension() == partial_extension) path.replace_extension();
+  return path;
+}
+
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw RecordError(to, "renaming " + from.filename().string(), error);
 }
 
 void sync_file(const std::filesystem::path& path) {

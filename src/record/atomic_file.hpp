@@ -25,11 +25,24 @@ enum class SafeFrom {
 /// @throws RecordError when the disk does not take it; the old file then stays
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger);
 
-/// Tells whether a path is that of a file which write_atomically() had not finished.
+/// Names the file that is written before it takes the place of another.
+///
+/// @param  path  of that other
+/// @return       `<path>.partial`
+std::filesystem::path partial_of(const std::filesystem::path& path);
+
+/// Finds the file in whose place another was to come, or to be after a kill.
 ///
 /// @param  path  of any file
-/// @return       true when its name ends in `.partial`
-bool is_partial(const std::filesystem::path& path);
+/// @return       the path without `.partial` at its end, however often that is there
+std::filesystem::path without_partial(std::filesystem::path path);
+
+/// Gives a file another name; at every moment that name is of one of the two, whole.
+///
+/// @param  from  the file
+/// @param  to    its new name, which another may have had
+/// @throws RecordError when that does not work; both files then stay
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Makes a file that was written safe from a power cut.
 ///

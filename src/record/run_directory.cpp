@@ -77,7 +77,7 @@ std::vector<fs::path> file_names(const fs::path& directory) {
 template <class Pick>
 void remove_files(const fs::path& directory, Pick pick) {
   for (const fs::path& name : file_names(directory)) {
-    if (!pick(is_partial(name) ? name.stem().string() : name.string())) continue;
+    if (!pick(without_partial(name).string())) continue;
     std::error_code error;
     fs::remove(directory / name, error);
     if (error) throw RecordError(directory / name, "removing", error);
@@ -106,13 +106,14 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
   if (existing == ExistingRun::refuse) {
     require_no_run(path);
   } else {
+    // First of all, so that after a kill no checkpoint tells of files that are gone.
+    remove_files(path, [](const std::string& name) { return name == checkpoint_name; });
     remove_files(path, belongs_to_run);
   }
   RunDirectory directory(path, std::move(contents));
   for (const auto& [name, header] : headers(directory.contents_)) {
-    // Many pages: a kill may come between any two of them.
     write_atomically(path / name, header, SafeFrom::kill);
-    directory.tables_.emplace(name, AppendFile::reopen(path / name, header.size()));
+    directory.tables_.try_emplace(name, path / name, header.size());
   }
   return directory;
 }
@@ -124,7 +125,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
   }
   RunDirectory directory(path, std::move(contents));
   for (const auto& [name, size] : saved.table_sizes) {
-    directory.tables_.emplace(name, AppendFile::reopen(path / name, size));
+    directory.tables_.try_emplace(name, path / name, size);
   }
   directory.frame_times_ = std::move(saved.frame_times);
   // The collection is cut first, so that it never names a missing file.
@@ -188,7 +189,7 @@ void RunDirectory::write_step(const StepInfo& step) {
 void RunDirectory::save(const Checkpoint& checkpoint) {
   SavedRun saved{fingerprint(contents_.scene), {}, frame_times_, checkpoint};
   for (auto& [name, table] : tables_) {
-    table.sync();
+    table.publish();
     saved.table_sizes[name] = table.size();
   }
   for (const std::string& name : unsynced_) sync_file(path_ / name);

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "record/append_file.hpp"
 #include "record/checkpoint.hpp"
+#include "record/growing_file.hpp"
 #include "record/outline.hpp"
 #include "record/run_data.hpp"
 
@@ -39,12 +39,13 @@ enum class ExistingRun {
 
 struct ResumedRun;
 
-/// The files of one run, written so that a kill at any moment leaves a run that can be resumed.
+/// The files of one run, written so that a kill at any moment leaves files that can be read and a
+/// run that can be resumed.
 ///
-/// Tables and the animation grow by whole lines; all other files are replaced as a whole. save()
-/// brings all of them to the disk, and then replaces the checkpoint, which holds their lengths and
-/// the times of the frames; resume() cuts both back, so that what follows is written as if nothing
-/// had happened.
+/// Tables and the animation grow when save() is called, and when the run is closed; all other files
+/// are replaced as a whole. save() brings all of them to the disk, and then replaces the checkpoint,
+/// which holds their lengths and the times of the frames; resume() cuts both back, so that what
+/// follows is written as if nothing had happened.
 class RunDirectory {
  public:
   /// Makes the directory, if need be, and the files that grow with their headers.
@@ -69,7 +70,7 @@ class RunDirectory {
   ///         missing or shorter than it says
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
-  /// Adds a written time to all files asked for.
+  /// Adds a written time to all files asked for; tables and the animation show it after save().
   ///
   /// @param  frame  the configuration at that time
   /// @throws std::invalid_argument when the frame has other bodies or walls than the contents, a
@@ -78,13 +79,13 @@ class RunDirectory {
   /// @throws RecordError when the disk does not take it; what was written before stays valid
   void write_frame(const Frame& frame);
 
-  /// Adds a row to steps.csv.
+  /// Adds a row to steps.csv, which shows it after save().
   ///
   /// @param  step  what it did
   /// @throws RecordError when the disk does not take it
   void write_step(const StepInfo& step);
 
-  /// Makes all that was written so far, and the checkpoint, permanent.
+  /// Shows all that was written so far, and makes it and the checkpoint permanent.
   ///
   /// @param  checkpoint  what the solver can go on from
   /// @throws std::invalid_argument when a name of the history is not one word
@@ -121,7 +122,7 @@ class RunDirectory {
 
   std::filesystem::path path_;
   RunContents contents_;
-  std::map<std::string, AppendFile> tables_;  ///< by file name
+  std::map<std::string, GrowingFile> tables_;  ///< by file name
   std::vector<double> frame_times_;
   std::set<std::string> unsynced_;  ///< names of files written since the last save()
 };

@@ -5,13 +5,18 @@
 #include <csignal>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "folder.hpp"
+#include "record/atomic_file.hpp"
+#include "record/checkpoint.hpp"
+#include "record/growing_file.hpp"
 #include "record/record_error.hpp"
 #include "sample_run.hpp"
 
@@ -43,6 +48,26 @@ int wait_for(pid_t child) {
   return status;
 }
 
+/// Does work in a process that is killed after some time, unless it is done by then; returns whether
+/// it was not.
+template <class Work>
+bool killed_after(double seconds, Work work) {
+  const pid_t child = start_process(work);
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  ::kill(child, SIGKILL);
+  return WIFSIGNALED(wait_for(child));
+}
+
+/// Returns how long work takes in a folder of its own, seconds.
+template <class Work>
+double seconds_of(Work work) {
+  using clock = std::chrono::steady_clock;
+  const Folder folder(fast_place());
+  const clock::time_point start = clock::now();
+  work(folder.path());
+  return std::chrono::duration<double>(clock::now() - start).count();
+}
+
 int run_sample(const std::filesystem::path& directory) {
   run_or_resume(directory, sample_contents(), last_step);
   return 0;
@@ -70,27 +95,141 @@ void check_files(const Folder& folder) {
   }
 }
 
+const std::string long_record = std::string(300'000, 'x') + '\n';
+
+int write_long_records(const std::filesystem::path& directory) {
+  write_atomically(directory / "a", "head\n", SafeFrom::kill);
+  GrowingFile file(directory / "a", 5);
+  for (int k = 0; k < 20; ++k) {
+    file.append(long_record);
+    if (k % 2 == 0) file.publish();
+  }
+  return 0;
+}
+
+// Rows of a written time fill many pages of trajectory.csv.
+constexpr std::size_t n_crowd = 400;
+constexpr std::size_t steps_a_frame = 3;
+
+RunContents crowd_contents() {
+  RunContents contents = sample_contents();
+  contents.bodies.assign(n_crowd, contents.bodies[0]);
+  contents.walls.clear();
+  contents.vtk = contents.svg = contents.fields = contents.contacts = false;
+  return contents;
+}
+
+int run_crowd(const std::filesystem::path& directory) {
+  RunDirectory run = RunDirectory::create(directory, crowd_contents(), ExistingRun::refuse);
+  for (int k = 0; k < 20; ++k) {
+    Frame frame{.t = k / 7.0, .bodies = {}, .walls = {}};
+    frame.bodies.assign(n_crowd, sample_frame(k).bodies[0]);
+    for (std::size_t j = 0; j < steps_a_frame; ++j) run.write_step({.t = frame.t});
+    run.write_frame(frame);
+    run.save({.t = frame.t, .step = k, .state = {}, .history = {}});
+  }
+  return 0;
+}
+
+/// Counts the rows of a table, which has to be whole.
+std::size_t rows_of(const std::filesystem::path& path) {
+  const std::string text = read(path);
+  BOOST_TEST(text.back() == '\n', path);
+  std::size_t rows = 0;
+  std::ptrdiff_t columns = 0;
+  for (std::size_t at = 0; at < text.size(); ++rows) {
+    const std::size_t end = std::min(text.find('\n', at), text.size() - 1);
+    const std::ptrdiff_t commas = std::count(&text[at], &text[end], ',');
+    if (at == 0) columns = commas;
+    if (commas != columns) BOOST_TEST(commas == columns, path << ", row " << rows);
+    at = end + 1;
+  }
+  return rows - 1;
+}
+
+/// Counts the frames of an animation, which have to be whole.
+std::size_t frames_of(const std::filesystem::path& path) {
+  const std::string text = read(path);
+  const std::string begin = "<script type=\"application/json\" class=\"frame\">";
+  const std::string end = "</script>\n";
+  BOOST_TEST(text.ends_with(end), path);
+  std::size_t frames = 0;
+  for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos; ++frames) {
+    at += begin.size();
+    const auto frame = nlohmann::json::parse(text.substr(at, text.find(end, at) - at));
+    BOOST_TEST(frame.at(1).size() == n_crowd);
+  }
+  return frames;
+}
+
+/// Checks that files hold all that was saved, and not more than a written interval beyond; returns
+/// how many frames were saved.
+std::size_t check_crowd(const Folder& folder) {
+  const bool begun = std::filesystem::exists(folder.at("checkpoint"));
+  const std::size_t saved = begun ? read_saved_run(folder.at("checkpoint")).frame_times.size() : 0;
+  const auto check = [&](const std::string& name, auto count, std::size_t a_frame) {
+    if (!begun && !std::filesystem::exists(folder.at(name))) return;
+    const std::size_t found = count(folder.at(name));
+    BOOST_TEST(found % a_frame == 0u, name);
+    BOOST_TEST((found / a_frame == saved || found / a_frame == saved + 1),
+               name << " has " << found / a_frame << " frames, " << saved << " are saved");
+  };
+  check("trajectory.csv", rows_of, n_crowd);
+  check("rheology.csv", rows_of, 1);
+  check("steps.csv", rows_of, steps_a_frame);
+  check("animation.html", frames_of, 1);
+  // What the run had got to when it was killed; rows that nobody sees.
+  const std::string written = read(folder.at("trajectory.csv.partial"));
+  BOOST_TEST(std::ranges::count(written, '\n') <= 1 + static_cast<long>((saved + 1) * n_crowd));
+  return saved;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(interruptions)
 
+/// A kill splits a write that goes across pages of the file. Nobody sees it.
+BOOST_AUTO_TEST_CASE(records_of_many_pages) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> moment(0.0, seconds_of(write_long_records));
+  int split = 0;
+  for (int trial = 0; trial < 50 || (split == 0 && trial < 1000); ++trial) {
+    const Folder folder(fast_place());
+    killed_after(moment(generator), [&] { return write_long_records(folder.path()); });
+    if (!std::filesystem::exists(folder.at("a"))) continue;
+    const std::string text = read(folder.at("a"));
+    BOOST_TEST((text.size() - 5) % long_record.size() == 0u);
+    BOOST_TEST(std::ranges::count(text, '\n') == 1 + std::ssize(text) / std::ssize(long_record));
+    const std::size_t unseen = read(folder.at("a.partial")).size();
+    if (unseen > 5 && (unseen - 5) % long_record.size() != 0) ++split;
+  }
+  BOOST_TEST(split > 0);  // else no kill came at a moment that matters
+}
+
+/// What a reader finds, and how far back the checkpoint is, where a frame has many pages.
+BOOST_AUTO_TEST_CASE(frames_of_many_pages) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> moment(0.0, seconds_of(run_crowd));
+  int under_way = 0;
+  for (int trial = 0; trial < 50 || (under_way <= 10 && trial < 1000); ++trial) {
+    const Folder folder(fast_place());
+    const bool killed = killed_after(moment(generator), [&] { return run_crowd(folder.path()); });
+    if (check_crowd(folder) > 0 && killed) ++under_way;
+  }
+  BOOST_TEST(under_way > 10);
+}
+
 BOOST_AUTO_TEST_CASE(killed_at_random_moments) {
-  using clock = std::chrono::steady_clock;
   const std::map<std::string, std::string> expected = uninterrupted_run();
-  const clock::time_point start = clock::now();
   BOOST_TEST((uninterrupted_run() == expected));
   std::mt19937 generator(1);
-  std::uniform_real_distribution<double> moment(
-      0.0, std::chrono::duration<double>(clock::now() - start).count());
+  std::uniform_real_distribution<double> moment(0.0, seconds_of(run_sample));
   int killed = 0;
   int resumed = 0;
   // Fifty times, and more where a busy machine makes most moments too early or too late.
   for (int trial = 0; trial < 50 || (std::min(killed, resumed) <= 10 && trial < 1000); ++trial) {
     const Folder folder(fast_place());
-    const pid_t child = start_process([&] { return run_sample(folder.path()); });
-    std::this_thread::sleep_for(std::chrono::duration<double>(moment(generator)));
-    ::kill(child, SIGKILL);
-    if (WIFSIGNALED(wait_for(child))) ++killed;
+    if (killed_after(moment(generator), [&] { return run_sample(folder.path()); })) ++killed;
     check_files(folder);
     if (run_or_resume(folder.path(), sample_contents(), last_step)) ++resumed;
     BOOST_TEST((read_all(folder.path()) == expected), "trial " << trial);
@@ -121,7 +260,7 @@ BOOST_AUTO_TEST_CASE(disk_full) {
   const int status = wait_for(child);
   BOOST_TEST((WIFEXITED(status) && WEXITSTATUS(status) == 3));
   BOOST_TEST(read(folder.at("message")) ==
-             folder.at("trajectory.csv").string() + ": writing failed: File too large");
+             folder.at("trajectory.csv.partial").string() + ": writing failed: File too large");
   const std::string rows = read(folder.at("trajectory.csv"));
   BOOST_TEST(rows.back() == '\n');
   BOOST_TEST(expected.at("trajectory.csv").starts_with(rows));

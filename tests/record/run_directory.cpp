@@ -108,13 +108,29 @@ BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
       {"fields_1.vti", "7"}, {"fields_old.svg", "8"}, {"fields_000001.vtp", "9"},
       {"contacts.vtp", "10"}};
   for (const auto& [name, text] : foreign) write(folder.at(name), text);
-  write(folder.at("checkpoint.partial"), "left by a kill");
+  for (const std::string name : {"checkpoint", "trajectory.csv", "trajectory.csv.partial"}) {
+    write(folder.at(name + ".partial"), "left by a kill");
+  }
   RunContents contents = sample_contents();
   contents.csv = contents.html = false;
   RunDirectory::create(folder.path(), contents, ExistingRun::overwrite);
   std::map<std::string, std::string> rest = read_all(folder.path());
   BOOST_TEST(rest.erase("steps.csv") == 1u);
   BOOST_TEST((rest == foreign));
+}
+
+/// Files that cannot be removed stand for a kill before they were.
+BOOST_AUTO_TEST_CASE(overwriting_begins_with_the_checkpoint) {
+  const Folder folder;
+  write(folder.at("checkpoint"), "of files that go");
+  for (const std::string name : {"animation.html", "bodies.pvd", "contacts.csv", "fields.pvd",
+                                 "rheology.csv", "steps.csv", "trajectory.csv", "walls.csv"}) {
+    std::filesystem::create_directories(folder.at(name) / "in the way");
+  }
+  BOOST_CHECK_EXCEPTION(
+      RunDirectory::create(folder.path(), sample_contents(), ExistingRun::overwrite), RecordError,
+      mentions(folder.path().string(), "removing"));
+  BOOST_TEST(!std::filesystem::exists(folder.at("checkpoint")));
 }
 
 BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
@@ -155,13 +171,15 @@ BOOST_AUTO_TEST_CASE(contacts_are_cut_back_too) {
     RunDirectory run = create(folder);
     run.write_frame(sample_frame(1));
     run.save({});
+    BOOST_TEST(rows() == 1);
     run.write_frame(sample_frame(2));
-    BOOST_TEST(rows() == 3);
   }
+  BOOST_TEST(rows() == 3);
   RunDirectory run = RunDirectory::resume(folder.path(), sample_contents()).directory;
   BOOST_TEST(rows() == 1);
   BOOST_TEST(!std::filesystem::exists(folder.at("contacts_000001.vtp")));
   run.write_frame(sample_frame(2));
+  run.save({});
   BOOST_TEST(rows() == 3);
   BOOST_TEST(std::filesystem::exists(folder.at("contacts_000001.vtp")));
 }

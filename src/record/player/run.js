@@ -10,7 +10,7 @@ function parsed(block) {
   try {
     return JSON.parse(block.textContent);
   } catch {
-    return null;  // the last one, while the run is writing it or when it was killed
+    return null;  // the last one, of a page that was not copied to its end
   }
 }
 
