@@ -11,6 +11,7 @@
 
 #include "cli/build_info.hpp"
 #include "cli/progress.hpp"
+#include "record/atomic_file.hpp"
 #include "record/number_text.hpp"
 #include "record/record_error.hpp"
 #include "record/run_directory.hpp"
@@ -46,6 +47,15 @@ ComplexVector smooth_outline(const ComplexVector& nodes) {
   return resample(nodes, nodes.size() * ((least + nodes.size() - 1) / nodes.size()));
 }
 
+std::string fingerprint_of_program() {
+  const BuildInfo build = build_info();
+  std::string text;
+  for (const std::string_view part : {build.version, build.git_hash, build.compiler, build.flags}) {
+    text += std::string(part) + '\n';
+  }
+  return fingerprint(text);
+}
+
 RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
   const auto asks_for = [&](OutputFormat format) {
     const auto& formats = scene.output.formats;
@@ -60,7 +70,8 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        asks_for(OutputFormat::svg),
                        asks_for(OutputFormat::html),
                        scene.output.fields.has_value(),
-                       scene.contact.has_value()};
+                       scene.contact.has_value(),
+                       fingerprint_of_program()};
   for (std::size_t k = 0; k < solver.references().size(); ++k) {
     const Curve& curve = solver.references()[k]->curve;
     auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
@@ -93,18 +104,35 @@ OpenedRun open_directory(const std::filesystem::path& out, const RunContents& co
   const bool has_checkpoint = std::filesystem::exists(out / "checkpoint");
   if (options.resume && has_checkpoint) {
     ResumedRun resumed = RunDirectory::resume(out, contents);
+    if (!resumed.by_this_program) {
+      std::fprintf(
+          stderr,
+          "stokes: %s was written by another build of this program: the numbers of one run "
+          "may differ in their last digits\n",
+          (out / "checkpoint").c_str());
+    }
     return {std::move(resumed.directory), std::move(resumed.checkpoint)};
   }
   std::error_code ignored;
-  if (!has_checkpoint && std::filesystem::equivalent(options.scene, out / "scene.toml", ignored)) {
+  if (!has_checkpoint && std::filesystem::equivalent(options.scene, out / "scene.toml", ignored) &&
+      read_text(options.scene) != contents.scene) {
     throw RecordError(
         out / "scene.toml",
         "is the scene itself, which the resolved scene would replace; give another --out");
   }
-  const bool replace = options.resume || options.overwrite;
-  return {
-      RunDirectory::create(out, contents, replace ? ExistingRun::overwrite : ExistingRun::refuse),
-      {}};
+  const ExistingRun existing = options.overwrite ? ExistingRun::overwrite
+                               : options.resume  ? ExistingRun::restart
+                                                 : ExistingRun::refuse;
+  return {RunDirectory::create(out, contents, existing), {}};
+}
+
+void go_on_from(const Checkpoint& checkpoint, Simulation& simulation,
+                const std::filesystem::path& out) {
+  try {
+    simulation.resume(checkpoint);
+  } catch (const std::out_of_range&) {
+    throw RecordError(out / "checkpoint", "lacks what this version goes on from");
+  }
 }
 
 // Largest resident set so far, in bytes; getrusage() counts in units of 1024.
@@ -192,7 +220,7 @@ int run_scene(const RunOptions& options) {
                                    progress.step(step);
                                  },
                                  [&](const Checkpoint& reached) { directory.save(reached); }});
-  if (checkpoint) simulation.resume(*checkpoint);
+  if (checkpoint) go_on_from(*checkpoint, simulation, out);
 
   RunInfo info = run_info(plan);
   info.has_contact = scene.contact.has_value();

@@ -13,7 +13,8 @@ namespace stokesbook {
 
 namespace {
 
-const std::string magic = "stokesbook checkpoint 2\n";
+// The number rises with every change of what a checkpoint holds, its history included.
+const std::string magic = "stokesbook checkpoint 3\n";
 
 std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';
@@ -97,6 +98,8 @@ SavedRun parse(std::string_view text) {
   SavedRun saved;
   reader.expect("scene");
   saved.scene = reader.word();
+  reader.expect("program");
+  saved.program = reader.word();
   reader.expect("t");
   saved.checkpoint.t = reader.number();
   reader.expect("step");
@@ -140,7 +143,7 @@ std::string fingerprint(std::string_view text) {
 std::string to_text(const SavedRun& saved) {
   const Checkpoint& checkpoint = saved.checkpoint;
   check_history_names(checkpoint);
-  std::string text = magic + "scene " + saved.scene + "\nt ";
+  std::string text = magic + "scene " + saved.scene + "\nprogram " + saved.program + "\nt ";
   append_number_line(text, checkpoint.t);
   text += "step " + std::to_string(checkpoint.step) + '\n';
   text += "tables " + std::to_string(saved.table_sizes.size()) + '\n';

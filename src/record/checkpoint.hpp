@@ -27,6 +27,7 @@ struct Checkpoint {
 /// A checkpoint, and what the run directory held at that moment.
 struct SavedRun {
   std::string scene;                                  ///< fingerprint of the scene
+  std::string program;                                ///< fingerprint of the program that saved it
   std::map<std::string, std::uintmax_t> table_sizes;  ///< bytes, by file name
   std::vector<double> frame_times;                    ///< one a written frame
   Checkpoint checkpoint;                              ///< what the solver goes on from

@@ -29,11 +29,12 @@ constexpr const char* steps_name = "steps.csv";
 constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
+constexpr const char* scene_name = "scene.toml";
 constexpr std::array frame_files{body_files, contact_files, field_files};
 
-/// Returns how the files that grow begin, by name.
+/// Returns how the files that grow begin, by name; but for steps.csv, which every run has.
 std::map<std::string, std::string> headers(const RunContents& contents) {
-  std::map<std::string, std::string> result{{steps_name, std::string(steps_header)}};
+  std::map<std::string, std::string> result;
   if (contents.csv) result[trajectory_name] = trajectory_header;
   if (contents.csv) result[rheology_name] = rheology_header;
   if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
@@ -85,45 +86,63 @@ void remove_files(const fs::path& directory, Pick pick) {
 }
 
 /// Refuses a directory with a file that the run would replace.
-void require_no_run(const fs::path& directory) {
+void require_no_run(const fs::path& directory, const std::string& ways_out) {
   const std::vector<fs::path> names = file_names(directory);
-  const auto found = std::ranges::find_if(names, belongs_to_run);
+  const auto found = std::ranges::find_if(
+      names, [](const std::string& name) { return belongs_to_run(name) || name == scene_name; });
   if (found == names.end()) return;
-  throw RecordError(directory, "holds a run already (" + found->string() +
-                                   "): give --resume, --overwrite or another directory");
+  throw RecordError(directory, "holds a run already (" + found->string() + "): give " + ways_out +
+                                   " or another directory");
+}
+
+/// Removes the files of a run. A kill leaves no checkpoint that tells of files that are gone, and
+/// steps.csv, by which it is known as a run, as long as there are others.
+void remove_run(const fs::path& directory) {
+  const auto is = [](const char* other) {
+    return [=](const std::string& name) { return name == other; };
+  };
+  remove_files(directory, is(checkpoint_name));
+  remove_files(directory,
+               [](const std::string& name) { return belongs_to_run(name) && name != steps_name; });
+  remove_files(directory, is(steps_name));
 }
 
 }  // namespace
 
-RunDirectory::RunDirectory(const fs::path& path, RunContents contents)
-    : path_(path), contents_(std::move(contents)) {}
+RunDirectory::RunDirectory(FolderLock lock, const fs::path& path, RunContents contents)
+    : lock_(std::move(lock)), path_(path), contents_(std::move(contents)) {}
 
 RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
                                   ExistingRun existing) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw RecordError(path, "making the directory", error);
+  FolderLock lock(path);
   if (existing == ExistingRun::refuse) {
-    require_no_run(path);
+    require_no_run(path, "--resume, --overwrite");
+  } else if (existing == ExistingRun::restart && !fs::exists(path / steps_name, error)) {
+    require_no_run(path, "--overwrite");
   } else {
-    // First of all, so that after a kill no checkpoint tells of files that are gone.
-    remove_files(path, [](const std::string& name) { return name == checkpoint_name; });
-    remove_files(path, belongs_to_run);
+    remove_run(path);
   }
-  RunDirectory directory(path, std::move(contents));
-  for (const auto& [name, header] : headers(directory.contents_)) {
-    write_atomically(path / name, header, SafeFrom::kill);
-    directory.tables_.try_emplace(name, path / name, header.size());
-  }
+  RunDirectory directory(std::move(lock), path, std::move(contents));
+  directory.begin(steps_name, steps_header);
+  for (const auto& [name, header] : headers(directory.contents_)) directory.begin(name, header);
   return directory;
 }
 
+void RunDirectory::begin(const std::string& name, std::string_view head) {
+  write_atomically(path_ / name, head, SafeFrom::kill);
+  tables_.try_emplace(name, path_ / name, head.size());
+}
+
 ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
+  FolderLock lock(path);
   SavedRun saved = read_saved_run(path / checkpoint_name);
   if (saved.scene != fingerprint(contents.scene)) {
     throw RecordError(path / checkpoint_name, "was written by a run of another scene");
   }
-  RunDirectory directory(path, std::move(contents));
+  RunDirectory directory(std::move(lock), path, std::move(contents));
   for (const auto& [name, size] : saved.table_sizes) {
     directory.tables_.try_emplace(name, path / name, size);
   }
@@ -134,7 +153,8 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
     const std::optional<std::size_t> frame = frame_of(name);
     return frame && *frame >= directory.frame_count();
   });
-  return {std::move(directory), std::move(saved.checkpoint)};
+  const bool by_this_program = saved.program == directory.contents_.program;
+  return {std::move(directory), std::move(saved.checkpoint), by_this_program};
 }
 
 void RunDirectory::write_frame(const Frame& frame) {
@@ -187,7 +207,7 @@ void RunDirectory::write_step(const StepInfo& step) {
 }
 
 void RunDirectory::save(const Checkpoint& checkpoint) {
-  SavedRun saved{fingerprint(contents_.scene), {}, frame_times_, checkpoint};
+  SavedRun saved{fingerprint(contents_.scene), contents_.program, {}, frame_times_, checkpoint};
   for (auto& [name, table] : tables_) {
     table.publish();
     saved.table_sizes[name] = table.size();

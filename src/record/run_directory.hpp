@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "record/checkpoint.hpp"
+#include "record/folder_lock.hpp"
 #include "record/growing_file.hpp"
 #include "record/outline.hpp"
 #include "record/run_data.hpp"
@@ -29,11 +30,13 @@ struct RunContents {
   bool html = false;      ///< animation.html
   bool fields = false;    ///< fields.pvd and one .vti a frame
   bool contacts = false;  ///< with csv contacts.csv, and with vtk contacts.pvd and one .vtp a frame
+  std::string program{};  ///< fingerprint of the program that writes
 };
 
 /// What happens to a run that a directory holds already.
 enum class ExistingRun {
   refuse,    ///< it stays, and create() throws
+  restart,   ///< its files are removed if it has begun steps.csv, which every run begins with
   overwrite  ///< its files are removed
 };
 
@@ -45,19 +48,19 @@ struct ResumedRun;
 /// Tables and the animation grow when save() is called, and when the run is closed; all other files
 /// are replaced as a whole. save() brings all of them to the disk, and then replaces the checkpoint,
 /// which holds their lengths and the times of the frames; resume() cuts both back, so that what
-/// follows is written as if nothing had happened.
+/// follows is written as if nothing had happened. One object at a time writes a directory.
 class RunDirectory {
  public:
   /// Makes the directory, if need be, and the files that grow with their headers.
   ///
-  /// Overwriting removes the files that a run writes and no others. An old scene.toml stays until
-  /// write_text() replaces it: the new run may have been started from it.
+  /// Files are removed that a run writes and no others. An old scene.toml stays until write_text()
+  /// replaces it: the new run may have been started from it.
   /// @param  path      of the directory
   /// @param  contents  what the run is about
   /// @param  existing  what to do with a run that is there already
   /// @return           the directory, without frames and steps
-  /// @throws RecordError when the directory cannot be written, or holds files of a run that are not
-  ///         to be overwritten
+  /// @throws RecordError when the directory cannot be written, is being written by another run, or
+  ///         holds files with the names of a run's that are not to be removed
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
@@ -66,8 +69,8 @@ class RunDirectory {
   /// @param  path      of the directory
   /// @param  contents  as create() had them
   /// @return           the directory and the checkpoint to go on from
-  /// @throws RecordError when there is no whole checkpoint, it is of another scene, or a table is
-  ///         missing or shorter than it says
+  /// @throws RecordError when there is no whole checkpoint, it is of another scene, a table is
+  ///         missing or shorter than it says, or another run writes the directory
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
   /// Adds a written time to all files asked for; tables and the animation show it after save().
@@ -106,7 +109,10 @@ class RunDirectory {
   std::size_t frame_count() const { return frame_times_.size(); }
 
  private:
-  RunDirectory(const std::filesystem::path& path, RunContents contents);
+  RunDirectory(FolderLock lock, const std::filesystem::path& path, RunContents contents);
+
+  /// Begins a file that grows.
+  void begin(const std::string& name, std::string_view head);
 
   /// Adds rows to a table, if this run has it.
   void append(const std::string& table, std::string_view rows);
@@ -120,6 +126,7 @@ class RunDirectory {
   /// Replaces a file of a frame, safe from a power cut after the next save() only.
   void replace(const std::string& name, std::string_view text);
 
+  FolderLock lock_;
   std::filesystem::path path_;
   RunContents contents_;
   std::map<std::string, GrowingFile> tables_;  ///< by file name
@@ -129,8 +136,9 @@ class RunDirectory {
 
 /// A run opened at its last checkpoint.
 struct ResumedRun {
-  RunDirectory directory;  ///< cut back to the checkpoint
-  Checkpoint checkpoint;   ///< what the solver goes on from
+  RunDirectory directory;       ///< cut back to the checkpoint
+  Checkpoint checkpoint;        ///< what the solver goes on from
+  bool by_this_program = true;  ///< whether the program that saved it is that of the contents
 };
 
 /// @}

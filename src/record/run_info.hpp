@@ -10,7 +10,8 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// What a run has cost.
+/// What a run has cost. Counts and seconds of a resumed run, but for its steps, are those of its last
+/// start; all else is of the whole run.
 struct RunTotals {
   long long steps = 0;                    ///< of time
   long long rejected_steps = 0;           ///< tries that were longer than the step that was taken
@@ -45,8 +46,8 @@ struct RunInfo {
   bool has_contact = false;       ///< whether contact is resolved: its totals are written then
   RunTotals totals;               ///< what it has cost
   RunResolution resolution;       ///< how well it was resolved
-  double wall_seconds = 0.0;      ///< how long it took
-  long long peak_memory = 0;      ///< largest resident set, bytes
+  double wall_seconds = 0.0;      ///< how long it took since the last start
+  long long peak_memory = 0;      ///< largest resident set since the last start, bytes
   int exit_status = 0;            ///< of the program
   std::string message;            ///< how the run ended, for people
 };

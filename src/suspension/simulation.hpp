@@ -63,6 +63,7 @@ class Simulation {
   /// Goes on from a checkpoint: the run continues bit for bit as if it had not stopped.
   ///
   /// @param  checkpoint  of a run of the same scene
+  /// @throws std::out_of_range when it lacks what a run goes on from
   void resume(const Checkpoint& checkpoint);
 
   /// Runs to the end.
@@ -84,11 +85,11 @@ class Simulation {
   double time() const { return now_.t; }
 
   /// Returns what the run has cost.
-  /// @return counts since this simulation was made; steps since the start of the run
+  /// @return counts of work since this simulation was made; all else since the start of the run
   const RunTotals& totals() const { return totals_; }
 
   /// Returns how finely the run was resolved, and how well.
-  /// @return of this simulation's solves
+  /// @return of all solves since the start of the run
   const RunResolution& resolution() const { return resolution_; }
 
  private:

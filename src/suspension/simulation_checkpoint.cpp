@@ -26,11 +26,30 @@ std::vector<VectorXd> kept(const History& history, const std::string& name) {
   }
 }
 
+VectorXd to_numbers(const std::vector<int>& counts) {
+  return VectorXd::NullaryExpr(std::ssize(counts), [&](Eigen::Index k) {
+    return static_cast<double>(counts[static_cast<std::size_t>(k)]);
+  });
+}
+
+std::vector<int> to_counts(const VectorXd& numbers) {
+  std::vector<int> counts;
+  for (const double number : numbers) counts.push_back(static_cast<int>(number));
+  return counts;
+}
+
 }  // namespace
 
 void Simulation::resume(const Checkpoint& checkpoint) {
   now_ = {checkpoint.t, checkpoint.state, {}};
   totals_.steps = checkpoint.step;
+  const VectorXd& contact = checkpoint.history.at("contact_totals");
+  totals_.largest_force_imbalance = contact[0];
+  totals_.largest_torque_imbalance = contact[1];
+  totals_.energy_injected = contact[2];
+  resolution_ = {to_counts(checkpoint.history.at("first_nodes")),
+                 to_counts(checkpoint.history.at("most_nodes")),
+                 checkpoint.history.at("largest_estimate")[0]};
   memory_ = to_memory(checkpoint.history);
   written_ = checkpoint.history.at("written")[0];
   const std::size_t components = to_configuration(now_.state).size();
@@ -53,8 +72,14 @@ void Simulation::resume(const Checkpoint& checkpoint) {
 }
 
 // The step under way is taken again after a resume: what it computes is the same to the last bit.
+// Counts of work are left out, since that of this step would count twice.
 Checkpoint Simulation::checkpoint() const {
   Checkpoint checkpoint{now_.t, totals_.steps, now_.state, to_history(memory_)};
+  checkpoint.history["contact_totals"] = VectorXd{
+      {totals_.largest_force_imbalance, totals_.largest_torque_imbalance, totals_.energy_injected}};
+  checkpoint.history["first_nodes"] = to_numbers(resolution_.first_nodes);
+  checkpoint.history["most_nodes"] = to_numbers(resolution_.most_nodes);
+  checkpoint.history["largest_estimate"] = VectorXd::Constant(1, resolution_.error_estimate);
   checkpoint.history["written"] = VectorXd::Constant(1, written_);
   checkpoint.history["estimate"] =
       VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};

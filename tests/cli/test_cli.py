@@ -343,6 +343,60 @@ class Records(Program):
         self.run_scene("--out", "killed", "--set", "time.t_final=0.2", "--resume")
         self.assertEqual(self.files("whole"), self.files("killed"))
 
+    def test_files_of_the_user_stay(self):
+        """Under names that a run gives its own, whether it is new or resumed."""
+        for names, flags in ((["scene.toml"], []), (["scene.toml"], ["--resume"]),
+                             (["walls.csv", "animation.html"], ["--resume"])):
+            with self.subTest(names=names, flags=flags):
+                folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+                for name in names:
+                    (folder / name).write_text("mine")
+                refused = self.run_scene("--out", folder, *flags, code=3)
+                self.assertIn("--overwrite", refused.stderr)
+                self.assertEqual(self.files(folder), {name: b"mine" for name in names})
+
+    def test_a_run_of_its_own_scene_is_begun_anew(self):
+        """As after a kill before its first checkpoint."""
+        self.run_scene("--out", "a", "--set", "time.t_final=0.2")
+        whole = self.files("a")
+        for flag in ("--resume", "--overwrite"):
+            (self.folder / "a/checkpoint").unlink()
+            result = stokes("run", "a/scene.toml", "--out", "a", flag, cwd=self.folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(self.files("a"), whole)
+
+    def test_one_process_at_a_time_writes_a_folder(self):
+        process = subprocess.Popen(
+            [PROGRAM, "run", self.scene(), "--out", "a", "--set", "time.t_final=1000"],
+            cwd=self.folder, stdout=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        while not (self.folder / "a/checkpoint").exists():
+            time.sleep(0.001)
+        for flag in ("--resume", "--overwrite"):
+            refused = self.run_scene("--out", "a", "--set", "time.t_final=1000", flag, code=3)
+            self.assertIn("is being written by another run", refused.stderr)
+        self.assertIsNone(process.poll())
+
+    def test_checkpoints_of_other_programs(self):
+        """With what this one goes on from, and without."""
+        def rewritten(text, pattern, replacement):
+            body, count = re.subn(pattern, replacement, text[:text.rindex("checksum")])
+            self.assertEqual(count, 1)
+            checksum = 0xcbf29ce484222325
+            for byte in body.encode():
+                checksum = (checksum ^ byte) * 0x100000001b3 % 2**64
+            return f"{body}checksum {checksum:016x}\n"
+        self.run_scene("--out", "a")
+        path = self.folder / "a/checkpoint"
+        text = path.read_text()
+        path.write_text(rewritten(text, r"\nprogram \w+\n", "\nprogram 0123456789abcdef\n"))
+        self.assertIn("another build", self.run_scene("--out", "a", "--resume").stderr)
+        path.write_text(rewritten(text, r"\nestimate 2\n", "\nguess 2\n"))
+        refused = self.run_scene("--out", "a", "--resume", code=3)
+        self.assertEqual(refused.stderr,
+                         "stokes: a/checkpoint: lacks what this version goes on from\n")
+
     def test_the_scene_is_not_written_over(self):
         self.scene(name="scene.toml")
         result = stokes("run", "scene.toml", "--out", ".", cwd=self.folder)

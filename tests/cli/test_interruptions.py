@@ -18,6 +18,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 import numpy
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 PROGRAM, SCENES, KILLS = sys.argv[1], pathlib.Path(sys.argv[2]), int(sys.argv[3])
 
@@ -27,8 +28,31 @@ RUN = [SCENES / "settling.toml", "--set", "time.t_final=2.0", "--set", "output.d
        "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 30 }"]
 
 
-def start(folder, *arguments, **options):
-    return subprocess.Popen([PROGRAM, "run", *map(str, RUN), "--out", folder, "--quiet", *arguments],
+# Many bodies, so that a written time has several pages of trajectory.csv, and little to compute.
+CROWD = """
+[flow]
+kind = "shear"
+rate = 1.0
+[solver]
+tolerance = 0.1
+summation = "direct"
+[time]
+t_final = 0.1
+dt = 0.005
+method = "euler"
+[output]
+dt_write = 0.01
+formats = ["csv", "vtk", "html"]
+""" + "".join(f"""
+[[bodies]]
+shape = {{ kind = "circle", radius = 0.2 }}
+position = [{k % 10}.0, {k // 10}.0]
+n_nodes = 8
+""" for k in range(80))
+
+
+def start(folder, *arguments, run=RUN, **options):
+    return subprocess.Popen([PROGRAM, "run", *map(str, run), "--out", folder, "--quiet", *arguments],
                             stderr=subprocess.PIPE, text=True, **options)
 
 
@@ -50,10 +74,43 @@ def without_wall_times(path):
     return text
 
 
+def without_cost(information):
+    """What run.json says, but for work since the last start: what is of the whole run."""
+    whole_run = ("steps", "largest_force_imbalance", "largest_torque_imbalance", "energy_injected")
+    totals = {name: information["totals"].get(name) for name in whole_run}
+    return {**information, "totals": totals, "wall_seconds": None, "peak_memory": None}
+
+
 def contents(folder):
-    """All files of a run but run.json, whose totals are those of the last start."""
-    return {path.name: without_wall_times(path)
-            for path in folder.iterdir() if path.name != "run.json"}
+    """All files of a run, as they are without an interruption too."""
+    files = {path.name: without_wall_times(path)
+             for path in folder.iterdir() if path.name != "run.json"}
+    return {**files, "run.json": without_cost(json.loads((folder / "run.json").read_text()))}
+
+
+def rows_of(path):
+    """What NumPy reads, a row a line: a table that is damaged raises."""
+    return numpy.atleast_1d(numpy.genfromtxt(path, names=True, delimiter=",", dtype=None,
+                                             encoding="ascii"))
+
+
+def vtk_reads(reader, path):
+    """Whether VTK does so without a word."""
+    complaints = []
+    for event in ("ErrorEvent", "WarningEvent"):
+        reader.AddObserver(event, lambda *_: complaints.append(path))
+    reader.SetFileName(str(path))
+    reader.Update()
+    return not complaints and reader.GetOutput().GetNumberOfPoints() > 0
+
+
+def checkpoint_of(folder):
+    """Time, and number of written times; none of both without a checkpoint."""
+    if not (folder / "checkpoint").exists():
+        return -numpy.inf, 0
+    text = (folder / "checkpoint").read_text()
+    return (float.fromhex(re.search(r"\nt (\S+)\n", text)[1]),
+            int(re.search(r"\nframes (\d+)\n", text)[1]))
 
 
 class Interruptions(unittest.TestCase):
@@ -68,42 +125,65 @@ class Interruptions(unittest.TestCase):
         assert finish(start(cls.folder / "whole")) == (0, "")
         cls.seconds = time.monotonic() - begin
         cls.whole = contents(cls.folder / "whole")
-        steps = numpy.genfromtxt(cls.folder / "whole/steps.csv", names=True, delimiter=",")
+        steps = rows_of(cls.folder / "whole/steps.csv")
         assert steps["contacts"].max() > 0, "a run without contact"
 
     def check_readable(self, folder):
         """What a reader relies on at any moment."""
         for path in folder.iterdir():
             with self.subTest(file=path.name):
-                if path.suffix == ".csv" and path.stat().st_size > 0:
-                    names, *rows = path.read_text().splitlines(keepends=True)
-                    for row in rows:
-                        self.assertEqual(row.count(","), names.count(","))
-                        self.assertTrue(row.endswith("\n"))
-                elif path.suffix in (".vtp", ".vti", ".svg"):
+                if path.suffix == ".csv":
+                    self.assertTrue(path.read_bytes().endswith(b"\n"))
+                    if path.read_bytes().count(b"\n") > 1:
+                        rows_of(path)
+                elif path.suffix in (".vtp", ".vti"):
+                    reader = {".vtp": vtkXMLPolyDataReader, ".vti": vtkXMLImageDataReader}[path.suffix]
+                    if not path.name.startswith("contacts"):  # of which there may be none
+                        self.assertTrue(vtk_reads(reader(), path))
+                elif path.suffix == ".svg":
                     xml.parse(path)
                 elif path.suffix == ".pvd":
                     for entry in xml.parse(path).iter("DataSet"):
                         self.assertTrue((folder / entry.get("file")).exists())
-                elif path.suffix == ".html" and path.stat().st_size > 0:
-                    self.assertTrue(path.read_text().endswith("</script>\n"))
+                elif path.suffix == ".html":
+                    text = path.read_text()
+                    self.assertTrue(text.endswith("</script>\n"))
+                    for block in re.findall(r'class="(?:run|frame)">(.*)</script>\n', text):
+                        json.loads(block)
                 elif path.suffix == ".json":
                     json.loads(path.read_text())
 
-    def check_resumes(self, folder, whole, *arguments):
-        self.assertEqual(finish(start(folder, "--resume", *arguments)), (0, ""))
+    def check_loss(self, folder, bodies, dt_write):
+        """The checkpoint is no further back than a written interval, and tables are at it."""
+        t, frames = checkpoint_of(folder)
+        for name, rows_a_frame in (("trajectory.csv", bodies), ("rheology.csv", 1)):
+            if not (folder / name).exists():
+                continue
+            rows = (folder / name).read_bytes().count(b"\n") - 1
+            self.assertIn(rows, (frames * rows_a_frame, (frames + 1) * rows_a_frame), name)
+        if (folder / "steps.csv").exists():
+            # Rows that are not shown yet tell how far the run was.
+            for path in folder.glob("steps.csv*"):
+                *rows, _ = path.read_text().split("\n")
+                reached = [float(row.split(",")[0]) for row in rows[1:]]
+                self.assertLessEqual(max(reached, default=-numpy.inf), t + dt_write * (1 + 1e-12))
+
+    def check_resumes(self, folder, whole, *arguments, run=RUN):
+        self.assertEqual(finish(start(folder, "--resume", *arguments, run=run)), (0, ""))
         resumed = contents(folder)
         self.assertEqual(sorted(resumed), sorted(whole))
         for name, text in whole.items():
             self.assertTrue(resumed[name] == text, f"{name} differs")
 
-    def test_killed_at_random_moments(self):
+    def check_kills(self, run, whole, seconds, dt_write):
+        """Kills a run that takes so many seconds at random moments, and resumes it."""
+        bodies = len(numpy.unique(rows_of(whole / "trajectory.csv")["body"]))
         moments = random.Random(1)
         killed = at_work = 0
         while killed < KILLS:
-            folder = self.folder / f"killed{killed}"
-            process = start(folder)
-            time.sleep(moments.uniform(0.0, self.seconds))
+            folder = self.folder / f"{whole.name}_killed{killed}"
+            process = start(folder, run=run)
+            time.sleep(moments.uniform(0.0, seconds))
             process.send_signal(signal.SIGKILL)
             code, _ = finish(process)
             if code == 0:  # too late
@@ -114,8 +194,21 @@ class Interruptions(unittest.TestCase):
             with self.subTest(kill=killed):
                 if folder.exists():
                     self.check_readable(folder)
-                self.check_resumes(folder, self.whole)
+                    self.check_loss(folder, bodies, dt_write)
+                self.check_resumes(folder, contents(whole), run=run)
         self.assertGreater(at_work, KILLS // 4)  # else most kills came before the first step
+
+    def test_killed_at_random_moments(self):
+        self.check_kills(RUN, self.folder / "whole", self.seconds, dt_write=0.2)
+
+    def test_killed_with_many_bodies(self):
+        (self.folder / "crowd.toml").write_text(CROWD)
+        run, whole = [self.folder / "crowd.toml"], self.folder / "crowd"
+        begin = time.monotonic()
+        self.assertEqual(finish(start(whole, run=run)), (0, ""))
+        seconds = time.monotonic() - begin
+        self.assertGreater((whole / "trajectory.csv").stat().st_size / 11, 2 * 4096)
+        self.check_kills(run, whole, seconds, dt_write=0.01)
 
     def test_a_full_disk(self):
         """A limit on the size of files stands for a disk that takes a part of a file only.

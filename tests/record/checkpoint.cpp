@@ -21,6 +21,7 @@ SavedRun sample() {
   state << 0.1, -1.0 / 3.0, limits::min(), limits::denorm_min(), limits::max(), -0.0,
       limits::infinity(), 1.0 + limits::epsilon();
   return {fingerprint("scene"),
+          fingerprint("program"),
           {{"trajectory.csv", 123456789012}, {"steps.csv", 0}},
           {0.0, 0.1, 0.2},
           {0.3, 42, state, {{"previous_dt", Eigen::VectorXd::Constant(1, 0.1)}, {"empty", {}}}}};
@@ -41,6 +42,7 @@ BOOST_AUTO_TEST_CASE(exact_round_trip) {
   write(folder.at("checkpoint"), to_text(written));
   const SavedRun read = read_saved_run(folder.at("checkpoint"));
   BOOST_TEST(read.scene == written.scene);
+  BOOST_TEST(read.program == written.program);
   BOOST_TEST((read.table_sizes == written.table_sizes));
   BOOST_TEST(read.frame_times == written.frame_times);
   BOOST_TEST(read.checkpoint.t == written.checkpoint.t);
@@ -90,7 +92,7 @@ BOOST_AUTO_TEST_CASE(messages_name_file_and_reason) {
 
 BOOST_AUTO_TEST_CASE(unknown_contents_are_refused) {
   const Folder folder;
-  const std::string body = "stokesbook checkpoint 2\nscene 0\nt x\n";
+  const std::string body = "stokesbook checkpoint 3\nscene 0\nprogram 0\nt x\n";
   write(folder.at("checkpoint"), body + "checksum " + fingerprint(body) + '\n');
   BOOST_CHECK_EXCEPTION(
       read_saved_run(folder.at("checkpoint")), RecordError, [](const RecordError& error) {

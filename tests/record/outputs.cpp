@@ -34,6 +34,7 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                     .contact_power = -k / 7.0,
                     .energy_injected = 1e-4 / 3.0});
   }
+  run.save({});
   run.write_text("run.json",
                  to_json({.version = "0.1.0",
                           .git_hash = "abc",

@@ -89,9 +89,9 @@ BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
 }
 
 BOOST_AUTO_TEST_CASE(a_run_is_not_overwritten_unasked) {
-  for (const std::string name :
-       {"checkpoint", "run.json", "trajectory.csv", "steps.csv", "animation.html",
-        "bodies_000003.vtp", "fields.pvd", "configuration.svg", "fields_pressure.svg"}) {
+  for (const std::string name : {"checkpoint", "run.json", "trajectory.csv", "steps.csv",
+                                 "animation.html", "bodies_000003.vtp", "fields.pvd",
+                                 "configuration.svg", "fields_pressure.svg", "scene.toml"}) {
     const Folder folder;
     write(folder.at(name), "precious");
     BOOST_CHECK_EXCEPTION(create(folder), RecordError, mentions("holds a run already", name));
@@ -119,18 +119,68 @@ BOOST_AUTO_TEST_CASE(overwriting_spares_foreign_files) {
   BOOST_TEST((rest == foreign));
 }
 
+BOOST_AUTO_TEST_CASE(a_restart_takes_the_place_of_a_run_only) {
+  const Folder folder;
+  const auto restart = [&] {
+    RunDirectory::create(folder.path(), sample_contents(), ExistingRun::restart);
+  };
+  const std::map<std::string, std::string> mine{{"animation.html", "mine"}, {"walls.csv", "mine"}};
+  for (const auto& [name, text] : mine) write(folder.at(name), text);
+  BOOST_CHECK_EXCEPTION(restart(), RecordError, mentions("holds a run already", "--overwrite"));
+  BOOST_TEST((read_all(folder.path()) == mine));
+  write(folder.at("steps.csv"), "of a run that was killed");
+  restart();
+  BOOST_TEST(read(folder.at("walls.csv")) != "mine");
+  const Folder empty;
+  RunDirectory::create(empty.at("a"), sample_contents(), ExistingRun::restart);
+  BOOST_TEST(std::filesystem::exists(empty.at("a") / "steps.csv"));
+}
+
+BOOST_AUTO_TEST_CASE(one_run_at_a_time_writes_a_directory) {
+  const Folder folder;
+  const auto refused = mentions(folder.path().string(), "is being written by another run");
+  {
+    RunDirectory run = create(folder);
+    run.save({});
+    const std::map<std::string, std::string> files = read_all(folder.path());
+    for (const ExistingRun existing :
+         {ExistingRun::refuse, ExistingRun::restart, ExistingRun::overwrite}) {
+      BOOST_CHECK_EXCEPTION(RunDirectory::create(folder.path(), sample_contents(), existing),
+                            RecordError, refused);
+    }
+    BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), sample_contents()), RecordError,
+                          refused);
+    BOOST_TEST((read_all(folder.path()) == files));
+  }
+  const ResumedRun resumed = RunDirectory::resume(folder.path(), sample_contents());
+  BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), sample_contents()), RecordError,
+                        refused);
+}
+
+BOOST_AUTO_TEST_CASE(another_program_is_noticed) {
+  const Folder folder;
+  RunContents contents = sample_contents();
+  contents.program = "first";
+  create(folder, contents).save({});
+  BOOST_TEST(RunDirectory::resume(folder.path(), contents).by_this_program);
+  contents.program = "second";
+  BOOST_TEST(!RunDirectory::resume(folder.path(), contents).by_this_program);
+}
+
 /// Files that cannot be removed stand for a kill before they were.
-BOOST_AUTO_TEST_CASE(overwriting_begins_with_the_checkpoint) {
+BOOST_AUTO_TEST_CASE(removing_a_run_begins_with_the_checkpoint_and_ends_with_the_steps) {
   const Folder folder;
   write(folder.at("checkpoint"), "of files that go");
+  write(folder.at("steps.csv"), "of a run");
   for (const std::string name : {"animation.html", "bodies.pvd", "contacts.csv", "fields.pvd",
-                                 "rheology.csv", "steps.csv", "trajectory.csv", "walls.csv"}) {
+                                 "rheology.csv", "run.json", "trajectory.csv", "walls.csv"}) {
     std::filesystem::create_directories(folder.at(name) / "in the way");
   }
   BOOST_CHECK_EXCEPTION(
       RunDirectory::create(folder.path(), sample_contents(), ExistingRun::overwrite), RecordError,
       mentions(folder.path().string(), "removing"));
   BOOST_TEST(!std::filesystem::exists(folder.at("checkpoint")));
+  BOOST_TEST(std::filesystem::exists(folder.at("steps.csv")));
 }
 
 BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <boost/test/unit_test.hpp>
 
@@ -47,6 +48,7 @@ bool same(const StepInfo& a, const StepInfo& b) {
 struct Recorded {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
+  RunResolution resolution;
 };
 
 // Runs to the end, from a checkpoint if there is one, and collects those of the run.
@@ -62,6 +64,7 @@ Recorded record(const SuspensionSolver& solver, const std::optional<Checkpoint>&
   Simulation simulation(solver, observer);
   if (from) simulation.resume(*from);
   simulation.run();
+  recorded.resolution = simulation.resolution();
   return recorded;
 }
 
@@ -141,6 +144,47 @@ BOOST_AUTO_TEST_CASE(a_reversed_run_comes_back) {
   }
 }
 
+// A change of either list asks for a new number of the format, in record/checkpoint.cpp.
+BOOST_AUTO_TEST_CASE(the_number_of_the_format_stands_for_what_a_checkpoint_holds) {
+  const auto names_of = [](const Scene& scene) {
+    const SuspensionSolver solver(scene);
+    std::vector<Checkpoint> checkpoints;
+    record(solver, {}, &checkpoints);
+    std::set<std::string> names;  // of lists, without the numbers of their entries
+    for (const auto& [name, values] : checkpoints.back().history) {
+      names.insert(name.substr(0, name.find_last_not_of("_0123456789") + 1));
+    }
+    std::string text;
+    for (const std::string& name : names) text += name + ' ';
+    return text;
+  };
+  BOOST_TEST(to_text({}).starts_with("stokesbook checkpoint 3\n"));
+  Scene scene = sheared_pair();
+  BOOST_TEST(names_of(scene) ==
+             "contact_flows contact_loads contact_tolerances contact_totals contact_velocity "
+             "density error estimate first_nodes largest_estimate most_nodes nodes_in_contact "
+             "previous_dt previous_rate steps_in_contact written ");
+  scene.contact = ContactSettings{.minimum_separation = 0.01};
+  scene.time->method = SteppingMethod::heun;
+  scene.time->tolerance = 1e-2;
+  BOOST_TEST(names_of(scene) ==
+             "closer contact_flows contact_loads contact_tolerances contact_totals "
+             "contact_velocity density dt error estimate first_nodes largest_estimate most_nodes "
+             "nodes_in_contact steps_in_contact written ");
+}
+
+BOOST_AUTO_TEST_CASE(a_checkpoint_that_lacks_something_is_refused) {
+  const SuspensionSolver solver(sheared_pair());
+  std::vector<Checkpoint> checkpoints;
+  record(solver, {}, &checkpoints);
+  for (const char* name : {"contact_tolerances", "estimate", "most_nodes", "written"}) {
+    Checkpoint checkpoint = checkpoints[1];
+    BOOST_TEST(checkpoint.history.erase(name) == 1u);
+    Simulation simulation(solver, {});
+    BOOST_CHECK_THROW(simulation.resume(checkpoint), std::out_of_range);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_run_resumed_at_any_frame_continues_bit_for_bit) {
   for (const SteppingMethod method : methods) {
     Scene scene = sheared_pair(method);
@@ -158,6 +202,9 @@ BOOST_AUTO_TEST_CASE(a_run_resumed_at_any_frame_continues_bit_for_bit) {
           BOOST_TEST(same(rest.frames[i].bodies[k], whole.frames[i + first].bodies[k]));
         }
       }
+      BOOST_TEST(rest.resolution.first_nodes == whole.resolution.first_nodes);
+      BOOST_TEST(rest.resolution.most_nodes == whole.resolution.most_nodes);
+      BOOST_TEST(rest.resolution.error_estimate == whole.resolution.error_estimate);
       const std::size_t skipped = whole.steps.size() - rest.steps.size();
       for (std::size_t i = 0; i < rest.steps.size(); ++i) {
         BOOST_TEST(same(rest.steps[i], whole.steps[i + skipped]));
