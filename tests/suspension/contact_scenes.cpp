@@ -1,54 +1,18 @@
-// Scenes that are hard on contact: deep overlaps ahead, slots, oblique slides, moving walls, and
-// what must be refused.
+// Scenes that are hard on contact: nodes that do not do, films that are nearly flat, contact that
+// lasts.
 
 #include <boost/test/unit_test.hpp>
 
-#include "lcp/fischer_newton.hpp"
-#include "lcp/lemke.hpp"
+#include "contact_setup.hpp"
 #include "support/exact_gaps.hpp"
-#include "support/recorded_run.hpp"
-#include "suspension/load_response.hpp"
-#include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double pi = std::numbers::pi;
-
-Body turned(const Shape& shape, Complex position, double orientation) {
-  Body body = body_at(shape, position, automatic_nodes);
-  body.orientation = orientation;
-  return body;
-}
-
-Body held(const Shape& shape, Complex position, double orientation = 0.0) {
-  Body body = turned(shape, position, orientation);
-  body.held = true;
-  return body;
-}
-
-Body pushed(const Shape& shape, Complex position, Complex force) {
-  Body body = body_at(shape, position, automatic_nodes);
-  body.force = force;
-  return body;
-}
-
-// Loads and held bodies in an unbounded fluid, to contact's needs.
-Scene loaded(const std::vector<Body>& bodies, double separation) {
-  Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
-  scene.gauge_length = 100.0;
-  scene.solver.tolerance = 1e-3;
-  return scene;
-}
-
-Wall container(double radius) {
-  return {.role = WallRole::outer, .shape = Circle{radius}};
-}
 
 // Bodies in a container that turns once in 2 pi.
 Scene in_turning_container(double radius, const std::vector<Body>& bodies, double separation) {
@@ -86,136 +50,16 @@ BOOST_AUTO_TEST_CASE(gaps_by_formulas_are_known_ones) {
   BOOST_TEST(exact_gap(ellipse, {Circle{0.5}, {2.0, 0.0}}) == 0.5, near);
   BOOST_TEST(exact_gap(ellipse, {Star{0.5, 0.2, 3}, {2.0, 0.0}, pi}) == 0.4, near);
   BOOST_TEST(exact_gap(ellipse, disk) == exact_gap(disk, ellipse), near);
+  const PlacedShape block{Superellipse{2.0, 0.5, 8}, {1.0, 0.0}, pi / 2};
+  BOOST_TEST(exact_gap(block, {Circle{0.4}, {0.0, 0.1}}) == 0.1,
+             boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(exact_gap(block, {Circle{0.4}, {0.0, 0.0}}) == 0.1, near);
+  BOOST_TEST(exact_gap(block, {Circle{0.4}, {1.0, 2.5}}) == 0.1, near);
   BOOST_TEST(exact_gap({Circle{3.0}, {}, 0.0, true}, disk) == 2.5 - std::sqrt(5.0), near);
   // Across one another, one within the other, and outside of what encloses.
   BOOST_TEST(exact_gap({Circle{2.0}}, disk) < 1e-12);
   BOOST_TEST(exact_gap({Circle{4.0}}, disk) == std::sqrt(5.0) - 3.5, near);
   BOOST_TEST(exact_gap({Circle{1.0}, {}, 0.0, true}, disk) == 1.5 - std::sqrt(5.0), near);
-}
-
-// The free end of the step lies in the middle of a held body, where the nearest way out is any.
-BOOST_AUTO_TEST_CASE(a_step_that_would_end_deep_within_a_body) {
-  for (const double angle : {0.0, 0.4, pi / 2}) {
-    Scene scene = loaded({pushed(Circle{0.3}, {0.1, 2.0}, {0.0, -100.0}),
-                          held(Ellipse{1.5, 0.8}, {0.0, 0.0}, angle)},
-                         0.05);
-    const SuspensionSolver solver(scene);
-    const double speed = -solver.solve(solver.initial_configuration()).motions[0].velocity.imag();
-    const double dt = 2.0 / speed;
-    scene = over(scene, dt, dt);
-    const RecordedRun run = recorded_run(scene);
-    const double gap = least_gap(scene, run);
-    BOOST_TEST(gap >= 0.05 * (1 - 1e-3));
-    BOOST_TEST(gap <= 0.05 * (1 + 4e-3));
-    BOOST_TEST(run.frames.back().bodies[0].position.imag() > 0.0);
-  }
-}
-
-// A disk is pressed into the slit of two held ones, for four hundred steps.
-BOOST_AUTO_TEST_CASE(a_pinched_disk_stays_where_it_is) {
-  Scene scene = loaded({pushed(Circle{0.8}, {0.01, 1.6}, {0.0, -200.0}),
-                        held(Circle{1.0}, {-1.2, 0.0}), held(Circle{1.0}, {1.2, 0.0})},
-                       0.09);
-  scene.output.dt_write = 1.0;
-  const RecordedRun run = recorded_run(over(scene, 40.0, 0.1));
-  BOOST_REQUIRE(run.steps.size() == 400);
-  for (std::size_t k = 5; k < run.frames.size(); ++k) {
-    BOOST_REQUIRE(run.frames[k].contacts.size() == 2);
-    for (const ContactForce& contact : run.frames[k].contacts) {
-      BOOST_TEST(contact.gap >= 0.09 * (1 - 1e-3));
-      BOOST_TEST(contact.gap <= 0.09 * (1 + 4e-3));
-    }
-    BOOST_TEST(std::abs(run.frames[k].bodies[0].position - run.frames[5].bodies[0].position) <
-               1e-3 * 0.09);
-  }
-}
-
-// Between two flat sides, as far away as contact keeps them: 1.002 separations.
-BOOST_AUTO_TEST_CASE(a_disk_moves_along_a_slot_that_fits) {
-  const double separation = 0.1, side = 0.5 + 1.002 * separation + 0.4;
-  Scene scene = loaded(
-      {pushed(Circle{0.4}, {-0.5, 0.0}, {50.0, 0.0}), held(Superellipse{2.0, 0.5, 8}, {0.0, side}),
-       held(Superellipse{2.0, 0.5, 8}, {0.0, -side})},
-      separation);
-  const auto end = [&](const Scene& with_or_without) {
-    return recorded_run(over(with_or_without, 1.0, 0.05)).frames.back().bodies[0].position;
-  };
-  Scene free = scene;
-  free.contact.reset();
-  const Complex passed = end(scene);
-  BOOST_TEST(passed.real() > 0.5);
-  BOOST_TEST(std::abs(passed.imag()) < 3e-3 * separation);
-  BOOST_TEST(std::abs(passed - end(free)) < 3e-3 * separation);
-}
-
-BOOST_AUTO_TEST_CASE(an_ellipse_slides_along_another_one) {
-  Body ellipse = pushed(Ellipse{0.5, 0.25}, {-1.5, 0.95}, {30.0, -60.0});
-  ellipse.orientation = 0.6;
-  const Scene scene = over(loaded({ellipse, held(Ellipse{3.0, 0.5}, {0.0, 0.0})}, 0.05), 6.0, 0.1);
-  const RecordedRun run = recorded_run(scene);
-  BOOST_TEST(least_gap(scene, run) >= 0.05 * (1 - 1e-3));
-  BOOST_TEST(run.frames.back().bodies[0].position.real() > -1.0);
-  int touching = 0;
-  for (const Frame& frame : run.frames) {
-    if (frame.contacts.size() != 1) continue;
-    ++touching;
-    // What the body passes on to the fluid is its load and the force of contact.
-    const double added = std::abs(frame.bodies[0].force - ellipse.force);
-    BOOST_TEST(added == frame.contacts[0].force, boost::test_tools::tolerance(1e-9));
-  }
-  BOOST_TEST(touching > 20);
-}
-
-// A disk is pressed on a wall that moves against it, is pushed back, rolls aside, and is let go.
-BOOST_AUTO_TEST_CASE(a_moving_wall_pushes_a_disk) {
-  Scene scene = in_contact(QuiescentFlow{}, {pushed(Circle{0.4}, {-0.6, 0.02}, {40.0, 0.0})}, 0.05);
-  scene.solver.tolerance = 1e-3;
-  scene.walls = {container(3.0), {.role = WallRole::inner, .shape = Circle{0.5}}};
-  scene.walls[1].position = {0.5, 0.0};
-  scene.walls[1].motion = TranslatingWall{{-0.5, 0.0}};
-  scene = over(scene, 2.0, 0.05);
-  const RecordedRun run = recorded_run(scene);
-  BOOST_TEST(least_gap(scene, run) >= 0.05 * (1 - 1e-3));
-  for (std::size_t k = 4; k <= 24; ++k) {
-    const Frame& frame = run.frames[k];
-    BOOST_REQUIRE(frame.contacts.size() == 1);
-    BOOST_TEST(frame.contacts[0].b.is_wall);
-    BOOST_TEST(frame.contacts[0].b.number == 1);
-    BOOST_TEST(frame.contacts[0].gap <= 0.05 * (1 + 4e-3));
-    // Both ends of the straight path are the separation away: |apart + dt faster| = |apart|.
-    const Complex apart = frame.bodies[0].position - frame.walls[1].position;
-    const Complex faster = frame.bodies[0].velocity + 0.5;
-    const double radial = (faster * std::conj(apart)).real();
-    BOOST_TEST(std::abs(radial + 0.5 * 0.05 * std::norm(faster)) < 3e-3);
-  }
-  BOOST_TEST(run.frames.back().contacts.empty());
-}
-
-BOOST_AUTO_TEST_CASE(starts_with_one_within_the_other_are_refused) {
-  Scene scene = over(in_contact(ShearFlow{1.0},
-                                {body_at(Circle{0.5}, {3.0, 0.0}, automatic_nodes),
-                                 body_at(Circle{1.0}, {0.0, 0.0}, automatic_nodes),
-                                 body_at(Ellipse{0.2, 0.1}, {0.1, 0.2}, automatic_nodes)},
-                                0.05),
-                     0.1, 0.1);
-  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused,
-                        mentions({"overlap", "body 1 and body 2"}));
-  scene.contact->allow_close = true;
-  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused,
-                        mentions({"overlap", "body 1 and body 2"}));
-}
-
-BOOST_AUTO_TEST_CASE(starts_outside_of_the_container_are_refused) {
-  for (const double x : {1.8, 5.0}) {
-    Scene scene = over(in_contact(QuiescentFlow{},
-                                  {body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes),
-                                   body_at(Circle{0.5}, {x, 0.0}, automatic_nodes)},
-                                  0.05),
-                       0.1, 0.1);
-    scene.walls = {container(2.0)};
-    BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused,
-                          mentions({"overlap", "body 1 and wall 0"}));
-  }
 }
 
 // Nodes that do not resolve the gap would answer a force with an attraction:
@@ -233,67 +77,6 @@ BOOST_AUTO_TEST_CASE(too_few_nodes_stop_the_run) {
     BOOST_CHECK_EXCEPTION(
         recorded_run(scene), NumericsRefused,
         mentions({"body 0 and body 1", "too close for the plain trapezoid rule"}));
-  }
-}
-
-// Nineteen disks in a hexagon are pressed towards its middle: 42 contacts, more than the 38 ways in
-// which their centres can move. Forces need not be unique, motions are.
-BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
-  const double pitch = 2.1;
-  std::vector<Body> bodies;
-  for (int i = -2; i <= 2; ++i) {
-    for (int j = -2; j <= 2; ++j) {
-      if (std::abs(i + j) > 2) continue;
-      const Complex position = pitch * Complex(i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j);
-      bodies.push_back(pushed(Circle{1.0}, position, -500.0 * position));
-    }
-  }
-  const Scene scene = over(loaded(bodies, 0.1), 0.1, 0.1);
-  const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
-  const Solution free = solver.solve(start);
-  std::vector<Eigen::Triplet<double>> entries;
-  Index m = 0;
-  for (std::size_t a = 0; a < bodies.size(); ++a) {
-    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-      const Complex apart = bodies[a].position - bodies[b].position;
-      if (std::abs(apart) > 1.1 * pitch) continue;
-      const Complex normal = apart / std::abs(apart);
-      for (const auto& [body, sign] : {std::pair{a, 1.0}, std::pair{b, -1.0}}) {
-        const auto first = static_cast<int>(3 * body), row = static_cast<int>(m);
-        entries.emplace_back(first, row, sign * normal.real());
-        entries.emplace_back(first + 1, row, sign * normal.imag());
-      }
-      ++m;
-    }
-  }
-  BOOST_REQUIRE(m == 42);
-  Eigen::SparseMatrix<double> forces(static_cast<Index>(3 * bodies.size()), m);
-  forces.setFromTriplets(entries.begin(), entries.end());
-  AnsweredLoads none;
-  none.tolerance = 0.0;
-  LoadResponse respond(solver, start, free, none);
-  const MatrixXd response = respond(forces);
-  const MatrixXd unsymmetric = forces.transpose() * response;
-  const VectorXd free_velocity = to_rate(free);
-  const LcpProblem problem{0.5 * (unsymmetric + unsymmetric.transpose()),
-                           forces.transpose() * free_velocity};
-  // Of 42 forces 7 are not unique: there the matrix is singular, and Newton's method linear.
-  const LcpResult by_pivots = lemke(problem),
-                  by_newton = fischer_newton(problem, {.tolerance = 1e-9});
-  BOOST_REQUIRE((by_pivots.status == LcpStatus::solved));
-  BOOST_REQUIRE((by_newton.status == LcpStatus::solved));
-  const VectorXd pivots = free_velocity + response * by_pivots.z,
-                 newton = free_velocity + response * by_newton.z;
-  const double scale = free_velocity.cwiseAbs().maxCoeff();
-  BOOST_TEST((pivots - newton).cwiseAbs().maxCoeff() < 1e-6 * scale);
-  // The run finds the same: no disk moves towards another one.
-  const RecordedRun run = recorded_run(scene);
-  BOOST_TEST(least_gap(scene, run) >= 0.1 * (1 - 1e-3));
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const auto first = static_cast<Index>(3 * k);
-    const Complex velocity = run.frames[0].bodies[k].velocity;
-    BOOST_TEST(std::abs(velocity - Complex(pivots[first], pivots[first + 1])) < 0.02 * scale);
   }
 }
 

@@ -28,17 +28,34 @@ Jet jet(const Ellipse& ellipse, double t) {
   return {x, {-ellipse.a * std::sin(t), ellipse.b * std::cos(t)}, -x};
 }
 
-Jet jet(const Star& star, double t) {
-  const double k = star.arms, wave = star.radius * star.amplitude;
-  const double r = star.radius + wave * std::cos(k * t), dr = -k * wave * std::sin(k * t),
-               ddr = -k * k * wave * std::cos(k * t);
+Jet polar(double t, double r, double dr, double ddr) {
   const Complex e = std::polar(1.0, t), i(0.0, 1.0);
   return {r * e, (dr + i * r) * e, (ddr - r + 2.0 * i * dr) * e};
 }
 
+Jet jet(const Star& star, double t) {
+  const double k = star.arms, wave = star.radius * star.amplitude;
+  return polar(t, star.radius + wave * std::cos(k * t), -k * wave * std::sin(k * t),
+               -k * k * wave * std::cos(k * t));
+}
+
+// In polar coordinates r = g^{-1/p} with g = c^p + s^p.
+Jet jet(const Superellipse& shape, double t) {
+  const int p = shape.power;
+  const double c = std::cos(t) / shape.a, dc = -std::sin(t) / shape.a, s = std::sin(t) / shape.b,
+               ds = std::cos(t) / shape.b;
+  const double g = std::pow(c, p) + std::pow(s, p),
+               dg = p * (std::pow(c, p - 1) * dc + std::pow(s, p - 1) * ds),
+               ddg = p *
+                     ((p - 1) * (std::pow(c, p - 2) * dc * dc + std::pow(s, p - 2) * ds * ds) - g);
+  const double r = std::pow(g, -1.0 / p), slope = -dg / (p * g),
+               bend = slope * slope - (ddg * g - dg * dg) / (p * g * g);
+  return polar(t, r, r * slope, r * bend);
+}
+
 template <class Other>
 Jet jet(const Other&, double) {
-  throw std::invalid_argument("exact_gap: only circles, ellipses and stars");
+  throw std::invalid_argument("exact_gap: only circles, ellipses, stars and superellipses");
 }
 
 Jet at(const PlacedShape& placed, double t) {

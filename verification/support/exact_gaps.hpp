@@ -7,7 +7,7 @@ namespace stokesbook::test {
 
 /// A curve in the plane by its formula.
 struct PlacedShape {
-  Shape shape;  ///< a circle, an ellipse or a star
+  Shape shape;  ///< a circle, an ellipse, a star or a superellipse
   Complex position{};
   double orientation = 0.0;
   bool encloses = false;  ///< the fluid, and all other curves

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "crowds.hpp"
-#include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
+#include "support/contact_balance.hpp"
 #include "support/exact_gaps.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
@@ -30,34 +30,6 @@ struct Tally {
   double seconds = 0.0, seconds_of_contact = 0.0;
 };
 
-/// Net force and torque of what contact adds to the loads of bodies, and of the reactions that the
-/// list of contacts gives walls, over the largest contact force and its distance.
-///
-/// @param  left_out  a body that is not counted, a planted defect; the number of bodies for none
-double imbalance(const Scene& scene, const Frame& frame, std::size_t left_out) {
-  if (frame.contacts.empty()) return 0.0;
-  Complex net{};
-  double torque = 0.0, largest = 0.0, farthest = 0.0;
-  const auto count = [&](Complex point, Complex force) {
-    net += force;
-    torque += cross(point, force);
-  };
-  for (const ContactForce& contact : frame.contacts) {
-    largest = std::max(largest, contact.force);
-    farthest = std::max(farthest, std::abs(contact.point));
-    const Complex force = contact.force * contact.normal;
-    if (contact.a.is_wall) count(contact.point, force);
-    if (contact.b.is_wall) count(contact.point, -force);
-  }
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    if (k == left_out) continue;
-    const BodyState& body = frame.bodies[k];
-    count(body.position, body.force - scene.bodies[k].force);
-    torque += body.torque - scene.bodies[k].torque;
-  }
-  return std::max(std::abs(net) / largest, std::abs(torque) / (largest * farthest));
-}
-
 void add(Tally& tally, const Scene& scene, double separation) {
   const auto start = std::chrono::steady_clock::now();
   const RecordedRun run = recorded_run(scene, Refusals::recorded);
@@ -80,9 +52,9 @@ void add(Tally& tally, const Scene& scene, double separation) {
   const double gap = least_exact_gap(scene, run.frames, 4.0 * separation);
   tally.narrowest = std::min(tally.narrowest, gap / separation);
   for (const Frame& frame : run.frames) {
-    tally.unbalanced = std::max(tally.unbalanced, imbalance(scene, frame, scene.bodies.size()));
+    tally.unbalanced = std::max(tally.unbalanced, contact_imbalance(scene, frame));
     if (frame.contacts.empty()) continue;
-    const double but_one = imbalance(scene, frame, frame.contacts[0].a.number);
+    const double but_one = contact_imbalance(scene, frame, frame.contacts[0].a.number);
     tally.unbalanced_but_one = std::max(tally.unbalanced_but_one, but_one);
   }
 }

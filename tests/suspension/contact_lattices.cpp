@@ -1,0 +1,136 @@
+// Many contacts at once, more than bodies have ways to move: forces need not be unique, motions
+// are.
+
+#include <boost/test/unit_test.hpp>
+
+#include "contact_checks.hpp"
+#include "contact_setup.hpp"
+#include "lcp/fischer_newton.hpp"
+#include "lcp/lemke.hpp"
+#include "suspension/load_response.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+using Forces = Eigen::SparseMatrix<double>;
+
+// Unit forces between neighbours of a lattice of disks, a column each; none where both are held.
+Forces forces_between(const std::vector<Body>& bodies, double pitch) {
+  std::vector<Eigen::Triplet<double>> entries;
+  int m = 0;
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+      const Complex apart = bodies[a].position - bodies[b].position;
+      if (std::abs(apart) > 1.1 * pitch || (bodies[a].held && bodies[b].held)) continue;
+      const Complex normal = apart / std::abs(apart);
+      for (const auto& [body, sign] : {std::pair{a, 1.0}, std::pair{b, -1.0}}) {
+        const auto first = static_cast<int>(3 * body);
+        entries.emplace_back(first, m, sign * normal.real());
+        entries.emplace_back(first + 1, m, sign * normal.imag());
+      }
+      ++m;
+    }
+  }
+  Forces forces(static_cast<Index>(3 * bodies.size()), m);
+  forces.setFromTriplets(entries.begin(), entries.end());
+  return forces;
+}
+
+// Disks of a lattice whose loads press on each other, in one long step: two solvers of the linear
+// problem of all contacts find the same motions, one of them from forces that are all too large,
+// and the run finds them too, but for what is not linear in a step.
+void check_unique_motions(const Scene& scene, double pitch, Index contacts, double not_linear) {
+  const std::vector<Body>& bodies = scene.bodies;
+  const double room = pitch - 2.0 - scene.contact->minimum_separation;
+  const SuspensionSolver solver(scene);
+  const Configuration start = solver.initial_configuration();
+  const Solution free = solver.solve(start);
+  const Forces forces = forces_between(bodies, pitch);
+  BOOST_REQUIRE(forces.cols() == contacts);
+  AnsweredLoads none;
+  none.tolerance = 0.0;
+  LoadResponse respond(solver, start, free, none);
+  const MatrixXd response = respond(forces);
+  const MatrixXd unsymmetric = forces.transpose() * response;
+  const VectorXd free_velocity = to_rate(free);
+  const LcpProblem problem{0.5 * (unsymmetric + unsymmetric.transpose()),
+                           (forces.transpose() * free_velocity).array() + room / *scene.time->dt};
+  // Where forces are not unique the matrix is singular, and Newton's method linear.
+  const LcpResult by_pivots = lemke(problem),
+                  by_newton = fischer_newton(
+                      problem, {.tolerance = 1e-9,
+                                .guess = VectorXd::Constant(contacts, by_pivots.z.maxCoeff())});
+  BOOST_REQUIRE((by_pivots.status == LcpStatus::solved));
+  BOOST_REQUIRE((by_newton.status == LcpStatus::solved));
+  const VectorXd pivots = free_velocity + response * by_pivots.z,
+                 newton = free_velocity + response * by_newton.z;
+  const double scale = free_velocity.cwiseAbs().maxCoeff();
+  BOOST_TEST((pivots - newton).cwiseAbs().maxCoeff() < 1e-6 * scale);
+  const RecordedRun run = recorded_run(scene);
+  check_contact(scene, run);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex velocity = run.frames[0].bodies[k].velocity;
+    BOOST_TEST(std::abs(velocity - Complex(pivots[first], pivots[first + 1])) < not_linear * scale);
+  }
+}
+
+std::vector<Complex> hexagon(int rings, double pitch) {
+  std::vector<Complex> positions;
+  for (int i = -rings; i <= rings; ++i) {
+    for (int j = -rings; j <= rings; ++j) {
+      if (std::abs(i + j) > rings) continue;
+      positions.push_back(pitch * Complex(i + 0.5 * j, 0.5 * std::numbers::sqrt3 * j));
+    }
+  }
+  return positions;
+}
+
+}  // namespace
+
+// Nineteen disks in a hexagon are pressed towards its middle: 42 contacts, more than the 38 ways in
+// which their centres can move.
+BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
+  std::vector<Body> bodies;
+  for (const Complex position : hexagon(2, 2.1)) {
+    bodies.push_back(pushed(Circle{1.0}, position, -500.0 * position));
+  }
+  check_unique_motions(over(loaded(bodies, 0.1), 0.1, 0.1), 2.1, 42, 5e-3);
+}
+
+// A hundred disks in a square are pressed towards its middle.
+BOOST_AUTO_TEST_CASE(a_square_lattice_is_squeezed) {
+  constexpr int side = 10;
+  constexpr double separation = 0.5;
+  std::vector<Body> bodies;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const Complex position =
+          (2.0 + separation) * Complex(i - 0.5 * (side - 1), j - 0.5 * (side - 1));
+      bodies.push_back(pushed(Circle{1.0}, position, -20.0 * position));
+    }
+  }
+  check_unique_motions(over(loaded(bodies, separation), 0.1, 0.1), 2.0 + separation,
+                       2 * side * (side - 1), 2e-4);
+}
+
+// Free disks alone have at most 3n - 6 contacts, those of a planar graph. Seven among twelve that
+// are held have thirty, more than the 21 ways in which they can move. A hair of room keeps errors
+// of the response from making the problem of all of them one without a solution.
+BOOST_AUTO_TEST_CASE(motions_are_unique_with_more_contacts_than_ways_to_move) {
+  const double pitch = 2.1 + 1e-5;
+  std::vector<Body> bodies;
+  for (const Complex position : hexagon(2, pitch)) {
+    const bool is_free = std::abs(position) < 1.1 * pitch;
+    bodies.push_back(is_free ? pushed(Circle{1.0}, position, {100.0, -500.0})
+                             : held(Circle{1.0}, position));
+  }
+  check_unique_motions(over(solved_to(loaded(bodies, 0.1), 1e-7), 0.1, 0.1), pitch, 30, 1e-5);
+}
+
+}  // namespace stokesbook::test

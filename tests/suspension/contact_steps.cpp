@@ -1,0 +1,204 @@
+// Steps with contact: their order, control, reports, and how runs go on after an interruption.
+
+#include <boost/test/unit_test.hpp>
+
+#include "contact_checks.hpp"
+#include "contact_setup.hpp"
+
+namespace stokesbook::test {
+
+namespace {
+
+using enum SteppingMethod;
+
+// Disks in shear meet, and slide past each other; by steps of a fixed length, or adapted ones.
+Scene sliding_past(bool adapted) {
+  Scene scene = over(in_contact(ShearFlow{1.0},
+                                {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                                 body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                                0.25),
+                     4.0, 0.2, heun);
+  if (adapted) scene.time->tolerance = 1e-2;
+  return scene;
+}
+
+void resume_from_checkpoints(const Scene& scene) {
+  const SuspensionSolver solver(scene);
+  std::vector<Checkpoint> checkpoints;
+  Observer observer;
+  observer.checkpoint = [&](const Checkpoint& reached) { checkpoints.push_back(reached); };
+  Frame whole, rest;
+  observer.frame = [&](const Frame& frame) { whole = frame; };
+  Simulation(solver, observer).run();
+  Observer second;
+  second.frame = [&](const Frame& frame) { rest = frame; };
+  int in_contact = 0;
+  for (const std::size_t quarter : {0U, 1U, 2U, 3U}) {
+    const Checkpoint& checkpoint = checkpoints.at(quarter * checkpoints.size() / 4);
+    in_contact += checkpoint.history.at("contact_loads").size() > 0 ? 1 : 0;
+    Simulation resumed(solver, second);
+    resumed.resume(checkpoint);
+    resumed.run();
+    for (std::size_t k = 0; k < 2; ++k) {
+      BOOST_TEST(rest.bodies[k].position == whole.bodies[k].position);
+      BOOST_TEST(rest.bodies[k].velocity == whole.bodies[k].velocity);
+    }
+  }
+  BOOST_TEST(in_contact > 0);
+}
+
+}  // namespace
+
+// Order of Euler and of Heun with contact: a pair that is driven together, turns round, and parts.
+BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
+  const auto end = [](double dt, SteppingMethod method) {
+    Scene scene = in_contact(ShearFlow{1.0},
+                             {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                              body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                             0.25);
+    scene.output.dt_write = 6.0;
+    scene.solver.tolerance = 1e-7;
+    const Frame frame = recorded_run(over(scene, 6.0, dt, method)).frames.back();
+    return frame.bodies[0].position - frame.bodies[1].position;
+  };
+  const Complex reference = end(0.0025, heun);
+  const auto order = [&](SteppingMethod method) {
+    return std::log2(std::abs(end(0.1, method) - reference) /
+                     std::abs(end(0.025, method) - reference)) /
+           2.0;
+  };
+  BOOST_TEST(order(euler) >= 0.8);
+  BOOST_TEST(order(heun) >= 1.5);
+}
+
+// The first step takes both from a gap of 0.8 to one of 0.1, against the force; later ones hold it.
+BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
+  const double dt = 0.1;
+  const RecordedRun run = recorded_run(over(head_on(0.0), 3 * dt, dt));
+  const double force = run.frames.front().contacts.at(0).force;
+  BOOST_TEST(run.steps[0].contact_power == -force * 0.7 / dt, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(run.steps[0].energy_injected == 0.0);
+  for (const StepInfo& step : run.steps) {
+    BOOST_TEST(step.contacts == 1);
+    BOOST_TEST(step.kkt_residual <= 1e-5);
+    BOOST_TEST(step.force_imbalance <= 1e-12);
+    BOOST_TEST(step.torque_imbalance <= 1e-12);
+    if (step.t > 1.5 * dt) BOOST_TEST(std::abs(step.contact_power) < 1e-3 * force * 0.7 / dt);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {
+  const RecordedRun run = recorded_run(over(head_on(0.0), 0.3, 0.1));
+  long long iterations = 0, matvecs = 0;
+  for (const StepInfo& step : run.steps) {
+    iterations += step.gmres_iterations;
+    matvecs += step.matvecs;
+  }
+  BOOST_TEST(run.totals.contact_solves > 0);
+  BOOST_TEST(run.totals.gmres_iterations >= iterations);
+  BOOST_TEST(run.totals.matvecs >= matvecs);
+}
+
+BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
+  const RecordedRun run =
+      recorded_run(over(in_contact(ShearFlow{1.0},
+                                   {body_at(Circle{0.5}, {-3.0, 0.5}, automatic_nodes),
+                                    body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                                   0.05),
+                        0.4, 0.2, heun));
+  for (const StepInfo& step : run.steps) {
+    BOOST_TEST(step.kkt_residual == 0.0);
+    BOOST_TEST(step.contact_power == 0.0);
+    BOOST_TEST(step.energy_injected == 0.0);
+  }
+}
+
+// Disks driven at each other, a little off their line, slide past each other.
+BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
+  const auto end = [](const Scene& scene) { return recorded_run(scene).frames.back().bodies; };
+  const auto reference = end(over(head_on(0.05), 0.1, 1e-4, heun));
+  const auto error = [&](const Scene& scene) {
+    return std::abs(end(scene)[0].position - reference[0].position);
+  };
+  Scene scene = over(head_on(0.05), 0.1, 0.1, heun);
+  BOOST_TEST(error(scene) > 0.1);
+  scene.time->tolerance = 1e-3;
+  BOOST_TEST(error(scene) < 5e-3);
+}
+
+BOOST_AUTO_TEST_CASE(steps_with_contact_follow_the_effort) {
+  Scene scene = over(head_on(0.0), 0.07, 0.01);
+  scene.time->effort = EffortBounds{1000, 2000};
+  const RecordedRun run = recorded_run(scene);
+  BOOST_REQUIRE(run.steps.size() == 3);
+  BOOST_TEST(run.steps[1].dt == 0.02, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(run.steps[2].dt == 0.04, boost::test_tools::tolerance(1e-9));
+}
+
+// A pair that is driven together, turns round, and parts: the error follows the tolerance.
+BOOST_AUTO_TEST_CASE(errors_with_contact_follow_the_tolerance) {
+  Scene scene = in_contact(ShearFlow{1.0},
+                           {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                            body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                           0.25);
+  scene.output.dt_write = 6.0;
+  scene.solver.tolerance = 1e-6;
+  const auto distance = [](const RecordedRun& run) {
+    return run.frames.back().bodies[0].position - run.frames.back().bodies[1].position;
+  };
+  const Complex reference = distance(recorded_run(over(scene, 6.0, 0.0025, heun)));
+  long long steps = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    Scene controlled = over(scene, 6.0, 0.5, heun);
+    controlled.time->tolerance = tolerance;
+    const RecordedRun run = recorded_run(controlled);
+    const double error = std::abs(distance(run) - reference) / 0.5;
+    BOOST_TEST_MESSAGE("tolerance " << tolerance << " error " << error << " steps "
+                                    << run.totals.steps << " rejected "
+                                    << run.totals.rejected_steps);
+    BOOST_TEST(error < 10.0 * tolerance);
+    BOOST_TEST(run.totals.steps > steps);
+    steps = run.totals.steps;
+  }
+  BOOST_TEST(steps < 1200);
+}
+
+BOOST_AUTO_TEST_CASE(runs_with_contact_resume_bit_for_bit) {
+  for (const bool adapted : {false, true}) resume_from_checkpoints(sliding_past(adapted));
+}
+
+// Disks that begin at 0.6 separations, are pulled apart, and are pressed together from t = 0.3 on.
+BOOST_AUTO_TEST_CASE(runs_with_close_pairs_resume_bit_for_bit) {
+  resume_from_checkpoints(opened_and_pressed(0.3, 0.8));
+}
+
+// Without [time] there is no step: what holds at this instant.
+BOOST_AUTO_TEST_CASE(one_solve_holds_apart_what_is_at_the_separation_and_closing) {
+  const auto solved = [](double gap, double rate) {
+    const double x = 1.0 + 0.5 * gap;
+    const Scene scene = in_contact(ExtensionalFlow{rate},
+                                   {body_at(Circle{1.0}, {-x, 0.0}, automatic_nodes),
+                                    body_at(Circle{1.0}, {x, 0.0}, automatic_nodes)},
+                                   0.1);
+    Frame frame;
+    Observer observer;
+    observer.frame = [&](const Frame& only) { frame = only; };
+    const SuspensionSolver solver(scene);
+    Simulation(solver, observer).solve_once();
+    return frame;
+  };
+  // Driven together, far and near; pulled apart.
+  for (const double gap : {2.0, 0.2, 0.12}) {
+    BOOST_TEST(solved(gap, -1.0).contacts.empty());
+    BOOST_TEST(solved(gap, -1.0).bodies[0].velocity.real() > 0.0);
+  }
+  BOOST_TEST(solved(0.1, 1.0).contacts.empty());
+  const Frame held = solved(0.1, -1.0);
+  BOOST_REQUIRE(held.contacts.size() == 1);
+  // At a gap of a tenth of the radius, mu = 1: by the table above, for radius 1/2.
+  BOOST_TEST(held.contacts[0].force == 2.0 * 9.61, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(std::abs(held.bodies[0].velocity) <
+             1e-2 * solved(0.12, -1.0).bodies[0].velocity.real());
+}
+
+}  // namespace stokesbook::test
