@@ -107,6 +107,9 @@ Region fluid_region(const std::vector<Obstacle>& walls) {
   return region;
 }
 
+// No machine solves for more.
+constexpr double most_bodies = 1e7;
+
 // As many bodies as are asked for, or as fill their part of the region, to the nearest number.
 long count_of(const Fill& fill, double region_area, double body_area) {
   if (fill.count) return *fill.count;
@@ -116,6 +119,11 @@ long count_of(const Fill& fill, double region_area, double body_area) {
                                 " is less than half a body, which has " +
                                 short_number(body_area / region_area) +
                                 " of the region's area: give at least half of that, or count");
+  }
+  if (bodies > most_bodies) {
+    throw std::invalid_argument("[[fill]]: area_fraction = " + short_number(*fill.area_fraction) +
+                                " asks for " + short_number(bodies) + " bodies: give a smaller " +
+                                "region, or a count of at most " + short_number(most_bodies));
   }
   return std::lround(bodies);
 }

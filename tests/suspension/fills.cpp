@@ -159,6 +159,15 @@ BOOST_AUTO_TEST_CASE(an_area_fraction_below_half_a_body_is_refused) {
   BOOST_CHECK_EXCEPTION(with_fills_placed(scene), std::invalid_argument, tells);
 }
 
+BOOST_AUTO_TEST_CASE(more_bodies_than_can_be_counted_are_refused) {
+  Scene scene = filled_cell(1);
+  scene.fills[0].box = {0.0, 0.0, 1e12, 1e12};
+  const auto tells = [](const std::invalid_argument& error) {
+    return std::string(error.what()).find("area_fraction = 0.2 asks for ") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(with_fills_placed(scene), std::invalid_argument, tells);
+}
+
 BOOST_AUTO_TEST_CASE(a_fill_that_does_not_fit_says_how_far_it_got) {
   Scene scene = filled_cell(1);
   scene.fills[0].area_fraction = 0.8;
