@@ -118,9 +118,9 @@ BOOST_AUTO_TEST_CASE(a_block_that_is_singular_is_told_of_whatever_the_threads) {
   for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
     for (const int threads : {1, 2}) {
       omp_set_num_threads(threads);
-      BOOST_CHECK_THROW(cluster_preconditioner(start.discrete.problem, start.configuration,
-                                               references, {}, form),
-                        std::domain_error);
+      BOOST_CHECK_THROW(
+          cluster_preconditioner(start.discrete.problem, start.configuration, references, {}, form),
+          std::domain_error);
     }
   }
   omp_set_num_threads(1);
