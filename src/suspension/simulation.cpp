@@ -65,8 +65,8 @@ constexpr std::size_t densities_kept = 4;
 // In units of it, where contact makes it shorter.
 constexpr double least_step_of_an_instant = 1e-6;
 
-// Times that differ by less, in units of dt_write, are one: of those that are written no two, and
-// none and an event, lie so close together that a step between them would be nothing but rounding.
+// In units of dt_write: a written time as near an event, such as a reversal, is that event, since a
+// step between the two would be nothing but rounding.
 constexpr double same_time = 1e-9;
 
 // An estimate takes about as long as a solve.
@@ -193,7 +193,7 @@ void Simulation::write(double t, const VectorXd& state, const Solution& solution
 }
 
 void Simulation::write_within(const Step& step) {
-  for (double t = next_written_time(std::max(step.start.t, written_)); !is_reached(t, step.end.t);
+  for (double t = next_written_time(std::max(step.start.t, written_)); t < step.end.t;
        t = next_written_time(t)) {
     const VectorXd state = interpolate(step, t);
     const Solved frame = solve(t, state, Role::frame);
@@ -205,19 +205,20 @@ void Simulation::write_within(const Step& step) {
 bool Simulation::is_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
   if (!dt_write || t >= time_.t_final) return true;
-  return std::abs(t - std::round(t / *dt_write) * *dt_write) <= same_time * *dt_write;
+  return std::abs(t - std::round(t / *dt_write) * *dt_write) <= rounding_of_written_times();
 }
 
-// Whether the written time is that of a step's end, or comes after it.
-bool Simulation::is_reached(double written, double end) const {
-  return written >= end - same_time * solver_.scene().output.dt_write.value_or(0.0);
+// Methods that interpolate need no steps to written times.
+double Simulation::rounding_of_written_times() const {
+  if (has_dense_output(stepping_.method)) return 0.0;
+  return same_time * solver_.scene().output.dt_write.value_or(0.0);
 }
 
 double Simulation::next_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
   if (!dt_write) return std::numeric_limits<double>::infinity();
   double k = std::floor(t / *dt_write);
-  while (k * *dt_write <= t + same_time * *dt_write) k += 1.0;
+  while (k * *dt_write <= t + rounding_of_written_times()) k += 1.0;
   return k * *dt_write;
 }
 
@@ -228,7 +229,7 @@ double Simulation::next_event() const {
   if (reversal != reverse_at.end()) event = std::min(event, *reversal);
   if (has_dense_output(stepping_.method)) return event;
   const double written = next_written_time(now_.t);
-  return is_reached(written, event) ? event : written;
+  return written < event - rounding_of_written_times() ? written : event;
 }
 
 Advance Simulation::take_step(const Rates& rates) const {

@@ -178,7 +178,7 @@ class Simulation {
   Checkpoint checkpoint() const;
   bool is_reversal(double t) const;
   bool is_written_time(double t) const;
-  bool is_reached(double written, double end) const;
+  double rounding_of_written_times() const;
   double next_written_time(double t) const;
   double next_event() const;
 

@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(a_disk_moves_along_a_slot_that_fits) {
 }
 
 // The ring between two walls leaves one separation on either side of a disk. By symmetry it moves
-// on a circle; each step leaves that along the tangent, and contact leads it back. It lags behind
-// the free motion by a part that is the square of the angle of a step.
+// on a circle; each step leaves that along the tangent, and contact leads it back. It is off the
+// free motion by a part that is the square of the angle of a step.
 BOOST_AUTO_TEST_CASE(a_disk_moves_round_in_a_ring_that_fits) {
   const double separation = 0.1, radius = 0.4, inner = 1.0, middle = inner + separation + radius;
   const double dt = 0.02;
@@ -236,8 +236,7 @@ BOOST_AUTO_TEST_CASE(resting_contact_does_not_drift) {
 
 // A disk is pressed into the valley of a held star, and rests on both flanks, on the axis of the
 // valley: there the flanks' normals are at a cosine to it that is the derivative of the gap. A
-// prototype of the specification, whose normals were those of polygons, found forces of 209 and
-// 156.
+// prototype of the specification found forces of 209 and 156.
 BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   const double separation = 0.09;
   const Complex force(30.0, -300.0);

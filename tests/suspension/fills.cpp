@@ -91,13 +91,6 @@ BOOST_AUTO_TEST_CASE(bodies_are_placed_where_a_test_of_all_pairs_leaves_room) {
     BOOST_TEST((placed == placed_by_all_pairs(scene, box, std::ssize(placed))));
   };
   test(plane, *plane.fills[0].box);
-  // Tips between nodes reach out of the circles about the nodes.
-  Scene stars = plane;
-  stars.bodies.clear();
-  stars.fills[0].shape = Star{0.3, -0.3, 4};
-  stars.fills[0].n_nodes = 10;
-  stars.fills[0].count = 60;
-  for (stars.seed = 1; stars.seed <= 20; ++stars.seed) test(stars, *stars.fills[0].box);
   test(cell, {container.x.real().minCoeff(), container.x.imag().minCoeff(),
               container.x.real().maxCoeff(), container.x.imag().maxCoeff()});
 }
