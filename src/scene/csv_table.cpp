@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "scene/error.hpp"
+#include "scene/joined.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -15,15 +16,6 @@ std::string_view trim(std::string_view text) {
   constexpr std::string_view space = " \t\r";
   text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
   return text.substr(0, text.find_last_not_of(space) + 1);
-}
-
-std::string join(std::initializer_list<std::string_view> headers) {
-  std::string text;
-  for (const std::string_view header : headers) {
-    if (!text.empty()) text += " or ";
-    text += header;
-  }
-  return text;
 }
 
 double parse_number(std::string_view field, std::string_view column, const std::string& where) {
@@ -57,12 +49,9 @@ CsvRow parse_row(std::string_view line, const std::string& header, const std::st
 }
 
 std::string header_of(std::string_view line) {
-  std::string header;
-  for (const std::string_view column : split(line, ',')) {
-    if (!header.empty()) header += ',';
-    header += trim(column);
-  }
-  return header;
+  std::vector<std::string_view> columns = split(line, ',');
+  std::ranges::transform(columns, columns.begin(), trim);
+  return joined(columns, ",");
 }
 
 }  // namespace
@@ -93,11 +82,13 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name,
     }
     table.header = header_of(line);
     if (std::ranges::find(headers, table.header) == headers.end()) {
-      throw SceneError(where + ": header = " + std::string(line) + ": must be " + join(headers));
+      throw SceneError(where + ": header = " + std::string(line) + ": must be " +
+                       joined(headers, " or "));
     }
   }
   if (table.rows.empty()) {
-    throw SceneError(file_name + ": must hold rows of numbers below the header " + join(headers));
+    throw SceneError(file_name + ": must hold rows of numbers below the header " +
+                     joined(headers, " or "));
   }
   return table;
 }

@@ -16,8 +16,6 @@ namespace {
 using namespace scene_text;
 
 constexpr Requirement<std::string> any_text{"text"};
-constexpr Requirement<std::int64_t> seed{"an integer >= 0",
-                                         [](const std::int64_t& k) { return k >= 0; }};
 
 double read_viscosity(const TableReader& root, double unless_given) {
   const Node* fluid = root.find("fluid");
@@ -32,7 +30,7 @@ Scene read_root(const Node& node, const std::filesystem::path& directory) {
                                 "fill", "solver", "time", "contact", "output"});
   Scene scene;
   scene.title = root.get("title", any_text).value_or("");
-  scene.seed = static_cast<std::uint64_t>(root.get("seed", seed).value_or(0));
+  scene.seed = static_cast<std::uint64_t>(root.get("seed", any_seed).value_or(0));
   scene.viscosity = read_viscosity(root, scene.viscosity);
   scene.walls = read_walls(root, directory);
   const bool enclosed = std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;

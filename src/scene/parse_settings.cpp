@@ -1,5 +1,6 @@
 #include <string>
 
+#include "scene/joined.hpp"
 #include "scene/sections.hpp"
 
 namespace stokesbook::scene_text {
@@ -28,12 +29,11 @@ FieldSettings read_fields(const Node& node) {
 }
 
 std::string adaptive_methods() {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const auto& [name, method] : stepping_methods) {
-    if (!adapts_steps(method)) continue;
-    names += (names.empty() ? "" : ", ") + std::string(name);
+    if (adapts_steps(method)) names.push_back(name);
   }
-  return names;
+  return joined(names);
 }
 
 std::optional<EffortBounds> read_effort(const TableReader& time) {

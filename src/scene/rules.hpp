@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "scene/document.hpp"
+#include "scene/joined.hpp"
 #include "scene/words.hpp"
 #include "trapezoid/plane.hpp"
 
@@ -117,12 +118,9 @@ std::string describe(const Requirement<T>& rule) {
 /// @return        "outer, inner"
 template <class T, std::size_t N>
 std::string list_of(const Words<T, N>& words) {
-  std::string names;
-  for (const Word<T>& word : words) {
-    if (!names.empty()) names += ", ";
-    names += word.name;
-  }
-  return names;
+  std::vector<std::string_view> names;
+  for (const Word<T>& word : words) names.push_back(word.name);
+  return joined(names);
 }
 
 /// Says which words may stand in a place.
@@ -214,6 +212,10 @@ inline constexpr Requirement<std::array<double, 4>> any_box{
 /// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",
                                                      [](const double& x) { return x > 0.0; }};
+
+/// A seed of random numbers.
+inline constexpr Requirement<std::int64_t> any_seed{"an integer >= 0",
+                                                    [](const std::int64_t& k) { return k >= 0; }};
 
 /// An integer >= 1.
 inline constexpr Requirement<int> positive_integer{"an integer >= 1",

@@ -3,20 +3,12 @@
 #include <algorithm>
 
 #include "scene/error.hpp"
+#include "scene/joined.hpp"
 #include "scene/nearest_word.hpp"
 
 namespace stokesbook::scene_text {
 
 namespace {
-
-std::string list(std::span<const std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
-  }
-  return text;
-}
 
 const std::vector<Node>& entries_of(const Node& node) {
   if (const auto* table = std::get_if<Table>(&node.value)) return table->entries;
@@ -33,7 +25,7 @@ TableReader::TableReader(const Node& node, std::span<const std::string_view> kno
     if (std::ranges::find(known, entry.key) != known.end()) continue;
     const std::optional<std::string_view> meant = nearest_word(entry.key, known);
     fail_at_key(entry, meant ? "unknown key, did you mean '" + std::string(*meant) + "'?"
-                             : "unknown key; known here: " + list(known));
+                             : "unknown key; known here: " + joined(known));
   }
 }
 

@@ -37,10 +37,6 @@ class TableReader {
   TableReader(const Node& node, std::initializer_list<std::string_view> known)
       : TableReader(node, std::span(known.begin(), known.size())) {}
 
-  /// Returns the table.
-  /// @return the node it was made of
-  const Node& node() const { return node_; }
-
   /// Looks for a key.
   ///
   /// @param  key  its name

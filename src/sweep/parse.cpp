@@ -10,6 +10,7 @@
 #include "record/csv.hpp"
 #include "record/number_text.hpp"
 #include "scene/csv_table.hpp"
+#include "scene/joined.hpp"
 #include "scene/nearest_word.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/text_file.hpp"
@@ -61,8 +62,6 @@ constexpr Requirement<std::int64_t> first_seed{
       return k >= 0 && k <= std::numeric_limits<std::int64_t>::max() - int{most_tasks};
     }};
 constexpr Requirement<int> item_number{"an integer >= 0", [](const int& k) { return k >= 0; }};
-constexpr Requirement<std::int64_t> seed{"an integer >= 0",
-                                         [](const std::int64_t& k) { return k >= 0; }};
 constexpr Requirement<std::vector<double>> interval{
     "two times [begin, end] with 0 <= begin < end", [](const std::vector<double>& times) {
       return times.size() == 2 && times[0] >= 0.0 && times[0] < times[1];
@@ -70,20 +69,16 @@ constexpr Requirement<std::vector<double>> interval{
 
 /// The value as it would stand in a file, whole: messages shorten it.
 std::string toml_text(const Node& node) {
-  std::string text;
+  std::vector<std::string> parts;
   if (const auto* elements = std::get_if<Array>(&node.value)) {
-    for (const Node& element : *elements) {
-      if (!text.empty()) text += ", ";
-      text += toml_text(element);
-    }
-    return "[" + text + "]";
+    for (const Node& element : *elements) parts.push_back(toml_text(element));
+    return "[" + joined(parts) + "]";
   }
   if (const auto* table = std::get_if<Table>(&node.value)) {
     for (const Node& entry : table->entries) {
-      if (!text.empty()) text += ", ";
-      text += entry.key + " = " + toml_text(entry);
+      parts.push_back(entry.key + " = " + toml_text(entry));
     }
-    return "{ " + text + " }";
+    return "{ " + joined(parts) + " }";
   }
   return node.text;
 }
@@ -146,7 +141,7 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
     return seeds;
   }
   for (const Node& element : elements_of(*node, "a list of integers or { first, count }")) {
-    read(element, seed);
+    read(element, any_seed);
   }
   return read_values(*node);
 }

@@ -143,6 +143,8 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
   BOOST_TEST(error_with_csv(list, "1,2,3\n") == "a.csv:1: header = 1,2,3: must be " + headers);
   BOOST_TEST(error_with_csv(list, "# c\nx,theta,y\n") ==
              "a.csv:2: header = x,theta,y: must be " + headers);
+  BOOST_TEST(error_with_csv(list, ",x,y,theta\n1,2,3,4\n") ==
+             "a.csv:1: header = ,x,y,theta: must be " + headers);
   BOOST_TEST(error_with_csv(list, one + "\n4,5\n") ==
              "a.csv:4: must hold 3 values (x,y,theta), not 2");
   BOOST_TEST(error_with_csv(list, one + "4,5,6,7\n") ==

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace stokesbook::scene_text {
+
+/// Writes words one after another.
+///
+/// @param  words      a range of texts
+/// @param  separator  between two of them
+/// @return            "euler, heun"
+std::string joined(const auto& words, std::string_view separator = ", ") {
+  std::string text;
+  bool first = true;
+  for (const std::string_view word : words) {
+    if (!first) text += separator;
+    text += word;
+    first = false;
+  }
+  return text;
+}
+
+}  // namespace stokesbook::scene_text
