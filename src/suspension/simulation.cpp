@@ -205,7 +205,10 @@ void Simulation::write_within(const Step& step) {
 bool Simulation::is_written_time(double t) const {
   const std::optional<double> dt_write = solver_.scene().output.dt_write;
   if (!dt_write || t >= time_.t_final) return true;
-  return std::abs(t - std::round(t / *dt_write) * *dt_write) <= rounding_of_written_times();
+  // Compared, not subtracted: that might be done with the product before it is rounded.
+  const double nearest = std::round(t / *dt_write) * *dt_write;
+  const double rounding = rounding_of_written_times();
+  return nearest >= t - rounding && nearest <= t + rounding;
 }
 
 // Methods that interpolate need no steps to written times.

@@ -72,13 +72,13 @@ std::string toml_text(const Node& node) {
   std::vector<std::string> parts;
   if (const auto* elements = std::get_if<Array>(&node.value)) {
     for (const Node& element : *elements) parts.push_back(toml_text(element));
-    return "[" + joined(parts) + "]";
+    return std::string("[").append(joined(parts)) + "]";
   }
   if (const auto* table = std::get_if<Table>(&node.value)) {
     for (const Node& entry : table->entries) {
       parts.push_back(entry.key + " = " + toml_text(entry));
     }
-    return "{ " + joined(parts) + " }";
+    return std::string("{ ").append(joined(parts)) + " }";
   }
   return node.text;
 }
