@@ -451,7 +451,7 @@ class Records(Program):
             steps = numpy.genfromtxt(self.folder / "a" / "steps.csv", names=True, delimiter=",")
             numpy.testing.assert_array_equal(steps["t"], [0.01, 0.02])
             table = numpy.genfromtxt(self.folder / "a" / "trajectory.csv", names=True, delimiter=",")
-            numpy.testing.assert_array_equal(table["t"], [0.0, 0.0])
+            numpy.testing.assert_array_equal(table["t"], [0.0, 0.0, 0.01, 0.01])
 
     def test_unwritable_directory(self):
         (self.folder / "file").write_text("")
