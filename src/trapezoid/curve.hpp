@@ -134,8 +134,8 @@ double bounding_radius(const Curve& curve, Complex centre);
 /// derivative M of the node and its neighbours.
 /// @param  curve   N nodes
 /// @param  centre  c, length
-/// @return         radius, length; that of the farthest node, where none of the curve is farther
-/// @par Accuracy   too large, where the farthest point is no node, by an error of fourth order in h
+/// @return         radius, length; that of the farthest node, where none of the curve is farther,
+///                 and else a little too large
 double outer_radius(const Curve& curve, Complex centre);
 
 /// @}
