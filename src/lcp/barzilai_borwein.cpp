@@ -11,7 +11,6 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int default_products = 2000;
-constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
 
 // Where z = 0 a gradient w > 0 leads nowhere.
 VectorXd projected_gradient(const VectorXd& z, const VectorXd& w) {
@@ -48,7 +47,7 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
   double residual = natural_residual(z, w);
   LcpResult best = judge(units, z, w, options.tolerance);
   double length = 1.0 / projected_gradient(z, w).lpNorm<Eigen::Infinity>();
-  while (residual > options.tolerance && residual < divergence &&
+  while (residual > options.tolerance && residual < diverging_residual &&
          products < options.max_iterations.value_or(default_products)) {
     const VectorXd next_z = (z - length * w).cwiseMax(0.0);
     const VectorXd next_w = gradient(next_z);

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double regularisation = 1e-6;  // beside M_ii = 1
+constexpr double slope_shift = 1e-6;  // beside M_ii = 1
 
 VectorXd fischer(const VectorXd& z, const VectorXd& w) {
   return (z.array().square() + w.array().square()).sqrt() - z.array() - w.array();
@@ -38,16 +38,16 @@ MatrixXd jacobian(const MatrixXd& matrix, const VectorXd& z, const VectorXd& w) 
 }
 //! [jacobian]
 
-double merit(const VectorXd& z, const VectorXd& w) {
+double fischer_merit(const VectorXd& z, const VectorXd& w) {
   return 0.5 * fischer(z, w).squaredNorm();
 }
 
-std::optional<DescentStep> newton_step(const LcpProblem& problem, const VectorXd& z,
-                                       const VectorXd& w) {
+std::optional<DescentStep> fischer_step(const LcpProblem& problem, const VectorXd& z,
+                                        const VectorXd& w) {
   const VectorXd phi = fischer(z, w);
   MatrixXd slope = jacobian(problem.matrix, z, w);
   const VectorXd gradient = slope.transpose() * phi;
-  slope.diagonal().array() -= std::min(regularisation, phi.norm());
+  slope.diagonal().array() -= std::min(slope_shift, phi.norm());
   VectorXd direction = -slope.partialPivLu().solve(phi);
   // Newton's slope is -2 merit; a singular Jacobian's is anything.
   const bool descends =
@@ -59,7 +59,7 @@ std::optional<DescentStep> newton_step(const LcpProblem& problem, const VectorXd
 }  // namespace
 
 LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options) {
-  return damped_newton({merit, newton_step}, problem, options);
+  return damped_newton({fischer_merit, fischer_step}, problem, options);
 }
 
 }  // namespace stokesbook

@@ -14,23 +14,23 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double regularisation = 1e-12;  // of a singular block
-constexpr double singular = 1e-14;        // reciprocal condition
+constexpr double block_shift = 1e-12;  // of a singular block
+constexpr double singular = 1e-14;     // reciprocal condition
 
 VectorXd solve_block(MatrixXd block, const VectorXd& rhs) {
   const Eigen::PartialPivLU<MatrixXd> lu(block);
   if (lu.rcond() > singular) return lu.solve(rhs);
-  block.diagonal().array() += regularisation;
+  block.diagonal().array() += block_shift;
   return block.partialPivLu().solve(rhs);
 }
 
-double merit(const VectorXd& z, const VectorXd& w) {
+double minimum_map_merit(const VectorXd& z, const VectorXd& w) {
   return 0.5 * z.cwiseMin(w).squaredNorm();
 }
 
 // Where z + step has w_A = 0, and all other z = 0.
-std::optional<DescentStep> newton_step(const LcpProblem& problem, const VectorXd& z,
-                                       const VectorXd& w) {
+std::optional<DescentStep> minimum_map_step(const LcpProblem& problem, const VectorXd& z,
+                                            const VectorXd& w) {
   std::vector<Index> active;
   for (Index i = 0; i < z.size(); ++i) {
     if (w[i] < z[i]) active.push_back(i);
@@ -41,13 +41,13 @@ std::optional<DescentStep> newton_step(const LcpProblem& problem, const VectorXd
   }
   const VectorXd direction = next - z;
   if (!direction.allFinite()) return std::nullopt;
-  return DescentStep{direction, -2.0 * merit(z, w)};
+  return DescentStep{direction, -2.0 * minimum_map_merit(z, w)};
 }
 
 }  // namespace
 
 LcpResult minimum_map_newton(const LcpProblem& problem, const LcpOptions& options) {
-  return damped_newton({merit, newton_step}, problem, options);
+  return damped_newton({minimum_map_merit, minimum_map_step}, problem, options);
 }
 
 }  // namespace stokesbook

@@ -14,7 +14,6 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int default_sweeps = 1000;
-constexpr double divergence = 1e8;  // residual; that of z = 0 is at most 1
 
 void require_positive_diagonal(const LcpProblem& problem) {
   for (Index i = 0; i < problem.offset.size(); ++i) {
@@ -37,7 +36,7 @@ LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& op
   VectorXd z = scaled_guess(scaled.units, options.guess);
   int sweeps = 0;
   double residual = natural_residual(z, offset + matrix * z);
-  while (residual > options.tolerance && residual < divergence &&
+  while (residual > options.tolerance && residual < diverging_residual &&
          sweeps < options.max_iterations.value_or(default_sweeps)) {
     for (Index i = 0; i < z.size(); ++i) {
       const double w = offset[i] + transposed.col(i).dot(z);

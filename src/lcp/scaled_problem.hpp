@@ -52,6 +52,9 @@ ScaledLcp scale_problem(const LcpProblem& problem);
 /// @throws std::invalid_argument when the guess has another length
 Eigen::VectorXd scaled_guess(const LcpUnits& units, const Eigen::VectorXd& guess);
 
+/// Residual at which iterations diverge; that of z = 0 is at most 1.
+inline constexpr double diverging_residual = 1e8;
+
 /// Measures \f$ \max_i |\min(z_i, w_i)| \f$.
 ///
 /// @param  z  m numbers

@@ -14,18 +14,18 @@ namespace stokesbook {
 
 namespace {
 
-void append_entry(std::string& text, double x) {
+void append_item(std::string& text, double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("animation: a number is not finite");
   text += short_number(x, 6);
 }
 
-void append_entry(std::string& text, Complex x) {
-  append_entry(text, x.real());
+void append_item(std::string& text, Complex x) {
+  append_item(text, x.real());
   text += ',';
-  append_entry(text, x.imag());
+  append_item(text, x.imag());
 }
 
-void append_entry(std::string& text, const ContactParty& party) {
+void append_item(std::string& text, const ContactParty& party) {
   const auto number = static_cast<long>(party.number);
   text += std::to_string(party.is_wall ? -1 - number : number);
 }
@@ -33,7 +33,7 @@ void append_entry(std::string& text, const ContactParty& party) {
 /// Returns a JSON array.
 std::string array(const auto&... entries) {
   std::string text = "[";
-  ((append_entry(text, entries), text += ','), ...);
+  ((append_item(text, entries), text += ','), ...);
   text.back() = ']';
   return text;
 }

@@ -19,7 +19,7 @@ WallMotion read_translating(const Node& node) {
   return TranslatingWall{TableReader(node, {"kind", "velocity"}).require("velocity", any_vector)};
 }
 
-WallMotion read_linear(const Node& node) {
+WallMotion read_linear_motion(const Node& node) {
   return LinearWall{TableReader(node, {"kind", "gradient"}).require("gradient", any_gradient)};
 }
 
@@ -31,7 +31,7 @@ constexpr Words<MotionReader, 5> motion_kinds{{
     {"fixed", read_fixed},
     {"rotating", read_rotating},
     {"translating", read_translating},
-    {"linear", read_linear},
+    {"linear", read_linear_motion},
     {"radial", read_radial},
 }};
 

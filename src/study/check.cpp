@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t fewest_points = 3;
 constexpr double above_floor = 10.0;
 
-struct Line {
+struct StraightLine {
   double slope, intercept;
 };
 
-Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
+StraightLine least_squares(const std::vector<double>& x, const std::vector<double>& y) {
   double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
   const double n = static_cast<double>(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -45,19 +45,19 @@ class LawCheck {
 
   Verdict operator()(const Algebraic& law) {
     if (!use(above_floor * window_.floor)) return verdict_;
-    const Line line = fit(&Measurement::error, logarithm, 0.0);
+    const StraightLine line = fit(&Measurement::error, logarithm, 0.0);
     return band("order ", -line.slope, law.order, law.band, line);
   }
 
   Verdict operator()(const Geometric& law) {
     if (!use(above_floor * window_.floor)) return verdict_;
-    const Line line = fit(&Measurement::error, identity, law.power);
+    const StraightLine line = fit(&Measurement::error, identity, law.power);
     return band("rate ", -line.slope, law.rate, law.band * law.rate, line);
   }
 
   Verdict operator()(const Cost& law) {
     if (!use(0.0)) return verdict_;
-    const Line line = fit(&Measurement::operations, logarithm, 0.0);
+    const StraightLine line = fit(&Measurement::operations, logarithm, 0.0);
     return band("order of the operations ", line.slope, law.order, law.band, line);
   }
 
@@ -141,7 +141,7 @@ class LawCheck {
     return errors;
   }
 
-  Line fit(double Measurement::*quantity, double (*abscissa)(double), double power) const {
+  StraightLine fit(double Measurement::*quantity, double (*abscissa)(double), double power) const {
     std::vector<double> x, y;
     for (const Measurement& point : used_points()) {
       x.push_back(abscissa(point.x));
@@ -157,7 +157,7 @@ class LawCheck {
     return verdict_;
   }
 
-  Verdict band(const char* what, double measured, double claimed, double width, Line line) {
+  Verdict band(const char* what, double measured, double claimed, double width, StraightLine line) {
     verdict_.constant = std::exp(line.intercept);
     return decide(std::abs(measured - claimed) <= width, measured,
                   what + about(measured, claimed, width));

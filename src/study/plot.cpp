@@ -31,7 +31,8 @@ constexpr std::array dark{"#56b4e9", "#f59e4b", "#2fc796", "#e08fc0", "#e3cf4a",
 std::string style_element() {
   std::string rules, dark_rules;
   for (std::size_t k = 0; k < light.size(); ++k) {
-    const std::string selector = ".stokesbook-picture .line-" + std::to_string(k) + "{color:";
+    std::string selector = ".stokesbook-picture .line-";
+    selector += std::to_string(k) + "{color:";
     rules += selector + light[k] + '}';
     dark_rules += selector + dark[k] + '}';
   }

@@ -12,6 +12,8 @@ namespace {
 
 // Moderate ellipses are resolved to rounding by 96 nodes, also with a Stokeslet at the centre
 // (error ~ m^(N/2) with m = (a - b) / (a + b) = 1/3).
+using std::numbers::pi;
+
 constexpr Eigen::Index n_nodes = 96;
 constexpr double rounding = 2e-14;
 
@@ -98,7 +100,7 @@ BOOST_AUTO_TEST_CASE(ellipses_in_shear) {
 // The resistance of a held circle is the inverse of its mobility, for any gauge above the
 // degenerate one.
 BOOST_AUTO_TEST_CASE(held_circle_with_gauge) {
-  const double a = 0.7, mu = 1.3, pi = std::numbers::pi;
+  const double a = 0.7, mu = 1.3;
   const RigidMotion motion{{0.4, -1.2}, 2.1};
   for (const double ell : {5.0, 40.0, 1e6}) {
     const StokesProblem problem{{held_body(Circle{a}, 32, {{1, 2}}, motion)}, mu, {}, ell};

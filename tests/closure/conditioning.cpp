@@ -11,7 +11,7 @@
 namespace stokesbook::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 StokesProblem circle_problem(double radius) {
   return {{free_body(Circle{radius}, 32, {{0.3, 0.1}})}, 1.0, {}, 1.0};

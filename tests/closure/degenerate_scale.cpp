@@ -10,7 +10,7 @@
 namespace stokesbook::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 StokesProblem held_circle(double radius, double gauge) {
   return {{held_body(Circle{radius}, 32, {{0.2, 0.1}}, {1.0, 0.0})}, 1.3, {}, gauge};

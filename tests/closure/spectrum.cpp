@@ -10,7 +10,7 @@
 namespace stokesbook::test {
 namespace {
 
-constexpr Eigen::Index n_nodes = 96;
+constexpr Eigen::Index enough_nodes = 96;
 
 // Eigenvalues of the reduced matrix of one body, ascending; their imaginary parts must vanish.
 Eigen::VectorXd eigenvalues(const Component& body) {
@@ -28,7 +28,7 @@ Eigen::VectorXd eigenvalues(const Component& body) {
 Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
   const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
   std::vector<double> values{-1.0, -1.0};  // the translations, moved from 0
-  for (int k = 1; k <= n_nodes / 2; ++k) {
+  for (int k = 1; k <= enough_nodes / 2; ++k) {
     const double c = (1 - m * m) * k * std::pow(m, k - 1);
     const double root = std::sqrt(c * c + 4 * std::pow(m, 2 * k));
     const bool turn = k == 1;
@@ -36,9 +36,9 @@ Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
       values.push_back(turn && lambda == c + root ? -1.0 : -0.5 + 0.25 * lambda);
     }
   }
-  values.resize(2 * n_nodes, -0.5);
+  values.resize(2 * enough_nodes, -0.5);
   std::sort(values.begin(), values.end());
-  return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * n_nodes);
+  return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * enough_nodes);
 }
 
 }  // namespace
@@ -71,11 +71,12 @@ BOOST_AUTO_TEST_CASE(held_circle) {
 
 BOOST_AUTO_TEST_CASE(ellipses) {
   for (const Ellipse& ellipse : {Ellipse{2, 1}, Ellipse{3, 1}, Ellipse{0.06, 0.01}}) {
-    const Eigen::VectorXd values = eigenvalues(free_body(ellipse, n_nodes, {{1, -2}, 0.8}));
+    const Eigen::VectorXd values = eigenvalues(free_body(ellipse, enough_nodes, {{1, -2}, 0.8}));
     const Eigen::VectorXd exact = exact_eigenvalues(ellipse);
     // The first eigenvalue beyond the grid aliases onto it.
     const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
-    const double tolerance = 1e-12 + (1 - m * m) * 0.5 * n_nodes * std::pow(m, n_nodes / 2 - 1);
+    const double tolerance =
+        1e-12 + (1 - m * m) * 0.5 * enough_nodes * std::pow(m, enough_nodes / 2 - 1);
     BOOST_TEST((values - exact).cwiseAbs().maxCoeff() < tolerance);
   }
 }

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 namespace {
 
-const Complex unit_normal = std::polar(1.0, 0.8), density{0.3, -1.1}, force{1.0, 0.5};
+const Complex unit_normal = std::polar(1.0, 0.8), node_density{0.3, -1.1}, force{1.0, 0.5};
 constexpr double viscosity = 1.3, gauge = 0.7, torque = -0.9;
 
 // A kernel as a flow about the origin, and what it exerts on the fluid.
@@ -30,14 +30,15 @@ struct Flow {
 };
 
 const std::vector<Flow> flows = {
-    {[](Complex r) { return stresslet(r, unit_normal, density); },
+    {[](Complex r) { return stresslet(r, unit_normal, node_density); },
      [](Complex r) {
        const double rho2 = std::norm(r);
        return viscosity / pi *
-              (2.0 * dot(r, unit_normal) * dot(r, density) / rho2 - dot(unit_normal, density)) /
+              (2.0 * dot(r, unit_normal) * dot(r, node_density) / rho2 -
+               dot(unit_normal, node_density)) /
               rho2;
      },
-     [](Complex r) { return stresslet_derivatives(r, unit_normal, density); },
+     [](Complex r) { return stresslet_derivatives(r, unit_normal, node_density); },
      {},
      0.0},
     {[](Complex r) { return stokeslet(r, force, viscosity, gauge); },
@@ -98,24 +99,24 @@ BOOST_AUTO_TEST_CASE(force_and_torque_through_a_circle) {
 
 BOOST_AUTO_TEST_CASE(the_stresslet_is_symmetric_and_of_degree_minus_one) {
   const Complex r{0.7, -0.4};
-  const Complex u = stresslet(r, unit_normal, density);
-  BOOST_TEST(std::abs(stresslet(r, density, unit_normal) - u) < 1e-16);
-  BOOST_TEST(std::abs(stresslet(-r, unit_normal, density) + u) < 1e-16);
+  const Complex u = stresslet(r, unit_normal, node_density);
+  BOOST_TEST(std::abs(stresslet(r, node_density, unit_normal) - u) < 1e-16);
+  BOOST_TEST(std::abs(stresslet(-r, unit_normal, node_density) + u) < 1e-16);
   BOOST_TEST(std::abs(cross(u, r)) < 1e-16);
   for (double scale : {1e-3, 1e3}) {
-    BOOST_TEST(std::abs(scale * stresslet(scale * r, unit_normal, density) - u) < 1e-15);
+    BOOST_TEST(std::abs(scale * stresslet(scale * r, unit_normal, node_density) - u) < 1e-15);
   }
   // Goursat form (1/4 pi) [a/r + b/conj(r) + r conj(a/r^2)], a = n eta, b = 2 n.eta.
-  const Complex a = unit_normal * density;
-  const double b = 2.0 * dot(unit_normal, density);
+  const Complex a = unit_normal * node_density;
+  const double b = 2.0 * dot(unit_normal, node_density);
   const Complex goursat = (a / r + b / std::conj(r) + r * std::conj(a / (r * r))) / (4.0 * pi);
   BOOST_TEST(std::abs(goursat - u) < 1e-15);
 }
 
 BOOST_AUTO_TEST_CASE(turning_everything_turns_the_velocity) {
   const Complex turn = std::polar(1.0, 2.1), r{0.7, -0.4};
-  BOOST_TEST(std::abs(stresslet(turn * r, turn * unit_normal, turn * density) -
-                      turn * stresslet(r, unit_normal, density)) < 1e-15);
+  BOOST_TEST(std::abs(stresslet(turn * r, turn * unit_normal, turn * node_density) -
+                      turn * stresslet(r, unit_normal, node_density)) < 1e-15);
   BOOST_TEST(std::abs(stokeslet(turn * r, turn * force, viscosity, gauge) -
                       turn * stokeslet(r, force, viscosity, gauge)) < 1e-15);
   BOOST_TEST(std::abs(rotlet(turn * r, torque, viscosity) - turn * rotlet(r, torque, viscosity)) <

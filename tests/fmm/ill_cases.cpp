@@ -15,13 +15,13 @@ namespace {
 
 // p / 2^p, which bounds what one translation leaves out, is below 5e-14: no errors need to average
 // out.
-constexpr int order = 50;
+constexpr int ample_order = 50;
 constexpr double bound = 1e-12;
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(nothing_to_sum) {
-  const Fmm nothing({}, {}, {order, 10});
+  const Fmm nothing({}, {}, {ample_order, 10});
   BOOST_TEST(nothing.velocity(ComplexVector(0)).rows() == 0);
   const ComplexVector targets = random_vector(100, 1);
   const Fmm at_targets({}, {}, targets, {5, 3});
@@ -38,13 +38,13 @@ BOOST_AUTO_TEST_CASE(one_body_one_node_one_force) {
     const std::vector<Curve> curves = {test::cloud(random_vector(n, 4), 1e-3)};
     const StressletSum sum(curves);
     const ComplexVector density = random_vector(n, 5);
-    const Fmm at_targets(curves, {}, targets, {order, 10});
+    const Fmm at_targets(curves, {}, targets, {ample_order, 10});
     BOOST_TEST(relative_error(at_targets.velocity(density), sum(targets, density)) < bound);
     if (n == 1) {
-      BOOST_TEST(Fmm(curves, {}, {order, 10}).velocity(density).norm() == 0.0);
+      BOOST_TEST(Fmm(curves, {}, {ample_order, 10}).velocity(density).norm() == 0.0);
     } else {
-      BOOST_TEST(relative_error(Fmm(curves, {}, {order, 10}).velocity(density), sum(density)) <
-                 bound);
+      BOOST_TEST(relative_error(Fmm(curves, {}, {ample_order, 10}).velocity(density),
+                                sum(density)) < bound);
     }
   }
   // A box without extent: far from its targets, and among them.
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(one_body_one_node_one_force) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const Complex place : {Complex{0.123, 0.234}, Complex{60.0, 50.0}}) {
       const ComplexVector point{{scale * place}}, around = scale * targets;
-      const Fmm fmm({}, point, around, {order, 10});
+      const Fmm fmm({}, point, around, {ample_order, 10});
       const ComplexVector found =
           fmm.velocity({ComplexVector(0), ComplexVector{{force}}, Eigen::VectorXd{{scale}}});
       ComplexVector exact(around.size());
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(any_length) {
       curve.dx *= length;
       curve.ddx *= length;
     }
-    const Fmm fmm(curves, {}, {order, 20});
+    const Fmm fmm(curves, {}, {ample_order, 20});
     const StressletSum sum(curves);
     BOOST_TEST(relative_error(fmm.velocity(density), sum(density)) < bound);
     BOOST_TEST(relative_error(fmm.derivatives(density),
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(coincident_nodes) {
     for (const double weight : {1e-12, 1e-2}) {
       const std::vector<Curve> curves = {test::cloud(points, weight)};
       const ComplexVector exact = StressletSum(curves)(density);
-      const ComplexVector found = Fmm(curves, {}, {order, 4}).velocity(density);
+      const ComplexVector found = Fmm(curves, {}, {ample_order, 4}).velocity(density);
       BOOST_TEST((found - exact).norm() <= bound * exact.norm());
     }
   }
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(targets_within_half_a_weight) {
       const ComplexVector exact = sum(targets, density);
       const auto exact_derivatives = sum.derivatives(targets, density);
       for (const Index leaf_size : {1, 3, 50}) {
-        const Fmm fmm(curves, {}, targets, {order, leaf_size});
+        const Fmm fmm(curves, {}, targets, {ample_order, leaf_size});
         BOOST_TEST(relative_error(fmm.velocity(density), exact) < bound);
         BOOST_TEST(relative_error(fmm.derivatives(density), exact_derivatives) < 100.0 * bound);
       }

@@ -24,7 +24,7 @@ namespace {
 
 const ExactFlow extension{{}, 1.0};
 
-struct Case {
+struct SolvedCase {
   std::string name;
   Shape shape;
   Side side;
@@ -32,7 +32,7 @@ struct Case {
   const ExactFlow& flow;
 };
 // Node counts that resolve the density of the flow to rounding.
-const std::vector<Case> cases = {
+const std::vector<SolvedCase> solved_cases = {
     {"ellipse 2:1", Ellipse{1.0, 0.5}, Side::fluid_outside, 128, inner_poles},
     {"ellipse 5:1", Ellipse{1.5, 0.3}, Side::fluid_outside, 400, inner_poles},
     {"star", Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles},
@@ -43,7 +43,7 @@ const std::vector<Case> cases = {
 
 // One curve with the Cauchy data of a flow's density.
 struct Solved {
-  explicit Solved(const Case& c)
+  explicit Solved(const SolvedCase& c)
       : curve(sample(c.shape, c.n, c.side)),
         cauchy(curve),
         data(cauchy.data(test::density_of(curve, c.flow.velocity(curve.x)))) {}
@@ -58,7 +58,7 @@ struct Solved {
 
 // Largest error, relative to the flow on the curve, at a distance from points between the nodes.
 template <class Distance>
-double error_at(const Case& c, const Solved& solved, const Distance& distance) {
+double error_at(const SolvedCase& c, const Solved& solved, const Distance& distance) {
   const Curve between = sample(c.shape, 122, c.side);
   const ComplexVector normal = normals(between);
   ComplexVector targets(between.size());
@@ -77,7 +77,7 @@ constexpr double accuracy = 2e-13;
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(at_any_distance) {
-  for (const Case& c : cases) {
+  for (const SolvedCase& c : solved_cases) {
     const Solved solved(c);
     for (double spacings : {3.0, 1.0, 0.5, 0.1}) {
       BOOST_TEST_CONTEXT(c.name << ", distance " << spacings << " h") {
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(at_any_distance) {
 }
 
 BOOST_AUTO_TEST_CASE(on_the_nodes_and_next_to_them) {
-  for (const Case& c : cases) {
+  for (const SolvedCase& c : solved_cases) {
     const Solved solved(c);
     const ComplexVector& nodes = solved.curve.x;
     const double size = largest(c.flow.velocity(nodes));
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(on_the_nodes_and_next_to_them) {
   }
 }
 
-double derivative_error(const Case& c, const Solved& solved, const ComplexVector& targets) {
+double derivative_error(const SolvedCase& c, const Solved& solved, const ComplexVector& targets) {
   const CauchyDerivativeData data = solved.cauchy.derivative_data(solved.data);
   return test::derivative_error(solved.cauchy.derivatives(data, 0, targets), c.flow, targets,
                                 c.side);
@@ -118,7 +118,7 @@ double derivative_error(const Case& c, const Solved& solved, const ComplexVector
 
 // Measured up to 2.5e-12: three differentiations, with N modes each.
 BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
-  for (const Case& c : cases) {
+  for (const SolvedCase& c : solved_cases) {
     const Solved solved(c);
     const Curve between = sample(c.shape, 122, c.side);
     for (double distance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-10, 0.0}) {
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
 
 // The rows are the same map as data() and velocity(), next to the curve and on a node too.
 BOOST_AUTO_TEST_CASE(rows_of_the_cauchy_scheme) {
-  for (const Case& c : cases) {
+  for (const SolvedCase& c : solved_cases) {
     if (c.n > 128) continue;
     const CauchyCurve cauchy(sample(c.shape, c.n, c.side));
     const Curve between = sample(c.shape, 10, c.side);
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(the_unit_of_length_does_not_matter) {
 }
 
 BOOST_AUTO_TEST_CASE(far_away_it_is_the_trapezoid_rule) {
-  for (const Case& c : cases) {
+  for (const SolvedCase& c : solved_cases) {
     if (c.side == Side::fluid_inside) continue;
     const Curve curve = sample(c.shape, c.n, c.side);
     const CauchyCurve cauchy(curve);

@@ -24,8 +24,8 @@ using test::outer_poles;
 namespace {
 
 // A 2:1 ellipse in its flow, with the scheme.
-struct Solved {
-  Solved(Side side, Index n, const InterpolationSettings& settings)
+struct InterpolatedFlow {
+  InterpolatedFlow(Side side, Index n, const InterpolationSettings& settings)
       : flow(side == Side::fluid_inside ? outer_poles : inner_poles),
         curve(sample(Ellipse{1.0, 0.5}, n, side)),
         density(test::density_of(curve, flow.velocity(curve.x))),
@@ -62,16 +62,19 @@ struct Solved {
 BOOST_AUTO_TEST_CASE(the_tolerance_is_met_where_the_curve_resolves_the_flow) {
   for (Side side : {Side::fluid_inside, Side::fluid_outside}) {
     const Index n = 256;
-    BOOST_TEST(Solved(side, n, InterpolationSettings::for_tolerance(1e-6)).worst() < 1e-6);
-    BOOST_TEST(Solved(side, n, InterpolationSettings::for_tolerance(1e-8)).worst() < 1e-8);
-    BOOST_TEST(Solved(side, n, InterpolationSettings::for_tolerance(1e-10)).worst() < 1e-10);
+    BOOST_TEST(InterpolatedFlow(side, n, InterpolationSettings::for_tolerance(1e-6)).worst() <
+               1e-6);
+    BOOST_TEST(InterpolatedFlow(side, n, InterpolationSettings::for_tolerance(1e-8)).worst() <
+               1e-8);
+    BOOST_TEST(InterpolatedFlow(side, n, InterpolationSettings::for_tolerance(1e-10)).worst() <
+               1e-10);
   }
 }
 
 // The published parameters reach 1e-6 or so at N = 128 (specification, table of section A), worst
 // at half a spacing; the error falls in proportion to the distance below that.
 BOOST_AUTO_TEST_CASE(published_parameters) {
-  const Solved outside(Side::fluid_outside, 128, InterpolationSettings::published(128));
+  const InterpolatedFlow outside(Side::fluid_outside, 128, InterpolationSettings::published(128));
   BOOST_TEST(outside.worst() < 1e-5);
   BOOST_TEST(outside.error_at(0.5) > 1e-8);
   BOOST_TEST(outside.error_at(1e-3) < 2e-2 * outside.error_at(0.5));
@@ -82,7 +85,7 @@ BOOST_AUTO_TEST_CASE(published_parameters) {
 
 BOOST_AUTO_TEST_CASE(rows_of_the_interpolation_scheme) {
   for (Side side : {Side::fluid_inside, Side::fluid_outside}) {
-    const Solved solved(side, 64, InterpolationSettings::for_tolerance(1e-6));
+    const InterpolatedFlow solved(side, 64, InterpolationSettings::for_tolerance(1e-6));
     const Curve between = sample(Ellipse{1.0, 0.5}, 10, side);
     ComplexVector targets(30);
     targets << between.x - 1e-3 * normals(between), between.x - 0.1 * normals(between),

@@ -18,7 +18,7 @@ using test::largest;
 
 namespace {
 
-constexpr double tolerance = 1e-14;
+constexpr double to_rounding = 1e-14;
 
 std::shared_ptr<const CauchyCurve> reference(const Shape& shape, Index n, Side side) {
   return std::make_shared<CauchyCurve>(sample(shape, n, side));
@@ -61,7 +61,7 @@ struct Assembly {
   }
 
   ComplexVector corrected_at_nodes() const {
-    const NearCorrection near(placed, nodes, Targets::own_nodes, {tolerance});
+    const NearCorrection near(placed, nodes, Targets::own_nodes, {to_rounding});
     ComplexVector velocity = StressletSum(curves)(density) + near(density);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const Index n = curves[k].size();
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(two_bodies_at_any_gap) {
   }
   // Without the correction the sum is off by far more.
   const Assembly bodies = pair(1e-2, 0.0, 0.0);
-  const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, {tolerance});
+  const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, {to_rounding});
   BOOST_TEST(largest(near(bodies.density)) > 0.1);
 }
 
@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
   const ComplexVector targets =
       ComplexVector{{first + std::polar(1.0 + 5e-5, 0.3), first + std::polar(1.0, 0.3),
                      bodies.nodes[100], first + Complex{0.0, 9.0}}};
-  const NearCorrection near(bodies.placed, targets, Targets::points, {tolerance});
+  const NearCorrection near(bodies.placed, targets, Targets::points, {to_rounding});
   const ComplexVector exact =
       bodies.cauchy_velocity(0, targets) + bodies.cauchy_velocity(1, targets);
   const ComplexVector sum = StressletSum(bodies.curves)(targets, bodies.density);
@@ -138,7 +138,8 @@ BOOST_AUTO_TEST_CASE(explicit_rows) {
   for (double gap : {1e-1, 1e-4, 1e-8}) {
     const Assembly bodies = pair(gap, 0.3, 1.0);
     const auto planned = [&](NearStorage storage) {
-      return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes, {tolerance, storage});
+      return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes,
+                            {to_rounding, storage});
     };
     const NearCorrection factored = planned(NearStorage::factored),
                          rows = planned(NearStorage::explicit_rows);
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(explicit_rows) {
 BOOST_AUTO_TEST_CASE(only_near_targets_are_corrected) {
   const auto circle = reference(Circle{1.0}, 64, Side::fluid_outside);
   const Assembly far({{circle, {0.0, 0.0}, 0.0}, {circle, {9.0, 0.0}, 0.0}});
-  const NearCorrection nothing(far.placed, far.nodes, Targets::own_nodes, {tolerance});
+  const NearCorrection nothing(far.placed, far.nodes, Targets::own_nodes, {to_rounding});
   BOOST_TEST(corrected_count(nothing(far.density)) == 0);
 
   const Assembly three(
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   const auto correction = [&](int threads) -> ComplexVector {
     omp_set_num_threads(threads);
     return NearCorrection(bodies.placed, bodies.nodes, Targets::own_nodes,
-                          {tolerance})(bodies.density);
+                          {to_rounding})(bodies.density);
   };
   const ComplexVector alone = correction(1);
   BOOST_TEST(largest(alone) > 0.01);

@@ -25,18 +25,18 @@ using test::outer_poles;
 
 namespace {
 
-struct Case {
+struct TestedCurve {
   Shape shape;
   Side side;
   Index n;
 };
-const std::vector<Case> cases = {
+const std::vector<TestedCurve> tested_curves = {
     {Circle{1.0}, Side::fluid_outside, 64},        {Ellipse{1.0, 0.5}, Side::fluid_outside, 128},
     {Ellipse{1.5, 0.3}, Side::fluid_outside, 400}, {Star{1.0, 0.2, 5}, Side::fluid_outside, 400},
     {Circle{1.0}, Side::fluid_inside, 96},         {Star{1.0, 0.2, 5}, Side::fluid_inside, 400}};
 
 // Targets in the fluid at up to eight node spacings from random points of the curve.
-ComplexVector random_targets(const Case& c, Index count) {
+ComplexVector random_targets(const TestedCurve& c, Index count) {
   std::mt19937 generator(2);
   std::uniform_int_distribution<Index> anywhere(0, 9999);
   std::uniform_real_distribution<double> spacings(0.0, 8.0);
@@ -53,7 +53,7 @@ ComplexVector random_targets(const Case& c, Index count) {
 
 // What the trapezoid rule makes of an exact flow at random targets, relative to the density.
 struct Errors {
-  explicit Errors(const Case& c)
+  explicit Errors(const TestedCurve& c)
       : curve(sample(c.shape, c.n, c.side)), targets(random_targets(c, 3000)) {
     const ExactFlow& flow = c.side == Side::fluid_outside ? inner_poles : outer_poles;
     const ComplexVector density = test::density_of(curve, flow.velocity(curve.x));
@@ -76,7 +76,7 @@ constexpr double rounding = 1e-13;
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_bound_holds_and_is_not_idle) {
-  for (const Case& c : cases) {
+  for (const TestedCurve& c : tested_curves) {
     const Errors errors(c);
     std::vector<double> ratios;
     for (Index i = 0; i < errors.targets.size(); ++i) {
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_bound_holds_and_is_not_idle) {
 }
 
 BOOST_AUTO_TEST_CASE(far_targets_are_accurate_to_the_tolerance) {
-  for (const Case& c : cases) {
+  for (const TestedCurve& c : tested_curves) {
     const Errors errors(c);
     for (double tolerance : {1e-3, 1e-6, 1e-10, 1e-12}) {
       int far = 0, near = 0;
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_preimage_is_good_to_second_order) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_near_beyond_the_reach) {
-  for (const Case& c : cases) {
+  for (const TestedCurve& c : tested_curves) {
     const Curve curve = sample(c.shape, c.n, c.side);
     for (double tolerance : {1e-3, 1e-12}) {
       const double reach = near_reach(curve, tolerance);

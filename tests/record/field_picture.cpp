@@ -11,14 +11,9 @@ using namespace stokesbook::test;
 
 namespace {
 
-const RunContents contents = sample_contents();
-
-std::map<std::string, std::string> draw(const Frame& frame) {
-  return draw_fields(frame, contents.bodies, contents.walls, {.title = "A < B", .width = 500.0});
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+std::map<std::string, std::string> fields_of(const Frame& frame) {
+  const RunContents sample = sample_contents();
+  return draw_fields(frame, sample.bodies, sample.walls, {.title = "A < B", .width = 500.0});
 }
 
 const std::string streamlines_of_field = "stroke=\"#fff\"";
@@ -28,7 +23,7 @@ const std::string streamlines_of_field = "stroke=\"#fff\"";
 BOOST_AUTO_TEST_SUITE(field_pictures)
 
 BOOST_AUTO_TEST_CASE(one_picture_a_quantity) {
-  const auto pictures = draw(sample_frame(7));
+  const auto pictures = fields_of(sample_frame(7));
   BOOST_TEST(pictures.size() == 5u);
   for (const auto& [name, picture] : pictures) {
     BOOST_TEST(is_field_picture(name), name);
@@ -45,7 +40,7 @@ BOOST_AUTO_TEST_CASE(one_picture_a_quantity) {
 BOOST_AUTO_TEST_CASE(no_streamlines_without_velocity) {
   Frame frame = sample_frame(0);
   frame.field->velocity.resize(0);
-  const auto pictures = draw(frame);
+  const auto pictures = fields_of(frame);
   BOOST_TEST(pictures.size() == 4u);
   for (const auto& [name, picture] : pictures) {
     BOOST_TEST(!contains(picture, streamlines_of_field), name);
@@ -58,7 +53,7 @@ BOOST_AUTO_TEST_CASE(peaks_do_not_take_all_colours) {
   values = Eigen::VectorXd::LinSpaced(values.size(), 0.0, 1.0);
   values[0] = -1e6;
   values[5] = 1e6;
-  const std::string picture = draw(frame).at("fields_dissipation.svg");
+  const std::string picture = fields_of(frame).at("fields_dissipation.svg");
   BOOST_TEST(contains(picture, ">0.501<"));
   BOOST_TEST(!contains(picture, "e+06"));
 }
@@ -66,17 +61,17 @@ BOOST_AUTO_TEST_CASE(peaks_do_not_take_all_colours) {
 BOOST_AUTO_TEST_CASE(constant_fields_and_fields_without_fluid) {
   Frame frame = sample_frame(0);
   frame.field->pressure.setConstant(3.0);
-  BOOST_TEST(contains(draw(frame).at("fields_pressure.svg"), ">3<"));
+  BOOST_TEST(contains(fields_of(frame).at("fields_pressure.svg"), ">3<"));
   frame.field->pressure.setConstant(Rheology::undefined);
   frame.field->velocity.setConstant({Rheology::undefined, Rheology::undefined});
-  for (const auto& [name, picture] : draw(frame)) BOOST_TEST(!contains(picture, "nan"), name);
+  for (const auto& [name, picture] : fields_of(frame)) BOOST_TEST(!contains(picture, "nan"), name);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_to_draw) {
   Frame frame = sample_frame(0);
-  BOOST_CHECK_THROW(draw_fields(frame, contents.bodies, {}, {}), std::invalid_argument);
+  BOOST_CHECK_THROW(draw_fields(frame, sample_contents().bodies, {}, {}), std::invalid_argument);
   frame.field.reset();
-  BOOST_CHECK_THROW(draw(frame), std::invalid_argument);
+  BOOST_CHECK_THROW(fields_of(frame), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

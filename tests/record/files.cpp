@@ -96,10 +96,11 @@ BOOST_AUTO_TEST_CASE(records_show_when_they_are_published) {
     GrowingFile file(folder.at("a"), 5);
     std::string whole = "head\n";
     BOOST_TEST(read(folder.at("a")) == whole);
+    std::string many_pages(100'000, 'x');
+    many_pages.back() = '\n';
     for (int k = 0; k < 5; ++k) {
       const std::string before = whole;
-      for (const std::string& record :
-           {std::to_string(k) + "\n", std::string(100'000, 'x') + "\n"}) {
+      for (const std::string& record : {std::to_string(k) + "\n", many_pages}) {
         file.append(record);
         whole += record;
       }

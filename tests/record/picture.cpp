@@ -14,14 +14,9 @@ using namespace stokesbook::test;
 
 namespace {
 
-const RunContents contents = sample_contents();
-
 std::string draw(const Frame& frame, const PictureOptions& options = {}) {
-  return draw_configuration(frame, contents.bodies, contents.walls, options);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  const RunContents sample = sample_contents();
+  return draw_configuration(frame, sample.bodies, sample.walls, options);
 }
 
 /// Lightness as the eye takes it (relative luminance of sRGB).
@@ -96,7 +91,7 @@ BOOST_AUTO_TEST_CASE(pictures_suit_light_and_dark_pages) {
 
 BOOST_AUTO_TEST_CASE(nothing_to_draw) {
   BOOST_CHECK_THROW(draw_configuration({}, {}, {}, {}), std::invalid_argument);
-  BOOST_CHECK_THROW(draw_configuration(sample_frame(0), contents.bodies, {}, {}),
+  BOOST_CHECK_THROW(draw_configuration(sample_frame(0), sample_contents().bodies, {}, {}),
                     std::invalid_argument);
 }
 

@@ -121,6 +121,10 @@ Frame sample_frame(int k) {
   return frame;
 }
 
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 bool run_or_resume(const std::filesystem::path& directory, const RunContents& contents,
                    int last_step) {
   const bool resumes = std::filesystem::exists(directory / "checkpoint");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "record/run_directory.hpp"
 
@@ -12,6 +13,9 @@ RunContents sample_contents();
 
 /// The sample at the k-th written time, with k mod 3 contacts.
 Frame sample_frame(int k);
+
+/// Whether a text has this part.
+bool contains(const std::string& text, const std::string& part);
 
 /// A run of a chaotic map, so that a resumed run which forgot one bit would end elsewhere.
 ///

@@ -21,16 +21,16 @@ namespace {
 // A star in an elliptic container, both of which move as the flow does; the poles lie in the star
 // and beyond the wall.
 const Pose star{{0.4, -0.3}, 0.6};
-const ExactFlow flow{{{star.position + Complex{0.05, 0.1}, {0.3, -0.2}, 0.4},
-                      {{3.5, 2.5}, {0.5, 0.8}, -0.6},
-                      {{-2.0, 3.5}, {-1.0, 0.4}, 0.3}},
-                     0.7};
+const ExactFlow known_flow{{{star.position + Complex{0.05, 0.1}, {0.3, -0.2}, 0.4},
+                            {{3.5, 2.5}, {0.5, 0.8}, -0.6},
+                            {{-2.0, 3.5}, {-1.0, 0.4}, 0.3}},
+                           0.7};
 
 StokesProblem exact_problem(double mu) {
   Component body = test::held_body(Star{0.8, 0.15, 3}, 256, star, {});
   Component wall = test::enclosing_wall(Ellipse{3.0, 2.0}, 256, {});
-  body.velocity = flow.velocity(body.curve.x);
-  wall.velocity = flow.velocity(wall.curve.x);
+  body.velocity = known_flow.velocity(body.curve.x);
+  wall.velocity = known_flow.velocity(wall.curve.x);
   return {{body, wall}, mu, {}, {}};
 }
 
@@ -45,20 +45,21 @@ Errors errors_at(const SolvedFlow& solved, const ComplexVector& targets) {
   const ComplexVector velocity = solved.velocity(targets);
   const Complex far{-1.5, 0.5};
   const FlowDerivatives reference = solved.derivatives(ComplexVector{{far}})[0];
-  const double datum = reference.pressure - flow.pressure(far);
+  const double datum = reference.pressure - known_flow.pressure(far);
   Errors errors;
   for (Index i = 0; i < targets.size(); ++i) {
     const Complex z = targets[i];
     const FlowDerivatives& at = found[static_cast<std::size_t>(i)];
-    errors.velocity = std::max(errors.velocity, std::abs(velocity[i] - flow.velocity(z)));
-    errors.derivatives = std::max(
-        {errors.derivatives, std::abs(at.pressure - flow.pressure(z) - datum),
-         std::abs(at.vorticity - flow.vorticity(z)), std::abs(at.strain - flow.strain(z))});
+    errors.velocity = std::max(errors.velocity, std::abs(velocity[i] - known_flow.velocity(z)));
+    errors.derivatives =
+        std::max({errors.derivatives, std::abs(at.pressure - known_flow.pressure(z) - datum),
+                  std::abs(at.vorticity - known_flow.vorticity(z)),
+                  std::abs(at.strain - known_flow.strain(z))});
   }
   double speed = 0.0, strain = 0.0;
   for (const Complex z : solved.nodes()) {
-    speed = std::max(speed, std::abs(flow.velocity(z)));
-    strain = std::max(strain, std::abs(flow.strain(z)));
+    speed = std::max(speed, std::abs(known_flow.velocity(z)));
+    strain = std::max(strain, std::abs(known_flow.strain(z)));
   }
   return {errors.velocity / speed, errors.derivatives / strain};
 }
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(traction_on_the_boundary) {
     Index first = 0;
     for (const Component& component : solved.problem().components) {
       for (const Complex n : normals(component.curve)) {
-        exact[first] = mu * flow.traction(solved.nodes()[first], n);
+        exact[first] = mu * known_flow.traction(solved.nodes()[first], n);
         normal[first] = n;
         ++first;
       }

@@ -12,14 +12,14 @@ using namespace stokesbook;
 
 namespace {
 
-const test::ExactFlow flow{{{{0.1, 0.2}, {0.5, -0.3}, 0.4}, {{-0.3, 0.1}, {0.1, 0.8}, -0.1}}, 0.7};
+const test::ExactFlow poles{{{{0.1, 0.2}, {0.5, -0.3}, 0.4}, {{-0.3, 0.1}, {0.1, 0.8}, -0.1}}, 0.7};
 
 FlowDerivatives at(Complex z) {
-  return test::derivatives_of(flow, z);
+  return test::derivatives_of(poles, z);
 }
 
 Complex velocity(Complex z) {
-  return flow.velocity(z);
+  return poles.velocity(z);
 }
 
 constexpr Complex point{1.1, -0.7};
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(stress_and_traction) {
   const double mu = 1.3;
   const FlowDerivatives there = at(point);
   const Complex n = std::polar(1.0, 0.4);
-  const auto pressure = [&](Complex z) { return mu * flow.pressure(z); };
+  const auto pressure = [&](Complex z) { return mu * poles.pressure(z); };
   const Complex expected = test::traction(velocity, pressure, mu, point, n);
   BOOST_TEST(std::abs(traction(there, n, mu) - expected) < accuracy);
   BOOST_TEST(std::abs(applied(stress(there, mu), n) - expected) < accuracy);

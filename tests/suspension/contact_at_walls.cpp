@@ -12,16 +12,7 @@
 
 namespace stokesbook::test {
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-// Least gap of all written states, by the curves' formulas.
-double least_gap(const Scene& scene, const RecordedRun& run) {
-  return least_exact_gap(scene, run.frames, 10.0);
-}
-
-}  // namespace
+using std::numbers::pi;
 
 // The free end of the step lies in the middle of a held body, where the nearest way out is any.
 BOOST_AUTO_TEST_CASE(a_step_that_would_end_deep_within_a_body) {

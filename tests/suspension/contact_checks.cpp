@@ -58,6 +58,10 @@ void check_forces(const Scene& scene, const Frame& frame, double separation) {
 
 }  // namespace
 
+double least_gap(const Scene& scene, const RecordedRun& run) {
+  return least_exact_gap(scene, run.frames, 10.0);
+}
+
 double largest_force(const Frame& frame) {
   double largest = 0.0;
   for (const ContactForce& contact : frame.contacts) largest = std::max(largest, contact.force);

@@ -17,6 +17,9 @@ namespace stokesbook::test {
 /// @param  least  what all pairs keep that begin nearer than the separation; none: the separation
 void check_contact(const Scene& scene, const RecordedRun& run, std::optional<double> least = {});
 
+/// Least gap of all written states, by the curves' formulas.
+double least_gap(const Scene& scene, const RecordedRun& run);
+
 /// Largest force of contact of a frame; 0 without.
 double largest_force(const Frame& frame);
 

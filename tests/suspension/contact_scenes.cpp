@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Bodies in a container that turns once in 2 pi.
 Scene in_turning_container(double radius, const std::vector<Body>& bodies, double separation) {
@@ -23,11 +23,6 @@ Scene in_turning_container(double radius, const std::vector<Body>& bodies, doubl
   scene.contact = ContactSettings{separation};
   scene.solver.tolerance = 1e-3;
   return scene;
-}
-
-// Least gap of all written states, by the curves' formulas.
-double least_gap(const Scene& scene, const RecordedRun& run) {
-  return least_exact_gap(scene, run.frames, 10.0);
 }
 
 auto mentions(const std::vector<std::string>& words) {

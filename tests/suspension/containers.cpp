@@ -8,7 +8,7 @@
 namespace stokesbook::test {
 namespace {
 
-constexpr double tolerance = 1e-12;
+constexpr double to_rounding = 1e-12;
 
 // The motion of the outer circle is a sum of the two that the scene format knows: solve for both.
 Load solved_inner_load(const EccentricAnnulus& annulus, double load_tolerance) {
@@ -44,8 +44,8 @@ BOOST_AUTO_TEST_CASE(circle_in_a_container_C5) {
     return scene({body(Circle{1}, 64, {}, 0.0, load)}, {}, {outer_wall(Circle{3}, 96)});
   };
   check(loaded({{0.6, -0.8}, 0.0}),
-        {{0, RigidMotion{0.02376281090475681 * Complex{0.6, -0.8}, 0}, {}, {}}}, tolerance);
-  check(loaded({0.0, 1.0}), {{0, RigidMotion{0.0, 0.070735530263064594}, {}, {}}}, tolerance);
+        {{0, RigidMotion{0.02376281090475681 * Complex{0.6, -0.8}, 0}, {}, {}}}, to_rounding);
+  check(loaded({0.0, 1.0}), {{0, RigidMotion{0.0, 0.070735530263064594}, {}, {}}}, to_rounding);
 }
 
 BOOST_AUTO_TEST_CASE(couette_C6) {
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(couette_C6) {
   for (const double angle : {0.0, 1.0, 4.0}) {
     const Complex direction = std::polar(1.0, angle);
     const Complex velocity = solved.velocity(ComplexVector{{1.7 * direction}})[0];
-    BOOST_TEST(std::abs(velocity + 0.77588235294117647 * perp(direction)) < tolerance);
+    BOOST_TEST(std::abs(velocity + 0.77588235294117647 * perp(direction)) < to_rounding);
   }
 }
 
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(circle_in_extension_N9) {
   Eigen::Matrix2d gradient;
   gradient << 1, 0, 0, -1;
   check(scene({body(Circle{.5}, 64, 1.2)}, {}, {outer_wall(Circle{3}, 96, LinearWall{gradient})}),
-        {{0, RigidMotion{1.28078353552061, 0.0}, {}, {}}}, tolerance);
+        {{0, RigidMotion{1.28078353552061, 0.0}, {}, {}}}, to_rounding);
 }
 
 BOOST_AUTO_TEST_CASE(circle_in_a_couette_cell_NA) {
@@ -101,10 +101,10 @@ BOOST_AUTO_TEST_CASE(radial_walls) {
   const Scene source = scene({}, {},
                              {inner_wall(Circle{0.8}, 96, RadialWall{0.7}),
                               outer_wall(Circle{2.0}, 96, RadialWall{-0.28})});
-  check(source, {{0, {}, Load{}, {}}, {1, {}, Load{}, {}}}, tolerance);
+  check(source, {{0, {}, Load{}, {}}, {1, {}, Load{}, {}}}, to_rounding);
   const Complex point{1.2, -0.5};
   const Complex velocity = Solved(source).velocity(ComplexVector{{point}})[0];
-  BOOST_TEST(std::abs(velocity - 0.56 * point / std::norm(point)) < tolerance);
+  BOOST_TEST(std::abs(velocity - 0.56 * point / std::norm(point)) < to_rounding);
 }
 
 // Random motions of both circles, towards each other and along each other.

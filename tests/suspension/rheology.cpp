@@ -8,7 +8,7 @@
 namespace stokesbook::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Rheology rheology_of(const Scene& scene, double drive = 1.0) {
   const SuspensionSolver solver(scene);

@@ -32,7 +32,7 @@ Scene approaching_circles(SteppingMethod method, double dt, double t_final, int 
   return scene;
 }
 
-double jeffery_error(SteppingMethod method, double dt) {
+double final_angle_error(SteppingMethod method, double dt) {
   const double angle = frames_of(jeffery_scene(method, dt)).back().bodies[0].orientation;
   return std::abs(angle - jeffery_angle(3.0, 8.0));
 }
@@ -61,11 +61,11 @@ BOOST_AUTO_TEST_CASE(the_closed_forms_are_the_published_ones) {
 }
 
 BOOST_AUTO_TEST_CASE(jeffery_orbit_has_the_order_of_the_stepper) {
-  check_order([](double dt) { return jeffery_error(SteppingMethod::euler, dt); }, 0.02, 1.0);
-  check_order([](double dt) { return jeffery_error(SteppingMethod::adams_bashforth2, dt); }, 0.05,
-              2.0);
-  check_order([](double dt) { return jeffery_error(SteppingMethod::heun, dt); }, 0.05, 2.0);
-  check_order([](double dt) { return jeffery_error(SteppingMethod::rk4, dt); }, 0.2, 4.0);
+  check_order([](double dt) { return final_angle_error(SteppingMethod::euler, dt); }, 0.02, 1.0);
+  check_order([](double dt) { return final_angle_error(SteppingMethod::adams_bashforth2, dt); },
+              0.05, 2.0);
+  check_order([](double dt) { return final_angle_error(SteppingMethod::heun, dt); }, 0.05, 2.0);
+  check_order([](double dt) { return final_angle_error(SteppingMethod::rk4, dt); }, 0.2, 4.0);
 }
 
 BOOST_AUTO_TEST_CASE(approaching_circles_have_the_order_of_the_stepper) {

@@ -35,8 +35,9 @@ ComplexVector ellipse_points(Index n) {
   return sample(Ellipse{1.4, 0.8}, n, Side::fluid_outside).x;
 }
 
-const std::vector<Shape> shapes = {Circle{0.7}, Ellipse{2.0, 1.0}, Star{1.3, 0.2, 5},
-                                   Superellipse{2.0, 1.0, 4}, NodalCurve{ellipse_points(48), ""}};
+const std::vector<Shape> graded_shapes = {Circle{0.7}, Ellipse{2.0, 1.0}, Star{1.3, 0.2, 5},
+                                          Superellipse{2.0, 1.0, 4},
+                                          NodalCurve{ellipse_points(48), ""}};
 
 double node_density(const Grading& grading, double t) {
   double m = 1.0;
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) 
 BOOST_AUTO_TEST_CASE(derivatives_of_curves_are_those_of_the_fourier_series) {
   // As far as rounding, which differentiation multiplies by 600.
   for (const Grading& grading : {Grading{{{0.4, 0.3}}}, Grading{{{0.4, 0.1}, {3.0, 0.5}}, 1.0}}) {
-    for (const Shape& shape : shapes) {
+    for (const Shape& shape : graded_shapes) {
       const Curve curve = sample(shape, 1200, Side::fluid_outside, grading);
       BOOST_TEST(largest(differentiate(curve.x) - curve.dx) < 2e-11);
       BOOST_TEST(largest(differentiate(curve.dx) - curve.ddx) < 2e-10);
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_curves_are_those_of_the_fourier_series) {
 }
 
 BOOST_AUTO_TEST_CASE(lengths_and_areas_do_not_depend_on_the_grading) {
-  for (const Shape& shape : shapes) {
+  for (const Shape& shape : graded_shapes) {
     const Curve even = sample(shape, 400, Side::fluid_outside);
     for (const Grading& grading : gradings) {
       const Curve curve = sample(shape, 2000, Side::fluid_outside, grading);
@@ -239,7 +240,7 @@ BOOST_AUTO_TEST_CASE(turns_of_a_parameter_and_the_order_of_clusters_do_not_matte
 }
 
 BOOST_AUTO_TEST_CASE(without_clusters_a_sample_is_the_equidistant_one_bit_for_bit) {
-  for (const Shape& shape : shapes) {
+  for (const Shape& shape : graded_shapes) {
     for (Side side : {Side::fluid_outside, Side::fluid_inside}) {
       const Curve even = sample(shape, 48, side), graded = sample(shape, 48, side, Grading{});
       BOOST_TEST((even.x == graded.x && even.dx == graded.dx && even.ddx == graded.ddx));

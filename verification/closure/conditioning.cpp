@@ -9,16 +9,16 @@ using namespace test;
 
 namespace {
 
-constexpr double aspect = 2.0;
+constexpr double aspect_ratio = 2.0;
 
 /// A free ellipse of minor semi-axis b; no load, which does not enter the matrix.
 StokesProblem free_ellipse(double b, double nodes = 48.0) {
-  const Ellipse ellipse{aspect * b, b};
+  const Ellipse ellipse{aspect_ratio * b, b};
   return {{free_body(ellipse, count(nodes), {b * Complex{0.3, 0.1}, 0.4})}, 1.3, {}, {}};
 }
 
-StokesProblem held_ellipse(double mu) {
-  return {{held_body(Ellipse{aspect, 1.0}, 48, {{0.3, 0.1}, 0.4}, {})}, mu, {}, 20.0};
+StokesProblem held_at_viscosity(double mu) {
+  return {{held_body(Ellipse{aspect_ratio, 1.0}, 48, {{0.3, 0.1}, 0.4}, {})}, mu, {}, 20.0};
 }
 
 /// A planted defect: the torque's row in the units of the force's.
@@ -76,7 +76,7 @@ double with_balanced_border(double nodes) {
 
 /// A planted defect: singularities without 1 / (4 pi mu).
 double without_viscosity(double mu) {
-  const StokesProblem problem = held_ellipse(mu);
+  const StokesProblem problem = held_at_viscosity(mu);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
   system.matrix.topRightCorner(system.matrix.rows() - 3, 3) *= 4.0 * std::numbers::pi * mu;
   return test::mean_square_condition(system.matrix, problem);
@@ -84,7 +84,7 @@ double without_viscosity(double mu) {
 
 /// A planted defect: F / (4 pi) as unknown, not F / (4 pi mu).
 double with_load_unscaled(double mu) {
-  const StokesProblem problem = held_ellipse(mu);
+  const StokesProblem problem = held_at_viscosity(mu);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.rightCols(3) /= mu;
   return test::mean_square_condition(system.matrix, problem);
@@ -92,7 +92,7 @@ double with_load_unscaled(double mu) {
 
 /// A planted defect: P without the factor between motions and loads.
 double with_load_for_motion(double mu) {
-  const StokesProblem problem = held_ellipse(mu);
+  const StokesProblem problem = held_at_viscosity(mu);
   const DenseSystem bordered = assemble(problem, ClosureForm::scaled_bordered);
   const Eigen::Index n = bordered.matrix.rows() - 3;
   const Eigen::MatrixXd loads =
@@ -114,7 +114,7 @@ Measure over_nodes(ClosureForm form) {
 
 Measure over_viscosities(double a, double b, int points, ClosureForm form) {
   return at(log_points(a, b, points),
-            [=](double mu) { return test::mean_square_condition(held_ellipse(mu), form); });
+            [=](double mu) { return test::mean_square_condition(held_at_viscosity(mu), form); });
 }
 
 const std::vector<std::string> assemble_api{"stokesbook::assemble", "stokesbook::ClosureForm"};

@@ -9,13 +9,13 @@ using namespace test;
 
 namespace {
 
-constexpr double gauge = 1.0;
+constexpr double fixed_gauge = 1.0;
 constexpr Ellipse unit_ellipse{4.0 / 3.0, 2.0 / 3.0};  // mean radius (a + b) / 2 = 1
 
 /// A held ellipse of that mean radius, its shape that of the unit ellipse.
 StokesProblem held_ellipse(double radius) {
   const Ellipse ellipse{radius * unit_ellipse.a, radius * unit_ellipse.b};
-  return {{held_body(ellipse, 48, {radius * Complex{0.2, 0.1}, 0.4}, {})}, 1.3, {}, gauge};
+  return {{held_body(ellipse, 48, {radius * Complex{0.2, 0.1}, 0.4}, {})}, 1.3, {}, fixed_gauge};
 }
 
 StokesProblem without_gauge(StokesProblem problem) {
@@ -35,7 +35,7 @@ double condition_with_balance(double radius) {
 /// log(radius / gauge) = a / (a + b).
 double degenerate_radius() {
   const auto [a, b] = unit_ellipse;
-  return gauge * std::exp(a / (a + b));
+  return fixed_gauge * std::exp(a / (a + b));
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ Experiment near_degenerate_scale() {
                                           "a / (a + b) - log(R / ell), changes sign there",
                                 .api = {"stokesbook::StokesProblem"}},
                  .control = Control{"the gauge length itself taken for the degenerate size",
-                                    at(distances, condition_at(gauge))}}}};
+                                    at(distances, condition_at(fixed_gauge))}}}};
 }
 
 }  // namespace stokesbook::verification::closure

@@ -14,7 +14,7 @@ using namespace test;
 
 namespace {
 
-constexpr double viscosity = 1.3, gauge = 7.0, orientation = 0.4;
+constexpr double viscosity = 1.3, gauge_length = 7.0, ellipse_orientation = 0.4;
 
 /// A planted defect, if any: what is done to a problem before it is solved.
 using Change = std::function<void(StokesProblem&)>;
@@ -47,10 +47,13 @@ void no_change(StokesProblem&) {}
 double error_under_load(double aspect, double x, const Solve& solve, const Change& change) {
   const Ellipse ellipse{aspect, 1.0};
   const Load load{{0.3, -1.1}, 0.6};
-  StokesProblem problem{
-      {free_body(ellipse, count(x), {{3.0, -2.0}, orientation}, load)}, viscosity, {}, gauge};
+  StokesProblem problem{{free_body(ellipse, count(x), {{3.0, -2.0}, ellipse_orientation}, load)},
+                        viscosity,
+                        {},
+                        gauge_length};
   change(problem);
-  const RigidMotion exact = loaded_ellipse(ellipse, orientation, load, viscosity, gauge);
+  const RigidMotion exact =
+      loaded_ellipse(ellipse, ellipse_orientation, load, viscosity, gauge_length);
   return distance(solve(problem), exact) / std::abs(exact.velocity);
 }
 
@@ -58,11 +61,11 @@ double error_under_load(double aspect, double x, const Solve& solve, const Chang
 double error_in_shear(double aspect, double x, const Solve& solve, const Change& change) {
   constexpr double rate = 1.4;
   const Ellipse ellipse{aspect, 1.0};
-  const Component body = free_body(ellipse, count(x), {{3.0, -2.0}, orientation});
+  const Component body = free_body(ellipse, count(x), {{3.0, -2.0}, ellipse_orientation});
   StokesProblem problem{{body}, viscosity, shear(body.curve.x, rate), {}};
   change(problem);
   const RigidMotion exact{-2.0 * rate,
-                          free_ellipse_omega(ellipse, orientation, -rate, 0.0, 0.5 * rate)};
+                          free_ellipse_omega(ellipse, ellipse_orientation, -rate, 0.0, 0.5 * rate)};
   return distance(solve(problem), exact) / rate;
 }
 
@@ -94,7 +97,7 @@ void opposite_normals(StokesProblem& problem) {
   problem.components[0].curve.side = Side::fluid_inside;
 }
 
-using Error = double (*)(double aspect, double x, const Solve&, const Change&);
+using EllipseError = double (*)(double aspect, double x, const Solve&, const Change&);
 
 struct Defect {
   std::string name;
@@ -102,8 +105,8 @@ struct Defect {
   Change change;
 };
 
-Line ellipse_line(const std::string& key, double aspect, const Error& error, const Claim& claim,
-                  double rate, const Defect& defect) {
+Line ellipse_line(const std::string& key, double aspect, const EllipseError& error,
+                  const Claim& claim, double rate, const Defect& defect) {
   const std::vector<double> nodes = node_counts(4.0 / rate, 36.0 / rate, 15);
   return {.key = key,
           .label = "ellipse " + std::to_string(static_cast<int>(aspect)) + ":1",

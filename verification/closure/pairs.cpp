@@ -114,9 +114,9 @@ double error_of_draft_with_zero(double a) {
   return error(pair, problem, system, ClosureForm::draft_bordered);
 }
 
-using Error = std::function<double(const Pair&, double nodes)>;
+using PairError = std::function<double(const Pair&, double nodes)>;
 
-Error of_form(ClosureForm form) {
+PairError of_form(ClosureForm form) {
   return [form](const Pair& pair, double nodes) { return error_of_form(pair, nodes, form); };
 }
 
@@ -134,9 +134,9 @@ Claim gap_claim(const std::string& id, const Pair& pair) {
 }
 
 Line gap_line(const std::string& key, const std::string& id, const Pair& pair,
-              const std::string& label, const std::string& defect, const Error& wrong) {
+              const std::string& label, const std::string& defect, const PairError& wrong) {
   const std::vector<double> nodes = node_counts(4.0 / pair.rate(), 24.0 / pair.rate(), 11);
-  const Error right = of_form(ClosureForm::scaled_bordered);
+  const PairError right = of_form(ClosureForm::scaled_bordered);
   return {.key = key,
           .label = label,
           .measure = at(nodes, [=](double n) { return right(pair, n); }),
@@ -145,7 +145,7 @@ Line gap_line(const std::string& key, const std::string& id, const Pair& pair,
 }
 
 /// Errors with their costs: unknowns and evaluations of the double layer's kernel.
-Measure at_cost(const Pair& pair, const Error& error, int border, double blocks) {
+Measure at_cost(const Pair& pair, const PairError& error, int border, double blocks) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double nodes = 12.0; nodes <= 96.0; nodes += size == Size::full ? 6.0 : 12.0) {

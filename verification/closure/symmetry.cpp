@@ -9,10 +9,10 @@ using namespace test;
 
 namespace {
 
-constexpr double gauge = 100.0;
+constexpr double large_gauge = 100.0;
 
 StokesProblem one_body(Eigen::Index n) {
-  return {{free_body(lopsided_curve(), n, {{0.3, -0.2}, 0.5})}, 1.3, {}, gauge};
+  return {{free_body(lopsided_curve(), n, {{0.3, -0.2}, 0.5})}, 1.3, {}, large_gauge};
 }
 
 StokesProblem three_bodies(Eigen::Index n) {
@@ -21,7 +21,7 @@ StokesProblem three_bodies(Eigen::Index n) {
            free_body(Star{0.8, 0.1, 3}, n, {{0.6, -1.9}})},
           1.3,
           {},
-          gauge};
+          large_gauge};
 }
 
 double asymmetry(const Eigen::MatrixXd& mobility) {

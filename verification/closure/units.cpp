@@ -55,7 +55,7 @@ double held_error(double length, std::optional<double> gauge) {
 constexpr double other_gauge = 5.0;
 
 const std::vector<double> lengths = log_points(1e-8, 1e8, 17);
-const std::string rounding = "exact up to rounding, some hundreds of units";
+const std::string exact_up_to_rounding = "exact up to rounding, some hundreds of units";
 
 Measure loaded(ClosureForm form) {
   return at(lengths, [=](double l) { return loaded_error(l, 7.0 * l, form); });
@@ -70,7 +70,7 @@ Line claimed_line(const std::string& key, const std::string& id, const std::stri
                          .statement = "Motions under load do not depend on the units of length and "
                                       "viscosity.",
                          .law = Identity{1e-13},
-                         .reason = rounding,
+                         .reason = exact_up_to_rounding,
                          .api = {"stokesbook::assemble", "stokesbook::complete_dense"}},
           .control =
               Control{"the gauge length kept when the unit changes",
@@ -96,7 +96,7 @@ Experiment units() {
                                     .statement = "Forces on two held circles in unbounded fluid, "
                                                  "which balance, are those of the closed form.",
                                     .law = Identity{1e-13},
-                                    .reason = rounding,
+                                    .reason = exact_up_to_rounding,
                                     .api = {"stokesbook::Closure"}},
                      .control = Control{
                          "Stokeslets of a fixed gauge length, forces not balanced",

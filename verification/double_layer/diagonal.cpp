@@ -12,7 +12,6 @@ using Eigen::Index;
 
 namespace {
 
-const Ellipse ellipse{2.0, 1.0};
 constexpr Index highest_mode = 4;
 
 /// Random Fourier modes |k| <= highest_mode of the density; entry k + highest_mode.
@@ -30,7 +29,7 @@ ComplexVector series(const ComplexVector& coefficients, Index n) {
 /// D in closed form, fluid inside: (D eta)_k = -(m^|k| eta_{-k} - c_k conj(eta_k)) / 2 with
 /// c_k = (1 - m^2) k m^{k-1} for k >= 1, else 0.
 ComplexVector exact_modes() {
-  const double m = std::exp(-kernel_distance(ellipse));
+  const double m = std::exp(-kernel_distance(two_to_one));
   ComplexVector result(modes.size());
   for (Index k = -highest_mode; k <= highest_mode; ++k) {
     const auto order = static_cast<double>(k);
@@ -48,7 +47,7 @@ Measure errors_with(double factor) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (Index n = 12; n <= (size == Size::full ? 256 : 96); n = n * 5 / 4 / 2 * 2) {
-      const Curve curve = sample(ellipse, n, Side::fluid_inside);
+      const Curve curve = sample(two_to_one, n, Side::fluid_inside);
       const ComplexVector density = series(modes, n);
       const Eigen::VectorXd velocity = double_layer_matrix(curve) * interleaved(density);
       const ComplexVector got =
@@ -77,7 +76,7 @@ Experiment diagonal() {
                Claim{.id = "02_15",
                      .statement = "With the limit as its diagonal the rule converges on the "
                                   "curve as N m^N, m = (a - b) / (a + b).",
-                     .law = Geometric{kernel_distance(ellipse), 0.03, 1.0},
+                     .law = Geometric{kernel_distance(two_to_one), 0.03, 1.0},
                      .window = {.from = 16.0, .floor = 1e-14},
                      .reason = "the kernel is analytic, with a double pole at the distance "
                                "ln(1/m); floor: rounding of nodes over their spacing",

@@ -4,7 +4,6 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
-#include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::double_layer {
@@ -25,13 +24,16 @@ struct Problem {
   test::ExactFlow flow() const { return {{{continued(ellipse, source), {0.5, -0.3}, 0.0}}}; }
 };
 
-const Ellipse two{2.0, 1.0}, four{4.0, 1.0};
-const Problem wall_near{two, Side::fluid_inside, {0.9, -0.15}, 0.52, 1};
-const Problem wall_far{two, Side::fluid_inside, {0.9, -0.3}, 0.52, 1};
-const Problem body_near{two, Side::fluid_outside, {0.9, 0.2}, -1.0, 1};
-const Problem body_centre{
-    two, Side::fluid_outside, {0.5 * std::numbers::pi, 0.5 * kernel_distance(two)}, -1.2, 1};
-const Problem slender_wall{four, Side::fluid_inside, {0.9, -1.2}, 0.2, 16};
+const Ellipse four_to_one{4.0, 1.0};
+const Problem wall_near{two_to_one, Side::fluid_inside, {0.9, -0.15}, 0.52, 1};
+const Problem wall_far{two_to_one, Side::fluid_inside, {0.9, -0.3}, 0.52, 1};
+const Problem body_near{two_to_one, Side::fluid_outside, {0.9, 0.2}, -1.0, 1};
+const Problem body_centre{two_to_one,
+                          Side::fluid_outside,
+                          {0.5 * std::numbers::pi, 0.5 * kernel_distance(two_to_one)},
+                          -1.2,
+                          1};
+const Problem slender_wall{four_to_one, Side::fluid_inside, {0.9, -1.2}, 0.2, 16};
 
 ComplexVector evaluate(const Curve& curve, const ComplexVector& density, const Problem& problem) {
   const Index n = problem.oversampled * curve.size();
@@ -88,25 +90,25 @@ Line source_line(const std::string& key, const std::string& id, const std::strin
 /// @name A body that exerts a force and a torque
 /// @{
 constexpr double viscosity = 1.3, gauge = 1.0;
-const Complex load_point = continued(two, {0.9, 0.2}), force{1.0, 0.5};
-constexpr double torque = -0.7;
+const Complex load_point = continued(two_to_one, {0.9, 0.2}), load_force{1.0, 0.5};
+constexpr double load_torque = -0.7;
 
 Complex loaded_flow(Complex z) {
-  return stokeslet(z - load_point, force, viscosity, gauge) +
-         rotlet(z - load_point, torque, viscosity);
+  return stokeslet(z - load_point, load_force, viscosity, gauge) +
+         rotlet(z - load_point, load_torque, viscosity);
 }
 
 /// Stokeslet and rotlet of the same force and torque at the centre of the body, times a factor.
 Complex completing_flow(Complex z, double factor) {
-  return factor * (stokeslet(z, force, viscosity, gauge) +
-                   rotlet(z, torque + cross(load_point, force), viscosity));
+  return factor * (stokeslet(z, load_force, viscosity, gauge) +
+                   rotlet(z, load_torque + cross(load_point, load_force), viscosity));
 }
 
 double error_of_completion(Index n, double factor) {
-  const Curve body = sample(two, n, Side::fluid_outside);
+  const Curve body = sample(two_to_one, n, Side::fluid_outside);
   const auto remainder = [=](Complex z) { return loaded_flow(z) - completing_flow(z, factor); };
   const ComplexVector density = test::density_of(body, body.x.unaryExpr(remainder));
-  const ComplexVector targets = points_at(two, -1.0);
+  const ComplexVector targets = points_at(two_to_one, -1.0);
   return relative_error(plain_rule(body, density, targets) + targets.unaryExpr([=](Complex z) {
     return completing_flow(z, factor);
   }),
@@ -136,11 +138,11 @@ Experiment dirichlet() {
                 source_line("body_near", "02_21", "outside 2:1, source at distance 0.2", body_near,
                             0.2, 1.0, source_reason, "the normal into the fluid", inward_normal),
                 source_line("body_centre", "02_22", "outside 2:1, source at the centre",
-                            body_centre, 0.5 * kernel_distance(two), 1.0,
+                            body_centre, 0.5 * kernel_distance(two_to_one), 1.0,
                             "no point inside has preimages farther away than half of ln(1/m)",
                             "the diagonal with the other sign of the curvature", wrong_diagonal),
                 source_line("slender", "02_23", "inside 4:1, source at distance 1.2", slender_wall,
-                            kernel_distance(four), 1.0,
+                            kernel_distance(four_to_one), 1.0,
                             "the shape itself: the kernel's double pole at ln(1/m)",
                             "the diagonal with the other sign of the curvature", wrong_diagonal)}};
 }

@@ -6,6 +6,7 @@
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
 #include "study/study.hpp"
+#include "support/exact_flows.hpp"
 #include "support/over_nodes.hpp"
 #include "support/plain_rule.hpp"
 #include "support/vectors.hpp"
@@ -30,6 +31,13 @@ study::Experiment conditioning();
 study::Experiment cost();
 study::Experiment near_target();
 /// @}
+
+/// The shape of most experiments.
+inline constexpr Ellipse two_to_one{2.0, 1.0};
+
+/// A flow in it, its sources so far away that 96 nodes resolve its density to rounding.
+inline const test::ExactFlow far_flow{
+    {{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
 
 /// The point x(t) = a cos t + i b sin t of an ellipse's continuation to complex parameters t.
 ///

@@ -1,7 +1,6 @@
 // Green's representation u = S[sigma n] - D[u] of an exact flow about a body: the flow outside,
 // nothing inside.
 #include "experiments.hpp"
-#include "support/exact_flows.hpp"
 
 namespace stokesbook::verification::double_layer {
 
@@ -10,32 +9,31 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double viscosity = 1.3, gauge = 0.7;
-const Ellipse ellipse{2.0, 1.0};
-const test::ExactFlow flow{{{continued(ellipse, {0.9, 0.4}), {0.5, -0.3}, 0.4}}};
+constexpr double fluid_viscosity = 1.3, stokeslet_gauge = 0.7;
+const test::ExactFlow outer_flow{{{continued(two_to_one, {0.9, 0.4}), {0.5, -0.3}, 0.4}}};
 
 /// Factors of the single layer that a defect changes.
 struct Factors {
   double single_layer = 1.0;
-  double stokeslet_viscosity = viscosity;
+  double stokeslet_viscosity = fluid_viscosity;
 };
 
 double error(Index n, double height, double share, const Factors& factors) {
-  const Curve body = sample(ellipse, n, Side::fluid_outside);
-  const ComplexVector normal = normals(body), targets = points_at(ellipse, height);
+  const Curve body = sample(two_to_one, n, Side::fluid_outside);
+  const ComplexVector normal = normals(body), targets = points_at(two_to_one, height);
   const Eigen::VectorXd w = weights(body);
   const ComplexVector single_layer = targets.unaryExpr([&](Complex target) {
     Complex u{};
     for (Index j = 0; j < n; ++j) {
-      const Complex force = w[j] * viscosity * flow.traction(body.x[j], normal[j]);
-      u += stokeslet(target - body.x[j], force, factors.stokeslet_viscosity, gauge);
+      const Complex force = w[j] * fluid_viscosity * outer_flow.traction(body.x[j], normal[j]);
+      u += stokeslet(target - body.x[j], force, factors.stokeslet_viscosity, stokeslet_gauge);
     }
     return u;
   });
   const ComplexVector velocity =
-      factors.single_layer * single_layer - plain_rule(body, flow.velocity(body.x), targets);
-  return test::largest(velocity - share * flow.velocity(targets)) /
-         test::largest(flow.velocity(body.x));
+      factors.single_layer * single_layer - plain_rule(body, outer_flow.velocity(body.x), targets);
+  return test::largest(velocity - share * outer_flow.velocity(targets)) /
+         test::largest(outer_flow.velocity(body.x));
 }
 
 Measure errors_of(double height, double share, const Factors& factors = {}) {

@@ -9,10 +9,10 @@ using Eigen::Index;
 
 namespace {
 
-const Ellipse ellipse{3.0, 1.0};
+const Ellipse three_to_one{3.0, 1.0};
 
 Curve body(Index n) {
-  return sample(ellipse, n, Side::fluid_outside);
+  return sample(three_to_one, n, Side::fluid_outside);
 }
 
 ComplexVector rigid_motion(const ComplexVector& x) {
@@ -22,7 +22,7 @@ ComplexVector rigid_motion(const ComplexVector& x) {
 /// Error of D v = share * v off the curve, relative to the largest v on it.
 double error_off_curve(Index n, double height, double share) {
   const Curve curve = body(n);
-  const ComplexVector targets = points_at(ellipse, height), v = rigid_motion(curve.x);
+  const ComplexVector targets = points_at(three_to_one, height), v = rigid_motion(curve.x);
   return test::largest(plain_rule(curve, v, targets) - share * rigid_motion(targets)) /
          test::largest(v);
 }
@@ -59,7 +59,7 @@ Claim rigid_claim(const std::string& id, const std::string& statement, double ra
 
 Experiment identities() {
   constexpr double inside = 0.2, outside = -0.4;
-  const double kernel = kernel_distance(ellipse);
+  const double kernel = kernel_distance(three_to_one);
   return {
       .key = "identities",
       .title = "Rigid motions and flux, body 3:1",

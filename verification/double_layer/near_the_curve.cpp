@@ -4,7 +4,6 @@
 
 #include "experiments.hpp"
 #include "support/dirichlet.hpp"
-#include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::double_layer {
@@ -14,22 +13,17 @@ using Eigen::Index;
 
 namespace {
 
-const Ellipse ellipse{2.0, 1.0};
-
-/// Sources so far away that 96 nodes resolve the density to rounding.
-const test::ExactFlow flow{{{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
-
 /// The flow's density on n nodes, without the error of a solve at n nodes.
 ComplexVector resolved_density(Index n) {
   static const ComplexVector density = [] {
-    const Curve wall = sample(ellipse, 96, Side::fluid_inside);
-    return test::density_of(wall, flow.velocity(wall.x));
+    const Curve wall = sample(two_to_one, 96, Side::fluid_inside);
+    return test::density_of(wall, far_flow.velocity(wall.x));
   }();
   return resample(density, n);
 }
 
 ComplexVector rule(Index n, const ComplexVector& targets) {
-  return plain_rule(sample(ellipse, n, Side::fluid_inside), resolved_density(n), targets);
+  return plain_rule(sample(two_to_one, n, Side::fluid_inside), resolved_density(n), targets);
 }
 
 /// A planted defect: the normal into the fluid.
@@ -46,15 +40,15 @@ ComplexVector forgotten_pi(Index n, const ComplexVector& targets) {
 ComplexVector shifted_density(Index n, const ComplexVector& targets) {
   ComplexVector density = resolved_density(n);
   std::rotate(density.begin(), density.begin() + 1, density.end());
-  return plain_rule(sample(ellipse, n, Side::fluid_inside), density, targets);
+  return plain_rule(sample(two_to_one, n, Side::fluid_inside), density, targets);
 }
 
 using Rule = ComplexVector (*)(Index, const ComplexVector&);
 
 Measure errors_at_height(double height, Rule evaluate) {
   return errors_at(height, [=](Index n) {
-    const ComplexVector targets = points_at(ellipse, height);
-    return relative_error(evaluate(n, targets), flow.velocity(targets));
+    const ComplexVector targets = points_at(two_to_one, height);
+    return relative_error(evaluate(n, targets), far_flow.velocity(targets));
   });
 }
 
@@ -153,8 +147,8 @@ Experiment spacings() {
           .x = "distance in local spacings x",
           .error = "error of the velocity, relative to the largest",
           .axes = Axes::semi_log,
-          .lines = {spacing_line("wall", "02_6", "inside an ellipse 2:1, N = 3200", ellipse, 3200,
-                                 Side::fluid_inside),
+          .lines = {spacing_line("wall", "02_6", "inside an ellipse 2:1, N = 3200", two_to_one,
+                                 3200, Side::fluid_inside),
                     spacing_line("body", "02_7", "outside a star of 5 arms, N = 6400",
                                  Star{1.0, 0.2, 5}, 6400, Side::fluid_outside)}};
 }

@@ -6,7 +6,6 @@
 #include "experiments.hpp"
 #include "near_singular/cauchy.hpp"
 #include "support/dirichlet.hpp"
-#include "support/exact_flows.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::double_layer {
@@ -18,9 +17,7 @@ namespace {
 
 constexpr double height = 0.03;
 constexpr Index refinement = 4;
-const Ellipse ellipse{2.0, 1.0};
-const test::ExactFlow flow{{{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
-const ComplexVector targets = points_at(ellipse, height);
+const ComplexVector targets = points_at(two_to_one, height);
 
 /// Velocities and the kernel evaluations they took.
 struct Evaluation {
@@ -39,7 +36,7 @@ Evaluation inward_normal(const Curve& wall, const ComplexVector& density) {
 
 Evaluation refined(const Curve& wall, const ComplexVector& density) {
   const Index n = refinement * wall.size();
-  return plain(sample(ellipse, n, wall.side), resample(density, n));
+  return plain(sample(two_to_one, n, wall.side), resample(density, n));
 }
 
 /// A planted defect: each fine node takes the density of the coarse node before it.
@@ -47,7 +44,7 @@ Evaluation refined_by_steps(const Curve& wall, const ComplexVector& density) {
   const Index n = refinement * wall.size();
   const ComplexVector steps =
       ComplexVector::NullaryExpr(n, [&](Index j) { return density[j / refinement]; });
-  return plain(sample(ellipse, n, wall.side), steps);
+  return plain(sample(two_to_one, n, wall.side), steps);
 }
 
 /// Beside N weights a target, three matrices of the curve on itself.
@@ -59,8 +56,8 @@ Evaluation cauchy(const Curve& wall, const ComplexVector& density) {
 
 /// The flow's density; beyond 96 nodes, which resolve it to rounding, it is interpolated.
 ComplexVector density_on(Index n) {
-  const Curve wall = sample(ellipse, std::min<Index>(n, 96), Side::fluid_inside);
-  return resample(test::density_of(wall, flow.velocity(wall.x)), n);
+  const Curve wall = sample(two_to_one, std::min<Index>(n, 96), Side::fluid_inside);
+  return resample(test::density_of(wall, far_flow.velocity(wall.x)), n);
 }
 
 using Method = Evaluation (*)(const Curve&, const ComplexVector&);
@@ -72,13 +69,13 @@ Measure errors_of(Method method, Index most_nodes) {
     const double factor = size == Size::full ? 1.25 : 1.5;
     for (double nodes = 16.0; nodes <= static_cast<double>(most_nodes); nodes *= factor) {
       const Index n = 2 * std::lround(0.5 * nodes);
-      const Curve wall = sample(ellipse, n, Side::fluid_inside);
+      const Curve wall = sample(two_to_one, n, Side::fluid_inside);
       const ComplexVector density = density_on(n);
       const Clock::time_point start = Clock::now();
       const Evaluation got = method(wall, density);
       measurements.push_back(
           {.x = static_cast<double>(n),
-           .error = relative_error(got.velocity, flow.velocity(targets)),
+           .error = relative_error(got.velocity, far_flow.velocity(targets)),
            .operations = static_cast<double>(got.kernels),
            .seconds = std::chrono::duration<double>(Clock::now() - start).count()});
     }

@@ -18,8 +18,8 @@ struct Quantity {
   double (*error)(const Summed&, const FmmSettings&);
   double power;
 };
-constexpr Quantity velocity{velocity_error, 0.0}, derivatives{derivative_error, 1.0},
-    point_forces{point_force_error, 0.0};
+constexpr Quantity velocity_sum{velocity_error, 0.0}, derivative_sum{derivative_error, 1.0},
+    point_force_sum{point_force_error, 0.0};
 
 /// The tree stays the same: boxes of at most 80 nodes.
 Measure over_orders(Set set, const Quantity& quantity, int most) {
@@ -90,16 +90,17 @@ Line tolerance_line(const std::string& key, const std::string& id, const std::st
 }  // namespace
 
 Experiment orders() {
-  return {.key = "orders",
-          .title = "Velocities of 5000 nodes",
-          .x = "order p",
-          .error = "error of the velocity in the 2-norm, relative",
-          .axes = Axes::semi_log,
-          .lines = {
-              order_line("square", "08_9", "at nodes uniform in a square", summed_square, velocity),
-              order_line("ellipses", "08_10", "at nodes on ellipses", summed_ellipses, velocity),
-              order_line("crowd", "08_11", "at nodes crowding over eight decades", summed_crowd,
-                         velocity)}};
+  return {
+      .key = "orders",
+      .title = "Velocities of 5000 nodes",
+      .x = "order p",
+      .error = "error of the velocity in the 2-norm, relative",
+      .axes = Axes::semi_log,
+      .lines = {
+          order_line("square", "08_9", "at nodes uniform in a square", summed_square, velocity_sum),
+          order_line("ellipses", "08_10", "at nodes on ellipses", summed_ellipses, velocity_sum),
+          order_line("crowd", "08_11", "at nodes crowding over eight decades", summed_crowd,
+                     velocity_sum)}};
 }
 
 Experiment derivative_orders() {
@@ -109,9 +110,9 @@ Experiment derivative_orders() {
           .error = "error of the three beside the nodes in the 2-norm, relative",
           .axes = Axes::semi_log,
           .lines = {order_line("square", "08_12", "beside nodes uniform in a square", summed_square,
-                               derivatives),
+                               derivative_sum),
                     order_line("ellipses", "08_13", "beside nodes on ellipses", summed_ellipses,
-                               derivatives)}};
+                               derivative_sum)}};
 }
 
 Experiment tolerances() {
@@ -122,13 +123,13 @@ Experiment tolerances() {
           .error = "error of the velocity in the 2-norm, relative",
           .lines = {
               tolerance_line("square", "08_14", "at nodes uniform in a square", summed_square,
-                             velocity, law),
-              tolerance_line("ellipses", "08_15", "at nodes on ellipses", summed_ellipses, velocity,
-                             law),
+                             velocity_sum, law),
+              tolerance_line("ellipses", "08_15", "at nodes on ellipses", summed_ellipses,
+                             velocity_sum, law),
               tolerance_line("crowd", "08_16", "at nodes crowding over eight decades", summed_crowd,
-                             velocity, law),
+                             velocity_sum, law),
               tolerance_line("forces", "08_34", "beside Stokeslets and rotlets uniform in a square",
-                             summed_square, point_forces, {1.0, 1e-3})}};
+                             summed_square, point_force_sum, {1.0, 1e-3})}};
 }
 
 Experiment derivative_tolerances() {
@@ -138,13 +139,13 @@ Experiment derivative_tolerances() {
           .x = "tolerance e",
           .error = "error of the three beside the nodes in the 2-norm, relative",
           .lines = {tolerance_line("square", "08_17", "beside nodes uniform in a square",
-                                   summed_square, derivatives, law),
+                                   summed_square, derivative_sum, law),
                     tolerance_line("ellipses", "08_18", "beside nodes on ellipses", summed_ellipses,
-                                   derivatives, law),
+                                   derivative_sum, law),
                     tolerance_line("crowd", "08_19", "beside crowding nodes", summed_crowd,
-                                   derivatives, law),
+                                   derivative_sum, law),
                     tolerance_line("slender", "08_20", "beside one slender body",
-                                   summed_slender_body, derivatives, law)}};
+                                   summed_slender_body, derivative_sum, law)}};
 }
 
 }  // namespace stokesbook::verification::fmm

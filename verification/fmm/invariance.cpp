@@ -14,12 +14,12 @@ using Eigen::Index;
 
 namespace {
 
-const FmmSettings settings = FmmSettings::for_tolerance(1e-9);
+const FmmSettings nine_digits = FmmSettings::for_tolerance(1e-9);
 
 ComplexVector by_threads(int threads) {
   omp_set_num_threads(threads);
   ComplexVector velocity =
-      Fmm(summed_ellipses().curves, {}, settings).velocity(summed_ellipses().density);
+      Fmm(summed_ellipses().curves, {}, nine_digits).velocity(summed_ellipses().density);
   omp_set_num_threads(1);
   return velocity;
 }
@@ -27,7 +27,7 @@ ComplexVector by_threads(int threads) {
 /// A planted defect: each thread sums its own sources, and the sums are added.
 ComplexVector by_shares(int threads) {
   const Summed& sum = summed_ellipses();
-  const Fmm plan(sum.curves, {}, settings);
+  const Fmm plan(sum.curves, {}, nine_digits);
   const Index n = sum.density.size();
   ComplexVector velocity = ComplexVector::Zero(n);
   for (Index thread = 0; thread < threads; ++thread) {
@@ -56,7 +56,7 @@ Measure over_threads(ComplexVector (*velocity)(int)) {
 Measure over_fields(Index shift) {
   return [=](Size) {
     const Summed& sum = summed_ellipses();
-    const Fmm plan(sum.curves, {}, settings);
+    const Fmm plan(sum.curves, {}, nine_digits);
     std::vector<Measurement> measurements;
     for (const Index fields : {2, 3, 4, 7}) {
       Eigen::MatrixXcd density(sum.density.size(), fields);

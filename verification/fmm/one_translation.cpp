@@ -112,7 +112,7 @@ struct Pair {
   }
 };
 
-using Method = std::function<double(const Pair&, int order)>;
+using TranslationMethod = std::function<double(const Pair&, int order)>;
 
 double converted(const Pair& pair, int order) {
   return pair.error(pair.evaluated(pair.incoming(order, pair.to)));
@@ -132,7 +132,7 @@ Pair pair_of_ratio(double rho) {
   return {{0.3, -0.2}, 1.0 + 1.0 / rho};
 }
 
-Measure over_orders(double rho, const Method& method) {
+Measure over_orders(double rho, const TranslationMethod& method) {
   return [=](Size size) {
     const Pair pair = pair_of_ratio(rho);
     std::vector<Measurement> measurements;
@@ -161,7 +161,7 @@ Line order_line(const std::string& key, const std::string& id, const std::string
                              over_orders(rho, towards_the_other_side)}};
 }
 
-Measure over_ratios(int order, const Method& method) {
+Measure over_ratios(int order, const TranslationMethod& method) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double inverse = 2.0; inverse < 13.0; inverse *= size == Size::full ? 1.1 : 1.2) {

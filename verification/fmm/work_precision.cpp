@@ -111,9 +111,9 @@ Found near_field(int order) {
   return {velocity, pairs, unmeasured};
 }
 
-using Method = Found (*)(int order);
+using VelocityMethod = Found (*)(int order);
 
-Measure over_orders(Method method, int fixed = 0) {
+Measure over_orders(VelocityMethod method, int fixed = 0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int p = 4; p <= 40; p += size == Size::full ? 2 : 6) {

@@ -38,7 +38,7 @@ Row row_of(const HardCase& hard) {
   return {hard, finding, std::chrono::duration<double>(clock::now() - start).count()};
 }
 
-int run(const std::string& html) {
+int run_all(const std::string& html) {
   std::vector<Row> rows;
   for (const auto& cases :
        {answers(), crowds(), sums(), motions(), contacts(), problems(), refusals()}) {
@@ -75,5 +75,5 @@ int main(int argc, char** argv) {
   std::string html;
   app.add_option("--html", html, "also write the table to a file");
   CLI11_PARSE(app, argc, argv);
-  return stokesbook::verification::hard_cases::run(html);
+  return stokesbook::verification::hard_cases::run_all(html);
 }

@@ -12,14 +12,14 @@ using namespace test;
 
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double pivoting_tolerance = 1e-9;
 
-/// Solves by pivoting; the error is that of z where it is unique, else that of w = q + M z, which
-/// is unique for all of these: M is symmetric and semidefinite. Both whatever the units of rows.
-Finding solve(const PlantedLcp& lcp) {
+/// The error is that of z where it is unique, else that of w = q + M z, which is unique for all of
+/// these: M is symmetric and semidefinite. Both whatever the units of rows.
+Finding solve_by_pivoting(const PlantedLcp& lcp) {
   const auto& [matrix, offset] = lcp.problem;
   const LcpResult found = lemke(lcp.problem);
-  Finding finding{.tolerance = tolerance};
+  Finding finding{.tolerance = pivoting_tolerance};
   if (!solved(found)) {
     finding.refusal = "not solved";
     return finding;
@@ -45,7 +45,7 @@ PlantedLcp scaled(const PlantedLcp& lcp) {
 Finding without_solution() {
   const LcpProblem problem{matrix2(1.0, -1.0, -1.0, 1.0), vector2(-1.0, -1.0)};
   const LcpResult found = lemke(problem);
-  if (solved(found)) return {.tolerance = tolerance, .error = 0.0};
+  if (solved(found)) return {.tolerance = pivoting_tolerance, .error = 0.0};
   const bool is_proof = found.status == LcpStatus::ray && proves_no_solution(found.ray, problem);
   return {.refusal = is_proof ? "no solution: the path ends in a ray, which proves it"
                               : "the path ends without a proof"};
@@ -55,7 +55,7 @@ Finding without_solution() {
 
 std::vector<HardCase> problems() {
   const auto solving = [](const std::string& asked, const PlantedLcp& lcp) {
-    return HardCase{"11", asked, [=] { return solve(lcp); }};
+    return HardCase{"11", asked, [=] { return solve_by_pivoting(lcp); }};
   };
   const PlantedLcp hilbert = planted("", hilbert_matrix(12), 4, false),
                    chain_of_400{"", chain(400), VectorXd::Ones(400), true},

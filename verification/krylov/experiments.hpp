@@ -40,6 +40,9 @@ study::Experiment solvers();
 study::Experiment costs_of_a_solve();
 /// @}
 
+/// Of the matrices that are made for their spectra.
+inline constexpr Eigen::Index matrix_order = 200;
+
 /// Relative residuals of GMRES that starts anew every `length` iterations, before and after each.
 std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
                               const Eigen::VectorXd& b, int length, int iterations);

@@ -18,10 +18,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double tolerance = 1e-4;  // of the nodes
+constexpr double node_tolerance = 1e-4;
 constexpr int most_applications = 40;
 
-using Bodies = std::vector<std::size_t>;
+using BodyIndices = std::vector<std::size_t>;
 
 MatrixXd dense(const SuspensionOperator& system) {
   const Index n = system.offsets().back();
@@ -47,8 +47,8 @@ Scene held(Scene scene) {
 class Hexagon {
  public:
   explicit Hexagon(double gap)
-      : free_(test::disk_hexagon(1, gap, tolerance), ClusterForm::resistance),
-        held_(test::with_preconditioner(held(test::disk_hexagon(1, gap, tolerance)),
+      : free_(test::disk_hexagon(1, gap, node_tolerance), ClusterForm::resistance),
+        held_(test::with_preconditioner(held(test::disk_hexagon(1, gap, node_tolerance)),
                                         PreconditionerKind::none)),
         free_matrix(dense(free_.discrete.system)),
         held_matrix(dense(held_.discrete.system)) {
@@ -66,7 +66,7 @@ class Hexagon {
   }
 
   /// The numbers of some bodies.
-  std::vector<Index> rows(const Bodies& bodies) const {
+  std::vector<Index> rows(const BodyIndices& bodies) const {
     std::vector<Index> rows;
     for (const std::size_t k : bodies) {
       for (Index i = 2 * first(k); i < 2 * first(k + 1); ++i) rows.push_back(i);
@@ -112,12 +112,12 @@ class Hexagon {
  public:
   MatrixXd free_matrix, held_matrix;  // A, A_h
   MatrixXd modes, projection;         // K, Pi
-  std::vector<Bodies> clusters;       // each body and its neighbours
+  std::vector<BodyIndices> clusters;  // each body and its neighbours
 };
 
 using Approximate = MatrixXd (*)(const Hexagon& hexagon, const MatrixXd& matrix);
 
-MatrixXd inverse_among(const Hexagon& hexagon, const MatrixXd& matrix, const Bodies& bodies) {
+MatrixXd inverse_among(const Hexagon& hexagon, const MatrixXd& matrix, const BodyIndices& bodies) {
   const std::vector<Index> rows = hexagon.rows(bodies);
   return test::inverse(matrix(rows, rows));
 }
@@ -135,10 +135,10 @@ MatrixXd blocks(const Hexagon& hexagon, const MatrixXd& matrix) {
 MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
   const MatrixXd alone = blocks(hexagon, matrix);
   MatrixXd result = alone;
-  for (const Bodies& cluster : hexagon.clusters) {
+  for (const BodyIndices& cluster : hexagon.clusters) {
     for (const std::size_t other : cluster) {
       if (other <= cluster.front()) continue;
-      const Bodies pair{cluster.front(), other};
+      const BodyIndices pair{cluster.front(), other};
       const std::vector<Index> rows = hexagon.rows(pair);
       result(rows, rows) += inverse_among(hexagon, matrix, pair) - alone(rows, rows);
     }
@@ -149,7 +149,7 @@ MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
 /// Restricted additive Schwarz: each body's rows are those of its cluster's inverse.
 MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd result = MatrixXd::Zero(matrix.rows(), matrix.cols());
-  for (const Bodies& cluster : hexagon.clusters) {
+  for (const BodyIndices& cluster : hexagon.clusters) {
     const std::vector<Index> own = hexagon.rows({cluster.front()}), all = hexagon.rows(cluster);
     result(own, all) = inverse_among(hexagon, matrix, cluster).topRows(own.size());
   }
@@ -159,7 +159,7 @@ MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
 /// The inverse of the matrix without the blocks between bodies that are no neighbours.
 MatrixXd near_field(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd near = MatrixXd::Zero(matrix.rows(), matrix.cols());
-  for (const Bodies& cluster : hexagon.clusters) {
+  for (const BodyIndices& cluster : hexagon.clusters) {
     const std::vector<Index> own = hexagon.rows({cluster.front()}), all = hexagon.rows(cluster);
     near(own, all) = matrix(own, all);
   }

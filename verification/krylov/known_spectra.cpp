@@ -12,7 +12,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Index order = 200;
 constexpr double radius = 0.5;   // of the disk of eigenvalues about 1
 constexpr double spread = 25.0;  // quotient of the ends of the interval of eigenvalues
 
@@ -32,29 +31,29 @@ VectorXd shifted(const VectorXd& v) {
 /// side has equal parts of all eigenvectors.
 System circle_of_eigenvalues(double centre, double circle) {
   return {[=](const VectorXd& v) -> VectorXd { return centre * v + circle * shifted(v); },
-          VectorXd::Unit(order, 0)};
+          VectorXd::Unit(matrix_order, 0)};
 }
 
 /// Eigenvalues at Chebyshev's points of [1, spread], equal parts of all eigenvectors.
 System interval_of_eigenvalues() {
-  VectorXd eigenvalues(order);
-  for (Index j = 0; j < order; ++j) {
-    const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / order;
+  VectorXd eigenvalues(matrix_order);
+  for (Index j = 0; j < matrix_order; ++j) {
+    const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / matrix_order;
     eigenvalues[j] = 0.5 * (spread + 1.0) + 0.5 * (spread - 1.0) * std::cos(angle);
   }
   return {[=](const VectorXd& v) -> VectorXd { return eigenvalues.cwiseProduct(v); },
-          VectorXd::Ones(order)};
+          VectorXd::Ones(matrix_order)};
 }
 
 /// The circle about 1, and a few eigenvalues far outside its disk.
 System disk_and_outliers() {
   VectorXd outliers(6);
   outliers << 1e-3, 1e-2, 0.1, -0.3, 3.0, 10.0;
-  VectorXd rhs(order + outliers.size());
-  rhs << VectorXd::Unit(order, 0), VectorXd::Ones(outliers.size());
+  VectorXd rhs(matrix_order + outliers.size());
+  rhs << VectorXd::Unit(matrix_order, 0), VectorXd::Ones(outliers.size());
   return {[=](const VectorXd& v) -> VectorXd {
             VectorXd result(v.size());
-            const VectorXd disk = v.head(order);
+            const VectorXd disk = v.head(matrix_order);
             result << disk + radius * shifted(disk), outliers.cwiseProduct(v.tail(outliers.size()));
             return result;
           },
@@ -85,7 +84,7 @@ std::vector<Measurement> as_measurements(const std::vector<double>& history, int
   std::vector<Measurement> measurements;
   for (std::size_t k = 1; k < history.size(); ++k) {
     measurements.push_back(
-        {.x = products * static_cast<double>(k), .error = history[k], .unknowns = order});
+        {.x = products * static_cast<double>(k), .error = history[k], .unknowns = matrix_order});
   }
   return measurements;
 }

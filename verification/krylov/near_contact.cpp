@@ -12,33 +12,34 @@ using Eigen::Index;
 
 namespace {
 
-constexpr GmresOptions options{1e-8, 1000};
+constexpr GmresOptions near_contact_options{1e-8, 1000};
 
-using Bodies = std::vector<PlacedBody> (*)(double gap);
+using Arrangement = std::vector<PlacedBody> (*)(double gap);
 
 /// Nodes that resolve densities with modes e^{-alpha |k|}, cosh alpha = 1 + gap / 2.
-Index nodes_for(double gap) {
+Index nodes_at_gap(double gap) {
   return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
 }
 
-enum class Blocks { none, own };
+enum class CircleBlocks { none, own };
 
-LinearMap blocks_of(const std::vector<PlacedBody>& bodies, Index nodes, Blocks blocks) {
-  return blocks == Blocks::own ? LinearMap(block_diagonal(bodies, nodes)) : LinearMap{};
+LinearMap blocks_of(const std::vector<PlacedBody>& bodies, Index nodes, CircleBlocks blocks) {
+  return blocks == CircleBlocks::own ? LinearMap(block_diagonal(bodies, nodes)) : LinearMap{};
 }
 
 /// @param  fixed_nodes  a planted defect: so many whatever the gap; 0: as many as needed
-Measure counts(Bodies arrange, Blocks blocks, std::vector<double> gaps, Index fixed_nodes = 0) {
+Measure counts(Arrangement arrange, CircleBlocks blocks, std::vector<double> gaps,
+               Index fixed_nodes = 0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const double gap : gaps) {
       if (size == Size::quick && gap < 0.02 && arrange == hexagon) continue;
       if (size == Size::quick && gap < 0.01) continue;
-      const Index nodes = fixed_nodes > 0 ? fixed_nodes : nodes_for(gap);
+      const Index nodes = fixed_nodes > 0 ? fixed_nodes : nodes_at_gap(gap);
       const std::vector<PlacedBody> bodies = arrange(gap);
       const BodySystem system(bodies, nodes, generic_flow);
       const GmresResult result =
-          gmres(system.map(), blocks_of(bodies, nodes, blocks), system.rhs(), options);
+          gmres(system.map(), blocks_of(bodies, nodes, blocks), system.rhs(), near_contact_options);
       measurements.push_back({.x = gap,
                               .error = static_cast<double>(result.iterations),
                               .unknowns = static_cast<double>(system.size())});
@@ -51,7 +52,7 @@ constexpr double restart_gap = 1e-2;
 
 Measure history(int length) {
   return [=](Size) {
-    const Index nodes = nodes_for(restart_gap);
+    const Index nodes = nodes_at_gap(restart_gap);
     const BodySystem system(circle_pair(restart_gap), nodes, generic_flow);
     const LinearMap solve_blocks = block_diagonal(circle_pair(restart_gap), nodes);
     const std::vector<double> residuals =
@@ -76,7 +77,7 @@ Experiment gaps() {
           .lines = {
               {.key = "pair",
                .label = "two circles, block-diagonal",
-               .measure = counts(circle_pair, Blocks::own, of_pair),
+               .measure = counts(circle_pair, CircleBlocks::own, of_pair),
                .claim = Claim{.id = "05_21",
                               .statement = "Near contact the block-diagonal preconditioner fails: "
                                            "the iterations of two circles grow as g^(-1/2).",
@@ -87,13 +88,13 @@ Experiment gaps() {
                                         "number C / a, a ~ g^(1/2)",
                               .api = {"stokesbook::BlockDiagonalPreconditioner"}},
                .control = Control{"32 nodes a circle, whatever the gap",
-                                  counts(circle_pair, Blocks::own, of_pair, 32)}},
+                                  counts(circle_pair, CircleBlocks::own, of_pair, 32)}},
               {.key = "pair_none",
                .label = "two circles, no preconditioner",
-               .measure = counts(circle_pair, Blocks::none, of_pair)},
+               .measure = counts(circle_pair, CircleBlocks::none, of_pair)},
               {.key = "hexagon",
                .label = "hexagon of seven circles, block-diagonal",
-               .measure = counts(hexagon, Blocks::own, of_hexagon)}}};
+               .measure = counts(hexagon, CircleBlocks::own, of_hexagon)}}};
 }
 
 Experiment restarts() {

@@ -16,9 +16,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Index order = 200;
-constexpr double gap = 0.1;
-constexpr Index nodes = 96;  // hold the modes of that gap to e^{-15}
+constexpr double pair_gap = 0.1;
+constexpr Index pair_nodes = 96;  // hold the modes of that gap to e^{-15}
 
 std::vector<Measurement> residuals_of(const LinearMap& apply, const VectorXd& rhs, int iterations) {
   const std::vector<double> history = gmres(apply, {}, rhs, {1e-15, iterations}).history;
@@ -34,10 +33,10 @@ Measure jordan_block(double coupling) {
   return [=](Size) {
     const LinearMap apply = [=](const VectorXd& v) -> VectorXd {
       VectorXd result = v;
-      result.head(order - 1) += coupling * v.tail(order - 1);
+      result.head(matrix_order - 1) += coupling * v.tail(matrix_order - 1);
       return result;
     };
-    return residuals_of(apply, VectorXd::Unit(order, order - 1), 45);
+    return residuals_of(apply, VectorXd::Unit(matrix_order, matrix_order - 1), 45);
   };
 }
 
@@ -49,9 +48,9 @@ std::vector<Measurement> normal_matrix(const VectorXd& eigenvalues, int iteratio
 
 /// Two circles with their own blocks, and data without any smoothness.
 struct Pair {
-  BodySystem system{circle_pair(gap), nodes, shear};
-  BlockDiagonalPreconditioner solve_blocks = block_diagonal(circle_pair(gap), nodes);
-  ComplexVector data = test::random_vector(2 * nodes, 1);
+  BodySystem system{circle_pair(pair_gap), pair_nodes, shear};
+  BlockDiagonalPreconditioner solve_blocks = block_diagonal(circle_pair(pair_gap), pair_nodes);
+  ComplexVector data = test::random_vector(2 * pair_nodes, 1);
 
   VectorXd apply(const VectorXd& v) const { return system.apply(solve_blocks(v)); }
 };
@@ -74,7 +73,7 @@ std::vector<Measurement> pair_if_normal(Size) {
 
 /// A planted error: eigenvalues within a tenth of 1 are taken for the whole truth.
 std::vector<Measurement> normal_near_one(Size) {
-  return normal_matrix(VectorXd::LinSpaced(order, 0.9, 1.1), 45);
+  return normal_matrix(VectorXd::LinSpaced(matrix_order, 0.9, 1.1), 45);
 }
 
 }  // namespace

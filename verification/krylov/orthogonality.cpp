@@ -14,25 +14,25 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double gap = 1e-3;
-constexpr Index nodes = 256;
-constexpr int iterations = 60;
+constexpr int basis_size = 60;
 
 BodySystem nearly_touching() {
+  constexpr double gap = 1e-3;
+  constexpr Index nodes = 256;
   return BodySystem(circle_pair(gap), nodes, generic_flow);
 }
 
 /// The library's basis, seen from outside: what it applies the operator to.
 MatrixXd basis_of_library() {
   const BodySystem system = nearly_touching();
-  MatrixXd basis(system.size(), iterations + 1);
+  MatrixXd basis(system.size(), basis_size + 1);
   Index column = 0;
   const LinearMap observed = [&](const VectorXd& v) {
     basis.col(column++) = v;
     return system.apply(v);
   };
-  gmres(observed, {}, system.rhs(), {0.0, iterations});
-  return basis.leftCols(iterations);  // after them the solution, for its residual
+  gmres(observed, {}, system.rhs(), {0.0, basis_size});
+  return basis.leftCols(basis_size);  // after them the solution, for its residual
 }
 
 /// Gram and Schmidt's projections, all from the same vector.
@@ -48,9 +48,9 @@ void modified(const MatrixXd& basis, VectorXd& w) {
 template <class Orthogonalise>
 MatrixXd basis_by(const Orthogonalise& orthogonalise) {
   const BodySystem system = nearly_touching();
-  MatrixXd basis(system.size(), iterations);
+  MatrixXd basis(system.size(), basis_size);
   basis.col(0) = system.rhs().normalized();
-  for (Index k = 1; k < iterations; ++k) {
+  for (Index k = 1; k < basis_size; ++k) {
     VectorXd w = system.apply(basis.col(k - 1));
     orthogonalise(basis.leftCols(k), w);
     basis.col(k) = w.normalized();

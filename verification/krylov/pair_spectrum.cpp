@@ -34,7 +34,7 @@ std::array<double, 2> distances_from_one(double alpha, int k) {
 }
 
 /// Nodes that hold the eigenvectors of many modes.
-Index nodes_for(double gap) {
+Index nodes_for_modes(double gap) {
   return 2 * static_cast<Index>(std::ceil(12.0 + 40.0 / bipolar(gap)));
 }
 
@@ -45,7 +45,7 @@ Index nodes_for(double gap) {
 /// themselves are known from one circle, so that half the unknowns do, and every modulus counts
 /// twice.
 std::vector<double> computed_distances(double gap, const Shape& block) {
-  const Index nodes = nodes_for(gap), size = 2 * nodes;
+  const Index nodes = nodes_for_modes(gap), size = 2 * nodes;
   const BodySystem system(circle_pair(gap), nodes, shear);
   const MatrixXd inverse = invert_block(self_block(alone(block, nodes)));
   MatrixXd preconditioned(size, size);
@@ -86,7 +86,7 @@ Measure spectrum_errors(const Shape& block) {
     for (const double gap : gaps) {
       measurements.push_back({.x = gap,
                               .error = spectrum_error(gap, block),
-                              .unknowns = 4.0 * static_cast<double>(nodes_for(gap))});
+                              .unknowns = 4.0 * static_cast<double>(nodes_for_modes(gap))});
     }
     return measurements;
   };

@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr GmresOptions options{1e-8, 500};
+constexpr GmresOptions step_options{1e-8, 500};
 
 /// A M^{-1}, interleaved.
 LinearMap preconditioned(const DiscreteProblem& discrete) {
@@ -87,7 +87,7 @@ struct TwoSteps {
   TwoSteps(const Scene& scene, double dt)
       : first(scene),
         second(first.discrete),
-        solved(solve(first.discrete, first.discrete.system.right_hand_side(), options)) {
+        solved(solve(first.discrete, first.discrete.system.right_hand_side(), step_options)) {
     const Completion completion =
         first.discrete.system.closure().complete(deinterleaved(solved.solution));
     Configuration moved = first.configuration;
@@ -106,7 +106,7 @@ struct TwoSteps {
     const VectorXd rest = rhs - interleaved(of_old);
     const LinearMap apply = preconditioned(second);
     // Relative to the residual of the earlier density, where all begin.
-    const double tolerance = options.tolerance * rhs.norm() / rest.norm();
+    const double tolerance = step_options.tolerance * rhs.norm() / rest.norm();
     if (recycled == 0) return gmres(apply, {}, rest, {tolerance, 500}).iterations;
     const ComplexVector earlier = first.discrete.system.right_hand_side();
     const Arnoldi arnoldi(preconditioned(first.discrete), interleaved(earlier), solved.iterations);
@@ -125,13 +125,13 @@ struct TwoSteps {
   }
 };
 
-struct Case {
+struct RecyclingCase {
   std::string key, label;
   Scene scene;
   double dt;
 };
 
-std::vector<Case> cases() {
+std::vector<RecyclingCase> cases() {
   using enum PreconditionerKind;
   return {{"ellipses", "48 ellipses in vortices, block-diagonal",
            test::with_preconditioner(test::ellipses_in_vortices(), block_diagonal), 0.025},
@@ -141,7 +141,7 @@ std::vector<Case> cases() {
            test::with_preconditioner(test::disk_packing(40), clusters), 0.02}};
 }
 
-Measure products(const Case& one) {
+Measure products(const RecyclingCase& one) {
   return [=](Size) {
     static test::Once<std::string, std::vector<Measurement>> measured;
     return measured(one.key, [&] {
@@ -160,7 +160,7 @@ Measure products(const Case& one) {
 
 Experiment recycling() {
   std::vector<Line> lines;
-  for (const Case& one : cases()) {
+  for (const RecyclingCase& one : cases()) {
     lines.push_back({.key = one.key, .label = one.label, .measure = products(one)});
   }
   return {.key = "recycling",

@@ -14,37 +14,39 @@ using Eigen::Index;
 
 namespace {
 
-constexpr GmresOptions options{1e-10, 1000};
+constexpr GmresOptions slender_options{1e-10, 1000};
 
 /// What the preconditioner takes the bodies for.
-enum class Blocks { none, turned, not_turned };
+enum class EllipseBlocks { none, turned, not_turned };
 
-LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, Blocks blocks) {
-  if (blocks == Blocks::none) return {};
-  if (blocks == Blocks::not_turned) {
+LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, EllipseBlocks blocks) {
+  if (blocks == EllipseBlocks::none) return {};
+  if (blocks == EllipseBlocks::not_turned) {
     for (PlacedBody& body : bodies) body.orientation = 0.0;
   }
   return block_diagonal(bodies, nodes);
 }
 
 /// Nodes that resolve an ellipse: modes of its double layer fall by (a - b) / (a + b).
-Index nodes_for(double aspect) {
+Index nodes_of_ellipse(double aspect) {
   return 16 * std::lround(1.0 + aspect);
 }
 
 /// Iterations for one turned ellipse and random data.
-int alone_count(double aspect, Blocks blocks) {
+int alone_count(double aspect, EllipseBlocks blocks) {
   const std::vector<PlacedBody> body{{Ellipse{1.0, 1.0 / aspect}, 0.0, 0.7}};
-  const Index nodes = nodes_for(aspect);
+  const Index nodes = nodes_of_ellipse(aspect);
   const BodySystem system(body, nodes, shear);
   const ComplexVector data = test::random_vector(nodes, 1);
-  return gmres(system.map(), blocks_of(body, nodes, blocks), interleaved(data), options).iterations;
+  return gmres(system.map(), blocks_of(body, nodes, blocks), interleaved(data), slender_options)
+      .iterations;
 }
 
-int woven_count(double aspect, Index nodes, Between between, Blocks blocks) {
+int woven_count(double aspect, Index nodes, Between between, EllipseBlocks blocks) {
   const std::vector<PlacedBody> bodies = woven_ellipses(2, 2, aspect);
   const BodySystem system(bodies, nodes, generic_flow, between);
-  return gmres(system.map(), blocks_of(bodies, nodes, blocks), system.rhs(), options).iterations;
+  return gmres(system.map(), blocks_of(bodies, nodes, blocks), system.rhs(), slender_options)
+      .iterations;
 }
 
 template <class Number>
@@ -59,7 +61,7 @@ Measure over_aspects(const Number& number) {
   };
 }
 
-Measure over_nodes(Between between, Blocks blocks) {
+Measure over_nodes(Between between, EllipseBlocks blocks) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const Index nodes : size == Size::full ? std::vector<Index>{48, 64, 80, 96, 128, 160, 192}
@@ -74,7 +76,7 @@ Measure over_nodes(Between between, Blocks blocks) {
 }
 
 Line mesh_independent(const std::string& key, const std::string& label, const std::string& id,
-                      Blocks blocks, double band) {
+                      EllipseBlocks blocks, double band) {
   return {.key = key,
           .label = label,
           .measure = over_nodes(Between::resolved, blocks),
@@ -95,7 +97,7 @@ Line mesh_independent(const std::string& key, const std::string& label, const st
 }  // namespace
 
 Experiment one_body() {
-  const auto difference_from_one = [](Blocks blocks) {
+  const auto difference_from_one = [](EllipseBlocks blocks) {
     return over_aspects([=](double aspect) { return std::abs(alone_count(aspect, blocks) - 1); });
   };
   return {.key = "alone",
@@ -104,7 +106,7 @@ Experiment one_body() {
           .error = "iterations beyond the first",
           .lines = {{.key = "turned",
                      .label = "block of the reference, turned",
-                     .measure = difference_from_one(Blocks::turned),
+                     .measure = difference_from_one(EllipseBlocks::turned),
                      .claim = Claim{.id = "05_18",
                                     .statement = "A body alone takes one iteration, however it is "
                                                  "turned.",
@@ -114,28 +116,29 @@ Experiment one_body() {
                                     .api = {"stokesbook::self_block",
                                             "stokesbook::BlockDiagonalPreconditioner"}},
                      .control = Control{"the block is not turned with the body",
-                                        difference_from_one(Blocks::not_turned)}},
+                                        difference_from_one(EllipseBlocks::not_turned)}},
                     {.key = "not_turned",
                      .label = "block of the reference, not turned",
-                     .measure = difference_from_one(Blocks::not_turned)}}};
+                     .measure = difference_from_one(EllipseBlocks::not_turned)}}};
 }
 
 Experiment slender_bodies() {
-  return {.key = "slender",
-          .title = "Four woven ellipses 6:1",
-          .x = "nodes of an ellipse, N",
-          .error = "iterations to a residual of 1e-10",
-          .lines = {mesh_independent("none", "no preconditioner", "05_19", Blocks::none, 0.04),
-                    mesh_independent("blocks", "block-diagonal", "05_20", Blocks::turned, 0.08),
-                    {.key = "not_turned",
-                     .label = "block-diagonal, blocks not turned with the bodies",
-                     .measure = over_nodes(Between::resolved, Blocks::not_turned)}}};
+  return {
+      .key = "slender",
+      .title = "Four woven ellipses 6:1",
+      .x = "nodes of an ellipse, N",
+      .error = "iterations to a residual of 1e-10",
+      .lines = {mesh_independent("none", "no preconditioner", "05_19", EllipseBlocks::none, 0.04),
+                mesh_independent("blocks", "block-diagonal", "05_20", EllipseBlocks::turned, 0.08),
+                {.key = "not_turned",
+                 .label = "block-diagonal, blocks not turned with the bodies",
+                 .measure = over_nodes(Between::resolved, EllipseBlocks::not_turned)}}};
 }
 
 Experiment aspect_ratios() {
-  const auto woven = [](Blocks blocks) {
+  const auto woven = [](EllipseBlocks blocks) {
     return over_aspects([=](double aspect) {
-      return woven_count(aspect, nodes_for(aspect), Between::resolved, blocks);
+      return woven_count(aspect, nodes_of_ellipse(aspect), Between::resolved, blocks);
     });
   };
   return {.key = "aspect",
@@ -145,13 +148,13 @@ Experiment aspect_ratios() {
           .lines = {{.key = "alone",
                      .label = "one ellipse, no preconditioner",
                      .measure = over_aspects(
-                         [](double aspect) { return alone_count(aspect, Blocks::none); })},
+                         [](double aspect) { return alone_count(aspect, EllipseBlocks::none); })},
                     {.key = "none",
                      .label = "four woven ellipses, no preconditioner",
-                     .measure = woven(Blocks::none)},
+                     .measure = woven(EllipseBlocks::none)},
                     {.key = "blocks",
                      .label = "four woven ellipses, block-diagonal",
-                     .measure = woven(Blocks::turned)}}};
+                     .measure = woven(EllipseBlocks::turned)}}};
 }
 
 }  // namespace stokesbook::verification::krylov

@@ -19,12 +19,12 @@ namespace {
 constexpr int most = 1000;
 
 /// A system with what solves it.
-struct Case {
+struct SolvableSystem {
   BodySystem system;
   BlockDiagonalPreconditioner solve_blocks;
   VectorXd rhs = system.rhs();
 
-  Case(const std::vector<PlacedBody>& bodies, Index nodes, const Flow& flow)
+  SolvableSystem(const std::vector<PlacedBody>& bodies, Index nodes, const Flow& flow)
       : system(bodies, nodes, flow), solve_blocks(block_diagonal(bodies, nodes)) {}
 
   double residual(const VectorXd& x) const { return (rhs - system.apply(x)).norm() / rhs.norm(); }
@@ -44,15 +44,15 @@ struct Case {
   }
 };
 
-using Solver = GmresResult (Case::*)(const GmresOptions&) const;
+using Solver = GmresResult (SolvableSystem::*)(const GmresOptions&) const;
 
-Case woven() {
+SolvableSystem woven() {
   return {woven_ellipses(2, 2, 6.0), 64, generic_flow};
 }
 
 /// Two needles 16:1 side by side in a flow that would bend them: the mode whose eigenvalue is the
 /// smallest.
-Case needles() {
+SolvableSystem needles() {
   const Shape needle = Ellipse{1.0, 1.0 / 16.0};
   const auto bending = [](Complex z) {
     return imaginary * z.real() * z.real() + 0.1 * generic_flow(z);
@@ -63,7 +63,7 @@ Case needles() {
 /// Difference of the residual that GMRES believes from that of its iterate.
 Measure residual_differences(Solver solve) {
   return [=](Size) {
-    const Case problem = woven();
+    const SolvableSystem problem = woven();
     std::vector<Measurement> measurements;
     for (int k = 1; k <= 30; k += 2) {
       const GmresResult result = (problem.*solve)({0.0, k});
@@ -85,7 +85,7 @@ std::vector<double> asked(Size size) {
 
 Measure true_residuals(Solver solve) {
   return [=](Size size) {
-    const Case problem = needles();
+    const SolvableSystem problem = needles();
     std::vector<Measurement> measurements;
     for (const double tolerance : asked(size)) {
       const GmresResult result = (problem.*solve)({tolerance, most});
@@ -118,7 +118,7 @@ double seconds_of(const Function& function) {
 struct Reference {
   VectorXd exact;
 
-  explicit Reference(const Case& problem)
+  explicit Reference(const SolvableSystem& problem)
       : exact(velocities(problem.system, problem.from_the_right({1e-14, most}).solution)) {}
 
   double error(const VectorXd& computed) const {
@@ -128,7 +128,7 @@ struct Reference {
 
 Measure velocity_errors(Solver solve, int most_iterations = most) {
   return [=](Size size) {
-    const Case problem = woven();
+    const SolvableSystem problem = woven();
     const Reference reference(problem);
     std::vector<Measurement> measurements;
     for (const double tolerance : asked(size)) {
@@ -147,7 +147,7 @@ Measure velocity_errors(Solver solve, int most_iterations = most) {
 
 /// The naive method: assemble the matrix, a product a column, and factorise it.
 std::vector<Measurement> by_factorisation(Size size) {
-  const Case problem = woven();
+  const SolvableSystem problem = woven();
   const Reference reference(problem);
   VectorXd density;
   const double seconds =
@@ -174,7 +174,7 @@ Experiment residuals() {
       .axes = Axes::semi_log,
       .lines = {{.key = "right",
                  .label = "preconditioned from the right",
-                 .measure = residual_differences(&Case::from_the_right),
+                 .measure = residual_differences(&SolvableSystem::from_the_right),
                  .claim = Claim{.id = "05_7",
                                 .statement = "The recurrence's residual is that of A x = b.",
                                 .law = Identity{1e-14},
@@ -182,10 +182,10 @@ Experiment residuals() {
                                           "products",
                                 .api = {"stokesbook::gmres", "stokesbook::GmresResult"}},
                  .control = Control{"preconditioned from the left",
-                                    residual_differences(&Case::from_the_left)}},
+                                    residual_differences(&SolvableSystem::from_the_left)}},
                 {.key = "left",
                  .label = "preconditioned from the left",
-                 .measure = residual_differences(&Case::from_the_left)}}};
+                 .measure = residual_differences(&SolvableSystem::from_the_left)}}};
 }
 
 Experiment tolerances() {
@@ -195,7 +195,7 @@ Experiment tolerances() {
           .error = "residual of the solution, relative to the right-hand side",
           .lines = {{.key = "right",
                      .label = "preconditioned from the right",
-                     .measure = true_residuals(&Case::from_the_right),
+                     .measure = true_residuals(&SolvableSystem::from_the_right),
                      .claim = Claim{.id = "05_22",
                                     .statement = "The tolerance bounds the residual of the "
                                                  "solution, and little is done beyond it.",
@@ -203,10 +203,10 @@ Experiment tolerances() {
                                     .reason = "an iteration gains less than a factor of ten",
                                     .api = {"stokesbook::GmresOptions"}},
                      .control = Control{"preconditioned from the left",
-                                        true_residuals(&Case::from_the_left)}},
+                                        true_residuals(&SolvableSystem::from_the_left)}},
                     {.key = "left",
                      .label = "preconditioned from the left",
-                     .measure = true_residuals(&Case::from_the_left)}}};
+                     .measure = true_residuals(&SolvableSystem::from_the_left)}}};
 }
 
 Experiment solvers() {
@@ -216,7 +216,7 @@ Experiment solvers() {
           .error = "largest error of a velocity, relative to the largest",
           .lines = {{.key = "blocks",
                      .label = "GMRES, block-diagonal",
-                     .measure = velocity_errors(&Case::from_the_right),
+                     .measure = velocity_errors(&SolvableSystem::from_the_right),
                      .claim = Claim{.id = "05_23",
                                     .statement = "Velocities err by no more than ten times the "
                                                  "tolerance.",
@@ -227,10 +227,10 @@ Experiment solvers() {
                                               "iteration gains",
                                     .api = {"stokesbook::gmres"}},
                      .control = Control{"stopped after 20 iterations, converged or not",
-                                        velocity_errors(&Case::from_the_right, 20)}},
+                                        velocity_errors(&SolvableSystem::from_the_right, 20)}},
                     {.key = "none",
                      .label = "GMRES, no preconditioner",
-                     .measure = velocity_errors(&Case::unpreconditioned)},
+                     .measure = velocity_errors(&SolvableSystem::unpreconditioned)},
                     {.key = "dense",
                      .label = "LU factorisation of the dense matrix",
                      .measure = by_factorisation}},

@@ -11,7 +11,7 @@ study::Experiment rays();
 study::Experiment sweeps();
 study::Experiment chains();
 study::Experiment newton_steps();
-study::Experiment suite();
+study::Experiment suite_residuals();
 study::Experiment profile();
 study::Experiment definite();
 study::Experiment singular();

@@ -12,13 +12,13 @@ using namespace test;
 
 namespace {
 
-constexpr Index rows = 20;
+constexpr Index pair_count = 20;
 
 // Half of the pairs in contact; of the others all open, or half of them with z = w = 0.
 PlantedLcp pairs(bool degenerate) {
-  const MatrixXd matrix = definite_matrix(rows, 8);
-  VectorXd z = VectorXd::Zero(rows), w = z;
-  for (Index i = 0; i < rows; ++i) {
+  const MatrixXd matrix = definite_matrix(pair_count, 8);
+  VectorXd z = VectorXd::Zero(pair_count), w = z;
+  for (Index i = 0; i < pair_count; ++i) {
     const double value = 0.3 + 0.07 * static_cast<double>(i);
     if (i % 2 == 0) {
       z[i] = value;
@@ -46,7 +46,7 @@ VectorXd minimum_map_step(const LcpProblem& problem, const VectorXd& guess) {
 Measure after_a_step(Step step, bool degenerate) {
   return [=](Size size) {
     const PlantedLcp lcp = pairs(degenerate);
-    const VectorXd direction = normal_matrix(rows, 1, 11).cwiseAbs();
+    const VectorXd direction = normal_matrix(pair_count, 1, 11).cwiseAbs();
     std::vector<Measurement> measurements;
     const double ratio = size == Size::full ? 2.0 : 4.0;
     for (double d = 0.1; d > 1e-6; d /= ratio) {

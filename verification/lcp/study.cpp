@@ -9,9 +9,9 @@ study::Study lcp_study() {
   return {.number = "11",
           .name = "lcp",
           .title = "Linear complementarity",
-          .experiments = {pivots(), rays(), sweeps(), chains(), newton_steps(), suite(), profile(),
-                          definite(), singular(), long_chain(), hilbert(), units(), depths(),
-                          totals(), histories(), powers(), crowds(), turns(), clips()}};
+          .experiments = {pivots(), rays(), sweeps(), chains(), newton_steps(), suite_residuals(),
+                          profile(), definite(), singular(), long_chain(), hilbert(), units(),
+                          depths(), totals(), histories(), powers(), crowds(), turns(), clips()}};
 }
 
 }  // namespace stokesbook

@@ -143,7 +143,7 @@ Experiment work(const std::string& key, const std::string& title,
 
 }  // namespace
 
-Experiment suite() {
+Experiment suite_residuals() {
   Experiment experiment{.key = "suite",
                         .title = "Twenty problems: what residual is left",
                         .x = "problem p",

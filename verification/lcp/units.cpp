@@ -11,17 +11,17 @@ using namespace test;
 
 namespace {
 
-constexpr Index rows = 20;
+constexpr Index row_count = 20;
 
 using Attempt = VectorXd (*)(const LcpProblem& problem);
 
 // Error of z, back in the units of the start.
 Measure errors(Attempt attempt) {
   return [=](Size size) {
-    const PlantedLcp here = planted("", definite_matrix(rows, 5), 5, true);
+    const PlantedLcp here = planted("", definite_matrix(row_count, 5), 5, true);
     std::vector<Measurement> measurements;
     for (double decades = 0.0; decades <= 8.0; decades += size == Size::full ? 1.0 : 2.0) {
-      const VectorXd scale = random_scale(rows, 3).array().pow(decades / 6.0);
+      const VectorXd scale = random_scale(row_count, 3).array().pow(decades / 6.0);
       const PlantedLcp there = in_other_units(here, scale);
       const VectorXd z = attempt(there.problem).cwiseProduct(scale);
       measurements.push_back({.x = decades, .error = largest(z - here.z) / largest(here.z)});
@@ -42,7 +42,7 @@ VectorXd without_diagonal(const LcpProblem& problem) {
 
 // Stops when Fischer's functions are small, units or no units.
 VectorXd without_units(const LcpProblem& problem) {
-  VectorXd z = VectorXd::Zero(rows);
+  VectorXd z = VectorXd::Zero(row_count);
   for (int step = 0; step < 100; ++step) {
     const VectorXd w = problem.offset + problem.matrix * z;
     const VectorXd phi = (z.array().square() + w.array().square()).sqrt() - z.array() - w.array();

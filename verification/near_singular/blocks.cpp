@@ -136,7 +136,7 @@ ComplexVector first_only(const Pair& pair) {
 
 using Sum = ComplexVector (*)(const Pair&);
 
-Measure errors_of(Sum sum) {
+Measure errors_over_gaps(Sum sum) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     const double factor = size == Size::full ? std::sqrt(10.0) : 10.0;
@@ -165,23 +165,24 @@ Experiment pairs() {
           .title = "The sum over the nodes of two circles",
           .x = "gap g",
           .error = "error of the velocity at the nodes, relative to the largest",
-          .lines = {{.key = "plain", .label = "trapezoid rule", .measure = errors_of(plain)},
-                    {.key = "factored",
-                     .label = "Cauchy corrections, factored",
-                     .measure = errors_of(factored),
-                     .claim = independent_of_the_gap("06_30", "that are evaluated anew"),
-                     .control = Control{"a kernel that is not bounded", errors_of(unbounded)}},
-                    {.key = "rows",
-                     .label = "Cauchy corrections, rows",
-                     .measure = errors_of(by_rows),
-                     .claim = independent_of_the_gap("06_31", "that are kept as rows"),
-                     .control = Control{"one of the two bodies corrected", errors_of(first_only)}},
-                    {.key = "interpolation",
-                     .label = "corrections by interpolation for 1e-6",
-                     .measure = errors_of(by_interpolation)},
-                    {.key = "unbounded",
-                     .label = "Cauchy corrections of an unbounded kernel",
-                     .measure = errors_of(unbounded)}}};
+          .lines = {
+              {.key = "plain", .label = "trapezoid rule", .measure = errors_over_gaps(plain)},
+              {.key = "factored",
+               .label = "Cauchy corrections, factored",
+               .measure = errors_over_gaps(factored),
+               .claim = independent_of_the_gap("06_30", "that are evaluated anew"),
+               .control = Control{"a kernel that is not bounded", errors_over_gaps(unbounded)}},
+              {.key = "rows",
+               .label = "Cauchy corrections, rows",
+               .measure = errors_over_gaps(by_rows),
+               .claim = independent_of_the_gap("06_31", "that are kept as rows"),
+               .control = Control{"one of the two bodies corrected", errors_over_gaps(first_only)}},
+              {.key = "interpolation",
+               .label = "corrections by interpolation for 1e-6",
+               .measure = errors_over_gaps(by_interpolation)},
+              {.key = "unbounded",
+               .label = "Cauchy corrections of an unbounded kernel",
+               .measure = errors_over_gaps(unbounded)}}};
 }
 
 }  // namespace stokesbook::verification::near_singular

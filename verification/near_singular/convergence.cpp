@@ -12,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double distance = 1e-3;
+constexpr double fixed_distance = 1e-3;
 
 /// A pole in the ellipse (1, 1/2), whose preimage has the distance `height` from the real axis.
 SetUp pole_at(double height, Index n) {
@@ -22,31 +22,31 @@ SetUp pole_at(double height, Index n) {
 }
 
 template <class Method>
-Measure errors_of(double height, const Method& method) {
+Measure errors_over_nodes(double height, const Method& method) {
   const auto error = [=](Index n) {
     const Solved solved(pole_at(height, n));
-    const ComplexVector points = solved.points_off(distance);
+    const ComplexVector points = solved.points_off(fixed_distance);
     return solved.error(method(solved, points), points);
   };
   return test::over_nodes(16.0, 70.0 / height, 28, error, 2.0);
 }
 
-ComplexVector plain(const Solved& solved, const ComplexVector& points) {
+ComplexVector plain_velocity(const Solved& solved, const ComplexVector& points) {
   return StressletSum({solved.curve})(points, solved.density);
 }
 
-ComplexVector interpolated(const Solved& solved, const ComplexVector& points) {
+ComplexVector interpolated_velocity(const Solved& solved, const ComplexVector& points) {
   const InterpolationCurve curve(solved.curve, InterpolationSettings::for_tolerance(1e-10));
   return curve.velocity(curve.data(solved.density), 0, points);
 }
 
-ComplexVector cauchy(const Solved& solved, const ComplexVector& points) {
+ComplexVector cauchy_velocity(const Solved& solved, const ComplexVector& points) {
   const CauchyCurve curve(solved.curve);
   return curve.velocity(curve.data(solved.density), 0, points);
 }
 
 /// A planted defect: weights that are not divided by their sum.
-ComplexVector uncompensated(const Solved& solved, const ComplexVector& points) {
+ComplexVector uncompensated_velocity(const Solved& solved, const ComplexVector& points) {
   return divided_by([](Complex) { return Complex{1.0}; }, solved.curve,
                     CauchyCurve(solved.curve).data(solved.density), points);
 }
@@ -61,13 +61,15 @@ Experiment convergence() {
       .x = "nodes N",
       .error = "error of the velocity, relative to the largest on the curve",
       .axes = Axes::semi_log,
-      .lines = {{.key = "plain", .label = "trapezoid rule", .measure = errors_of(height, plain)},
+      .lines = {{.key = "plain",
+                 .label = "trapezoid rule",
+                 .measure = errors_over_nodes(height, plain_velocity)},
                 {.key = "interpolation",
                  .label = "interpolation for 1e-10",
-                 .measure = errors_of(height, interpolated)},
+                 .measure = errors_over_nodes(height, interpolated_velocity)},
                 {.key = "cauchy",
                  .label = "Cauchy integrals",
-                 .measure = errors_of(height, cauchy),
+                 .measure = errors_over_nodes(height, cauchy_velocity),
                  .claim = Claim{.id = "06_12",
                                 .statement = "At a thousandth from the curve the Cauchy scheme "
                                              "converges as N e^{-0.15 N}, half of the distance 0.3 "
@@ -78,7 +80,7 @@ Experiment convergence() {
                                           "hold those up to k = N/2",
                                 .api = {"stokesbook::CauchyCurve"}},
                  .control = Control{"weights that are not divided by their sum",
-                                    errors_of(height, uncompensated)}}}};
+                                    errors_over_nodes(height, uncompensated_velocity)}}}};
 }
 
 }  // namespace stokesbook::verification::near_singular

@@ -35,7 +35,7 @@ void other_sign(const Solved&, Data& data) {
   data.dphi = -data.dphi;
 }
 
-Measure errors_of(const SetUp& set_up, Defect defect) {
+Measure derivative_errors(const SetUp& set_up, Defect defect) {
   return [=](Size size) {
     const Solved solved(set_up);
     const CauchyCurve cauchy(solved.curve);
@@ -61,7 +61,7 @@ Line line(const std::string& key, const std::string& id, const std::string& labe
           const SetUp& set_up, const std::string& defect, Defect plant) {
   return {.key = key,
           .label = label,
-          .measure = errors_of(set_up, none),
+          .measure = derivative_errors(set_up, none),
           .claim = Claim{.id = id,
                          .statement = "Pressure, vorticity and strain are exact to 1e-10 at every "
                                       "distance from " +
@@ -71,7 +71,7 @@ Line line(const std::string& key, const std::string& id, const std::string& labe
                                    "by N^2/4, here by up to 7e4, times the density's rounding",
                          .api = {"stokesbook::CauchyCurve", "stokesbook::CauchyDerivativeData",
                                  "stokesbook::double_layer_derivatives"}},
-          .control = Control{defect, errors_of(set_up, plant)}};
+          .control = Control{defect, derivative_errors(set_up, plant)}};
 }
 
 }  // namespace

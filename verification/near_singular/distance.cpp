@@ -26,7 +26,7 @@ std::vector<double> distances_in_spacings(Size size) {
 
 /// Errors over the distance of a method, which makes velocities at points out of a solved set-up.
 template <class Method>
-Measure errors_of(const SetUp& set_up, const Method& method) {
+Measure errors_over_distance(const SetUp& set_up, const Method& method) {
   return [=](Size size) {
     const Solved solved(set_up);
     const auto velocity = method(solved);
@@ -39,13 +39,13 @@ Measure errors_of(const SetUp& set_up, const Method& method) {
   };
 }
 
-auto plain(const Solved& solved) {
+auto by_plain_rule(const Solved& solved) {
   return [&solved, sum = StressletSum({solved.curve})](const ComplexVector& points) {
     return sum(points, solved.density);
   };
 }
 
-auto cauchy(const Solved& solved) {
+auto by_cauchy(const Solved& solved) {
   const CauchyCurve curve(solved.curve);
   return [curve, data = curve.data(solved.density)](const ComplexVector& points) {
     return curve.velocity(data, 0, points);
@@ -161,9 +161,9 @@ Line shape_line(const std::string& key, const std::string& id, const std::string
                 const SetUp& set_up, const std::string& defect, Divisor divisor) {
   return {.key = key,
           .label = label,
-          .measure = errors_of(set_up, cauchy),
+          .measure = errors_over_distance(set_up, by_cauchy),
           .claim = exact_at_any_distance(id, label),
-          .control = Control{defect, errors_of(set_up, cauchy_divided_by(divisor))}};
+          .control = Control{defect, errors_over_distance(set_up, cauchy_divided_by(divisor))}};
 }
 
 }  // namespace
@@ -177,10 +177,12 @@ Experiment distances() {
       .title = "Outside an ellipse 2:1, 128 nodes",
       .x = "distance in local spacings d",
       .error = "error of the velocity, relative to the largest on the curve",
-      .lines = {{.key = "plain", .label = "trapezoid rule", .measure = errors_of(ellipse, plain)},
+      .lines = {{.key = "plain",
+                 .label = "trapezoid rule",
+                 .measure = errors_over_distance(ellipse, by_plain_rule)},
                 {.key = "published",
                  .label = "interpolation, published parameters",
-                 .measure = errors_of(ellipse, interpolation(published)),
+                 .measure = errors_over_distance(ellipse, interpolation(published)),
                  .claim = Claim{.id = "06_2",
                                 .statement = "The error of interpolation is proportional to the "
                                              "distance, next to the curve.",
@@ -190,19 +192,19 @@ Experiment distances() {
                                           "others vanish there as the distance",
                                 .api = {"stokesbook::InterpolationCurve"}},
                  .control = Control{"values on the curve without their jump",
-                                    errors_of(ellipse, published_without_jump)}},
+                                    errors_over_distance(ellipse, published_without_jump)}},
                 {.key = "tolerance",
                  .label = "interpolation for 1e-6",
-                 .measure = errors_of(ellipse, interpolation(six))},
+                 .measure = errors_over_distance(ellipse, interpolation(six))},
                 {.key = "best",
                  .label = "interpolation for 1e-10",
-                 .measure = errors_of(ellipse, interpolation(ten))},
+                 .measure = errors_over_distance(ellipse, interpolation(ten))},
                 {.key = "cauchy",
                  .label = "Cauchy integrals",
-                 .measure = errors_of(ellipse, cauchy),
+                 .measure = errors_over_distance(ellipse, by_cauchy),
                  .claim = exact_at_any_distance("06_1", "an ellipse 2:1"),
                  .control = Control{"the divisor of a body without its 1",
-                                    errors_of(ellipse, cauchy_divided_by(without_one))}},
+                                    errors_over_distance(ellipse, cauchy_divided_by(without_one))}},
                 {.key = "adaptive",
                  .label = "adaptive quadrature for 1e-10",
                  .measure = adaptive(right_density),

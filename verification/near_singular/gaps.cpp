@@ -15,7 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-const Ellipse shape{1.0, 0.5};
+const Ellipse two_to_one{1.0, 0.5};
 
 using Preimage = Complex (*)(const Curve&, Index, Complex);
 
@@ -26,13 +26,13 @@ Complex linear(const Curve& curve, Index node, Complex target) {
 
 /// Largest |x(t + s) - z|/|x'| of targets around five nodes.
 double preimage_error(double distance, Preimage find) {
-  const Curve curve = sample(shape, 32, Side::fluid_outside);
+  const Curve curve = sample(two_to_one, 32, Side::fluid_outside);
   double error = 0.0;
   for (const Index node : {0, 3, 8, 13, 21}) {
     const Complex target = curve.x[node] + std::polar(distance, 1.0 + static_cast<double>(node));
     const Complex t =
         2.0 * std::numbers::pi * static_cast<double>(node) / 32.0 + find(curve, node, target);
-    const Complex image = shape.a * std::cos(t) + imaginary * shape.b * std::sin(t);
+    const Complex image = two_to_one.a * std::cos(t) + imaginary * two_to_one.b * std::sin(t);
     error = std::max(error, std::abs(image - target) / std::abs(curve.dx[node]));
   }
   return error;

@@ -68,13 +68,13 @@ Measure over_nodes(const Method& method, Index most) {
   };
 }
 
-Measurement plain(const Solved& solved) {
+Measurement plain_row(const Solved& solved) {
   const StressletSum sum({solved.curve});
   return row(solved, close_points(solved), static_cast<double>(solved.curve.size()),
              [&](const ComplexVector& points) { return sum(points, solved.density); });
 }
 
-Measurement cauchy(const Solved& solved) {
+Measurement cauchy_row(const Solved& solved) {
   const CauchyCurve curve(solved.curve);
   const CauchyData data = curve.data(solved.density);
   return row(solved, close_points(solved), static_cast<double>(solved.curve.size()),
@@ -105,7 +105,7 @@ Measurement for_ten_digits(const Solved& solved) {
 }
 
 /// Two points at each distance: each takes thousands of evaluations.
-Measurement adaptive(const Solved& solved) {
+Measurement adaptive_row(const Solved& solved) {
   const ComplexVector points = close_points(solved)(Eigen::seqN(3, 14, 30)).eval();
   Index evaluations = 0;
   Measurement result = row(solved, points, 0.0, [&](const ComplexVector& z) -> ComplexVector {
@@ -128,7 +128,7 @@ Experiment work_precision() {
       .title = "Targets closer than a spacing, by all methods",
       .x = "nodes N",
       .error = "worst error of the velocity closer than a spacing, relative",
-      .lines = {{.key = "plain", .label = "trapezoid rule", .measure = over_nodes(plain, 512)},
+      .lines = {{.key = "plain", .label = "trapezoid rule", .measure = over_nodes(plain_row, 512)},
                 {.key = "published",
                  .label = "interpolation, published parameters",
                  .measure = over_nodes(published, 512),
@@ -146,10 +146,12 @@ Experiment work_precision() {
                 {.key = "best",
                  .label = "interpolation for 1e-10",
                  .measure = over_nodes(for_ten_digits, 512)},
-                {.key = "cauchy", .label = "Cauchy integrals", .measure = over_nodes(cauchy, 512)},
+                {.key = "cauchy",
+                 .label = "Cauchy integrals",
+                 .measure = over_nodes(cauchy_row, 512)},
                 {.key = "adaptive",
                  .label = "adaptive quadrature for 1e-10",
-                 .measure = over_nodes(adaptive, 128)}},
+                 .measure = over_nodes(adaptive_row, 128)}},
       .work_precision = true,
       .operation = "kernel evaluations a target"};
 }

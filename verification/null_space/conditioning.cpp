@@ -14,18 +14,8 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Factor in front of N_0 on a wall of that length.
-using Factor = double (*)(double length);
-
 double one(double) {
   return 1.0;
-}
-double none(double) {
-  return 0.0;
-}
-/// + \int n(x) n(y) . eta ds of the draft.
-double draft(double length) {
-  return -length;
 }
 
 Measure conditions(Factor factor) {
@@ -69,10 +59,10 @@ Experiment conditioning() {
                           .law = Floor{2.0, 1.1},
                           .reason = "the eigenvalues of the symmetric matrix are -1 and -1/2",
                           .api = {"stokesbook::null_space_matrix"}},
-           .control = Control{"the draft's factor", conditions(draft)}},
+           .control = Control{"the draft's factor", conditions(draft_factor)}},
           {.key = "draft",
            .label = "the draft's, not scaled",
-           .measure = conditions(draft),
+           .measure = conditions(draft_factor),
            .claim = Claim{.id = "04_10",
                           .statement = "Without the division by the length, the condition number "
                                        "grows with the wall: it is 4 pi R.",
@@ -81,7 +71,7 @@ Experiment conditioning() {
                           .reason = "one eigenvalue is the length 2 pi R, the least ones are 1/2",
                           .api = {"stokesbook::null_space_matrix"}},
            .control = Control{"N_0 over the wall's length", conditions(one)}},
-          {.key = "without", .label = "without N_0", .measure = conditions(none)}}};
+          {.key = "without", .label = "without N_0", .measure = conditions(zero_factor)}}};
 }
 
 Experiment scale() {

@@ -10,16 +10,15 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr Complex centre{0.3, -0.2};
+constexpr Complex shared_centre{0.3, -0.2};
 
 /// Circles of radii 1 and R that turn; u = A r + B / r.
 struct CouetteCell {
   double radius, inner_omega, outer_omega, viscosity;
 
   StokesProblem problem(Index n) const {
-    return {{test::held_body(Circle{1.0}, n, {centre}, {0.0, inner_omega}),
-             test::enclosing_wall(Circle{radius}, n, {centre}, {0.0, outer_omega})},
+    return {{test::held_body(Circle{1.0}, n, {shared_centre}, {0.0, inner_omega}),
+             test::enclosing_wall(Circle{radius}, n, {shared_centre}, {0.0, outer_omega})},
             viscosity,
             {},
             {}};
@@ -29,7 +28,7 @@ struct CouetteCell {
     return (inner_omega - outer_omega) * r2 / (r2 - 1.0);
   }
   double a() const { return inner_omega - b(); }
-  double torque() const { return 4.0 * pi * viscosity * b(); }
+  double torque() const { return 4.0 * std::numbers::pi * viscosity * b(); }
   double speed(double r) const { return a() * r + b() / r; }
 };
 
@@ -54,7 +53,7 @@ ErrorOfNodes profile_error(const CouetteCell& cell, bool rotlet) {
     ComplexVector directions(5);
     for (Index k = 0; k < 5; ++k)
       directions[k] = std::polar(1.0, 0.3 + 1.1 * static_cast<double>(k));
-    const ComplexVector points = (centre + profile_radius * directions.array()).matrix();
+    const ComplexVector points = (shared_centre + profile_radius * directions.array()).matrix();
     const ComplexVector exact = imaginary * cell.speed(profile_radius) * directions;
     const ComplexVector error = velocity_at(problem, solution, points) - exact;
     return error.cwiseAbs().maxCoeff() / std::abs(cell.speed(profile_radius));

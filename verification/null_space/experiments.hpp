@@ -69,6 +69,16 @@ Eigen::MatrixXd matrix_with_mean(const StokesProblem& problem);
 Eigen::MatrixXd matrix_with_turned_wall(const StokesProblem& problem);
 /// @}
 
+/// Factor in front of N_0 on a wall of that length.
+using Factor = double (*)(double length);
+
+/// @name Factors that ought not to be
+/// @{
+double zero_factor(double length);
+/// + \int n(x) n(y) . eta ds of the draft.
+double draft_factor(double length);
+/// @}
+
 /// A solved annulus.
 struct AnnulusSolution {
   ComplexVector inner, outer;  ///< densities

@@ -12,8 +12,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// @name Data with a net flux
 /// @{
 
@@ -25,7 +23,8 @@ struct LeakingCell {
 
   explicit LeakingCell(double q) {
     const double blown = 0.3;  // through the inner circle, of radius 1
-    tight.components[0].velocity -= blown / (2.0 * pi) * normals(tight.components[0].curve);
+    tight.components[0].velocity -=
+        blown / (2.0 * std::numbers::pi) * normals(tight.components[0].curve);
     let_out(tight, blown);
     flux = q * flux_scale(tight);
   }

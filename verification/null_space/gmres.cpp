@@ -19,7 +19,7 @@ namespace {
 struct Cell {
   double unit = 1.0;
   double leak = 0.0;
-  double (*factor)(double length) = [](double) { return 1.0; };
+  Factor factor = [](double) { return 1.0; };
 
   StokesProblem problem() const {
     test::EccentricAnnulus annulus = eccentric_annulus(0.5);
@@ -53,14 +53,8 @@ struct Cell {
   }
 };
 
-double none(double) {
-  return 0.0;
-}
 double other_sign(double) {
   return -1.0;
-}
-double draft(double length) {
-  return -length;
 }
 
 Measure history(const Cell& cell) {
@@ -73,7 +67,7 @@ Measure history(const Cell& cell) {
   };
 }
 
-Measure counts(double (*factor)(double)) {
+Measure counts(Factor factor) {
   return over({1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6}, [=](double unit) {
     constexpr int most = 100;
     try {
@@ -87,7 +81,7 @@ Measure counts(double (*factor)(double)) {
 }  // namespace
 
 Experiment residuals() {
-  const Cell right, bare{.factor = none}, leaking{.leak = 1e-4, .factor = none};
+  const Cell right, bare{.factor = zero_factor}, leaking{.leak = 1e-4, .factor = zero_factor};
   return {.key = "residuals",
           .title = "Residuals of GMRES in an eccentric annulus",
           .x = "iterations k",
@@ -130,9 +124,9 @@ Experiment iterations() {
                           .law = Algebraic{0.0, 0.002},
                           .reason = "the matrix does not: it has no dimension",
                           .api = {"stokesbook::gmres", "stokesbook::null_space_matrix"}},
-           .control = Control{"the draft's N_0, not scaled", counts(draft)}},
+           .control = Control{"the draft's N_0, not scaled", counts(draft_factor)}},
           {.key = "sign", .label = "the same with the other sign", .measure = counts(other_sign)},
-          {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft)}}};
+          {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft_factor)}}};
 }
 
 }  // namespace stokesbook::verification::null_space

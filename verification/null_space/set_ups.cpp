@@ -86,6 +86,14 @@ MatrixXd matrix_with_turned_wall(const StokesProblem& problem) {
   return right_matrix(turned);
 }
 
+double zero_factor(double) {
+  return 0.0;
+}
+
+double draft_factor(double length) {
+  return -length;
+}
+
 AnnulusSolution solve_annulus(const StokesProblem& problem, const MatrixXd& matrix) {
   const ComplexVector rhs = Closure(problem).right_hand_side();
   const Eigen::VectorXd solution = test::solve(matrix, interleaved(rhs));

@@ -12,10 +12,10 @@ using Eigen::Index;
 
 namespace {
 
-const test::EccentricAnnulus annulus = eccentric_annulus(0.5);
+const test::EccentricAnnulus half_gap_annulus = eccentric_annulus(0.5);
 
 StokesProblem problem_at(Index n) {
-  return annulus_problem(annulus, 1.0, n, n);
+  return annulus_problem(half_gap_annulus, 1.0, n, n);
 }
 
 Measure at_counts(const std::function<double(const StokesProblem&)>& error) {
@@ -46,7 +46,7 @@ Measure load_error(AnnulusMatrix matrix, double leak) {
     Component& wall = leaking.components[1];
     wall.velocity += leak * flux_scale(problem) / perimeter(wall.curve) * normals(wall.curve);
     const Load load = solve_annulus(leaking, matrix(leaking)).load;
-    return relative_difference(load, inner_load(annulus, 1.0));
+    return relative_difference(load, inner_load(half_gap_annulus, 1.0));
   });
 }
 

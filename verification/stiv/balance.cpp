@@ -54,20 +54,20 @@ PathPair seen_by(double observer) {
           {{{2.2, 0.2}, 0.0}, {-0.2 + observer, 0.0}, 0.0}};
 }
 
-constexpr double tolerance = 1e-5;
+constexpr double event_tolerance = 1e-5;
 
 PairEvents events_of(const PathPair& paths) {
   static const ContactShapes circles{body(Circle{1.0}, 256), body(Circle{1.0}, 256)};
-  return pair_events(circles, paths, {0.1, tolerance, 0.4, 0.0});
+  return pair_events(circles, paths, {0.1, event_tolerance, 0.4, 0.0});
 }
 
 Contact contact_of(double observer) {
   const PathPair paths = seen_by(observer);
-  return connected_contacts(events_of(paths), tolerance, RowChoice::aggregate).front();
+  return connected_contacts(events_of(paths), event_tolerance, RowChoice::aggregate).front();
 }
 
 AbsoluteVolume absolute_of(double observer) {
-  return absolute_volume(events_of(seen_by(observer)), tolerance);
+  return absolute_volume(events_of(seen_by(observer)), event_tolerance);
 }
 
 double force_sum(const Wrench& a, const Wrench& b) {

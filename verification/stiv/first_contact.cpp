@@ -15,7 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double separation = 0.1;
+constexpr double approach_separation = 0.1;
 
 // A step of two components, and how far they have travelled in it when circles are at the
 // separation.
@@ -25,27 +25,27 @@ struct Approach {
   Step (*step)(double phase_a, double phase_b, Index m);
 };
 
-constexpr double aside = 1.0, travel = 8.0;
+constexpr double aside = 1.0, approach_travel = 8.0;
 
 Step oblique_step(double phase_a, double phase_b, Index m) {
   return {{body(Circle{1.0}, m), body(Circle{1.0}, m)},
-          {{{{-3.0, 0.0}, phase_a}, {0.5 * travel, 0.0}, 0.0},
-           {{{3.0, aside}, phase_b}, {-0.5 * travel, 0.0}, 0.0}}};
+          {{{{-3.0, 0.0}, phase_a}, {0.5 * approach_travel, 0.0}, 0.0},
+           {{{3.0, aside}, phase_b}, {-0.5 * approach_travel, 0.0}, 0.0}}};
 }
 
 Approach oblique() {
-  const double touching = 2.0 + separation;
-  return {6.0 - std::sqrt(touching * touching - aside * aside), travel, oblique_step};
+  const double touching = 2.0 + approach_separation;
+  return {6.0 - std::sqrt(touching * touching - aside * aside), approach_travel, oblique_step};
 }
 
 Step enclosed_step(double phase_a, double phase_b, Index m) {
   return {{body(Circle{1.0}, m), container(Circle{3.0}, m)},
-          {{{{0.2, 0.3}, phase_a}, {travel, 0.0}, 0.0}, {{{0.0, 0.0}, phase_b}, {}, 0.0}}};
+          {{{{0.2, 0.3}, phase_a}, {approach_travel, 0.0}, 0.0}, {{{0.0, 0.0}, phase_b}, {}, 0.0}}};
 }
 
 Approach enclosed() {
-  const double touching = 3.0 - 1.0 - separation;
-  return {std::sqrt(touching * touching - 0.3 * 0.3) - 0.2, travel, enclosed_step};
+  const double touching = 3.0 - 1.0 - approach_separation;
+  return {std::sqrt(touching * touching - 0.3 * 0.3) - 0.2, approach_travel, enclosed_step};
 }
 
 // The largest error of what a method finds, over many orientations of the polygons.
@@ -70,7 +70,7 @@ Measure errors(const Approach& approach,
 }
 
 double by_advancement(const Approach& approach, double phase_a, double phase_b, Index m) {
-  const ContactRules rules{{separation}, 1e-9, RowChoice::every, 0.0};
+  const ContactRules rules{{approach_separation}, 1e-9, RowChoice::every, 0.0};
   return first_time(violations(approach.step(phase_a, phase_b, m), rules));
 }
 
@@ -79,7 +79,7 @@ double by_instants(const Approach& approach, double phase_a, double phase_b, Ind
   const Step step = approach.step(0.0, 0.0, 256);
   const double spacing = 1.0 / static_cast<double>(m);
   double tau = spacing * std::fmod(static_cast<double>(m) * (phase_a + phase_b), 1.0);
-  while (distance_at(step, tau, 2.0 * separation) > separation) tau += spacing;
+  while (distance_at(step, tau, 2.0 * approach_separation) > approach_separation) tau += spacing;
   return tau;
 }
 
@@ -126,13 +126,13 @@ Measurement over_scenes(double x, const std::function<Found(const Step& step)>& 
 double excess(const Step& step, Index vertex, double tau) {
   const Complex z =
       RelativePath(step.paths[0], step.paths[1]).at(tau)(step.shapes[0]->polygon.vertex(vertex));
-  return step.shapes[1]->polygon.closest(z, 100.0).distance - separation;
+  return step.shapes[1]->polygon.closest(z, 100.0).distance - approach_separation;
 }
 
 Found by_events(const Step& step, double tolerance) {
   const VertexEvents found =
       vertex_events(*step.shapes[0], *step.shapes[1], RelativePath(step.paths[0], step.paths[1]),
-                    {separation, tolerance, 4.0 * separation, 0.0});
+                    {approach_separation, tolerance, 4.0 * approach_separation, 0.0});
   const VertexEvent& first = *std::ranges::min_element(found.events, {}, &VertexEvent::time);
   return {first.time, std::abs(excess(step, first.vertex, first.time)),
           static_cast<double>(found.cost.queries) / static_cast<double>(found.cost.vertices)};

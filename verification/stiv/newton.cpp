@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double separation = 0.01;
+constexpr double landing_separation = 0.01;
 
 // An ellipse comes down on another one, which is held, with displacements and turns that obey
 // 0 <= g perpendicular to lambda >= 0, u = u* + W J' lambda.
@@ -25,7 +25,8 @@ class Landing {
   /// @param depth  at which it would end without contact, roughly
   explicit Landing(double depth) : step_(approach()) {
     const Step deep = step_to(free_);
-    const double time = first_time(violations(deep, {{separation}, 1e-6, RowChoice::every}));
+    const double time =
+        first_time(violations(deep, {{landing_separation}, 1e-6, RowChoice::every}));
     free_ *= time + (1.0 - time) * depth / -deepest(free_, RowChoice::deepest).gap;
   }
 
@@ -50,7 +51,7 @@ class Landing {
     ContactRow least{};
     least.gap = std::numeric_limits<double>::infinity();
     for (const Contact& contact :
-         interferences(step.shapes, step.paths, {{separation}, 1e-13, rows}).contacts) {
+         interferences(step.shapes, step.paths, {{landing_separation}, 1e-13, rows}).contacts) {
       for (const ContactRow& row : contact.rows) {
         if (row.gap < least.gap) least = row;
       }

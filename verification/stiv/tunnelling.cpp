@@ -12,7 +12,7 @@ using namespace study;
 
 namespace {
 
-constexpr double separation = 0.1, start_gap = 2.0, reach = 1e9;
+constexpr double crossing_separation = 0.1, start_gap = 2.0, reach = 1e9;
 
 // The gaps to the separation that a method finds at the end of a step, each circle going half the
 // way.
@@ -28,7 +28,7 @@ Measure errors(Gap gap) {
       const Step step{{circle, circle},
                       {{{{-2.0, 0.0}, 0.0}, {0.5 * travel, 0.0}, 0.0},
                        {{{2.0, 0.0}, 0.0}, {-0.5 * travel, 0.0}, 0.0}}};
-      const double exact = start_gap - separation - travel;
+      const double exact = start_gap - crossing_separation - travel;
       measurements.push_back({.x = travel, .error = std::abs(gap(step) - exact) / travel});
     }
     return measurements;
@@ -36,15 +36,15 @@ Measure errors(Gap gap) {
 }
 
 double swept(const Step& step) {
-  return least_gap(violations(step, {{separation}, 1e-4}));
+  return least_gap(violations(step, {{crossing_separation}, 1e-4}));
 }
 
 // What does not overlap is taken to have a gap of 0.
 double seen_at(const Step& step, int instants) {
   double least = 0.0;
   for (int k = 1; k <= instants; ++k) {
-    least =
-        std::min(least, distance_at(step, static_cast<double>(k) / instants, reach) - separation);
+    least = std::min(
+        least, distance_at(step, static_cast<double>(k) / instants, reach) - crossing_separation);
   }
   return least;
 }

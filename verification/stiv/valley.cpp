@@ -12,7 +12,7 @@ using namespace study;
 
 namespace {
 
-constexpr double disk_radius = 0.45, separation = 0.09;
+constexpr double disk_radius = 0.45, valley_separation = 0.09;
 
 // How far from the star's centre the disk meets both flanks, down an axis through it.
 double meeting_place(const ContactShape& star, Complex axis) {
@@ -20,7 +20,7 @@ double meeting_place(const ContactShape& star, Complex axis) {
   for (int bisection = 0; bisection < 50; ++bisection) {
     const double middle = 0.5 * (inside + outside);
     const double distance = star.polygon.closest(middle * axis, 10.0).distance;
-    (distance > disk_radius + separation ? outside : inside) = middle;
+    (distance > disk_radius + valley_separation ? outside : inside) = middle;
   }
   return outside;
 }
@@ -37,7 +37,7 @@ Measure lengths(RowChoice rows) {
                       {{{{0.0, 0.0}, 0.0}, {0.0, 0.0}, 0.0},
                        {{2.0 * axis, 0.1}, -(2.0 - place + depth) * axis, 0.0}}};
       double least = 1.0;
-      for (const Contact& contact : violations(step, {{separation}, 1e-5, rows})) {
+      for (const Contact& contact : violations(step, {{valley_separation}, 1e-5, rows})) {
         for (const ContactRow& row : contact.rows) {
           least = std::min(least, std::abs(row.force.on_a.force));
         }

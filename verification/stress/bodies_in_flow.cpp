@@ -1,6 +1,5 @@
 // Stresslets of free ellipses, and their mean over a Jeffery orbit.
 #include <algorithm>
-#include <numbers>
 
 #include "experiments.hpp"
 #include "stress/stress.hpp"
@@ -14,8 +13,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double viscosity = 1.3;
 const FlowDerivatives shear = flow_derivatives({.du1_dx2 = 1.0});
 
 using StressletOf = Complex (*)(const Curve&, const ComplexVector&, double);

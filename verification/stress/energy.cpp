@@ -1,6 +1,5 @@
 // Tractions integrate to loads, and the power of the boundary is what the fluid dissipates.
 #include <algorithm>
-#include <numbers>
 
 #include "experiments.hpp"
 #include "stress/dissipation.hpp"
@@ -15,9 +14,6 @@ using namespace study;
 using Eigen::Index;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double viscosity = 1.3;
 
 using Traction = ComplexVector (*)(const StokesProblem&, const std::vector<FlowDerivatives>&);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 namespace stokesbook::verification::stress {
 
+using std::numbers::pi;
 using test::linear_velocity;
 using test::Once;
 
@@ -32,6 +34,8 @@ study::Experiment excess();
 study::Experiment container();
 study::Experiment dilute();
 /// @}
+
+inline constexpr double viscosity = 1.3;  ///< of the fluid, wherever it matters
 
 /// Measures a number at each of the points, the same in a quick study and a full one.
 template <class Number>

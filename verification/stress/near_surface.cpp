@@ -1,7 +1,6 @@
 // Derivatives at any distance from the surface: by Cauchy integrals, by the trapezoid rule, and by
 // differences of velocities.
 #include <algorithm>
-#include <numbers>
 
 #include "double_layer/stresslet_sum.hpp"
 #include "experiments.hpp"
@@ -18,8 +17,6 @@ using test::inner_poles;
 using test::outer_poles;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// A curve whose nodes resolve the density of an exact flow to rounding.
 struct Case {
@@ -46,7 +43,8 @@ struct Solved {
   CauchyData data;
 };
 
-using Method = std::vector<FlowDerivatives> (*)(const Solved&, const ComplexVector&, double);
+using DerivativesMethod = std::vector<FlowDerivatives> (*)(const Solved&, const ComplexVector&,
+                                                           double);
 
 std::vector<FlowDerivatives> by_cauchy(const Solved& solved, const ComplexVector& targets, double) {
   return solved.cauchy.derivatives(solved.cauchy.derivative_data(solved.data), 0, targets);
@@ -87,7 +85,7 @@ std::vector<FlowDerivatives> without_stress(const Solved& solved, const ComplexV
 
 /// Errors of the strain, and of pressure differences where the method has them, relative to the
 /// largest strain on the curve; at 22 points between the nodes.
-double error_at(const Case& c, const Solved& solved, double distance, Method method,
+double error_at(const Case& c, const Solved& solved, double distance, DerivativesMethod method,
                 bool with_pressure) {
   const Curve between = sample(c.shape, 22, c.side);
   const ComplexVector targets = place(between, 0.0, 0.0).x - distance * normals(between);
@@ -105,7 +103,7 @@ double error_at(const Case& c, const Solved& solved, double distance, Method met
   return error / size;
 }
 
-Measure over_distances(const Case& c, Method method, bool with_pressure = true) {
+Measure over_distances(const Case& c, DerivativesMethod method, bool with_pressure = true) {
   return [=, &c](Size size) {
     const Solved solved(c);
     const double step = size == Size::full ? 0.5 : 1.0;
@@ -120,7 +118,7 @@ Measure over_distances(const Case& c, Method method, bool with_pressure = true) 
 }
 
 Line distance_line(const std::string& key, const std::string& id, const std::string& label,
-                   const Case& c, const std::string& defect, Method defective) {
+                   const Case& c, const std::string& defect, DerivativesMethod defective) {
   return {.key = key,
           .label = label,
           .measure = over_distances(c, by_cauchy),

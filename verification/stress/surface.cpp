@@ -1,7 +1,6 @@
 // The rate of strain on a body's surface: by Cauchy integrals, and by what one might try first.
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 
 #include "double_layer/stresslet_sum.hpp"
 #include "experiments.hpp"
@@ -16,19 +15,19 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double depth = 0.4;  // of the nearest pole, in the parameter
-const Ellipse ellipse{1.0, 0.5};
-const test::ExactFlow flow{{{point_at_depth(ellipse, depth, 0.8), {0.05, -0.03}, 0.04},
-                            {point_at_depth(ellipse, 0.5, 3.9), {0.02, 0.08}, -0.05}}};
+constexpr double pole_depth = 0.4;  // of the nearest pole, in the parameter
+const Ellipse body_ellipse{1.0, 0.5};
+const test::ExactFlow pole_flow{
+    {{point_at_depth(body_ellipse, pole_depth, 0.8), {0.05, -0.03}, 0.04},
+     {point_at_depth(body_ellipse, 0.5, 3.9), {0.02, 0.08}, -0.05}}};
 
 constexpr Index target_count = 16;
 
 /// The flow's density, resolved on 208 nodes.
 ComplexVector resolved_density(Index n) {
   static const ComplexVector density = [] {
-    const Curve body = sample(ellipse, 208, Side::fluid_outside);
-    return test::density_of(body, flow.velocity(body.x));
+    const Curve body = sample(body_ellipse, 208, Side::fluid_outside);
+    return test::density_of(body, pole_flow.velocity(body.x));
   }();
   return resample(density, n);
 }
@@ -161,19 +160,19 @@ Evaluation limit_from_inside(const Curve& body, const ComplexVector& density) {
   return inside;
 }
 
-using Method = Evaluation (*)(const Curve&, const ComplexVector&);
+using StrainMethod = Evaluation (*)(const Curve&, const ComplexVector&);
 
-Measure errors_of(Method method, const std::vector<Index>& counts) {
+Measure errors_of(StrainMethod method, const std::vector<Index>& counts) {
   return [=](Size) {
     using Clock = std::chrono::steady_clock;
     std::vector<Measurement> measurements;
     for (const Index n : counts) {
-      const Curve body = sample(ellipse, n, Side::fluid_outside);
+      const Curve body = sample(body_ellipse, n, Side::fluid_outside);
       const ComplexVector density = resolved_density(n), targets = lifted(body, 0.0);
       const Clock::time_point start = Clock::now();
       const Evaluation got = method(body, density);
       const std::chrono::duration<double> taken = Clock::now() - start;
-      const ComplexVector exact = targets.unaryExpr([](Complex z) { return flow.strain(z); });
+      const ComplexVector exact = targets.unaryExpr([](Complex z) { return pole_flow.strain(z); });
       measurements.push_back({.x = static_cast<double>(n),
                               .error = test::largest(got.strain - exact) / test::largest(exact),
                               .operations = static_cast<double>(got.kernels),
@@ -194,14 +193,14 @@ Measure between_nodes(const Quantity& error, Side side = Side::fluid_outside) {
   return test::over_nodes(
       16.0, 170.0, 16,
       [=](Index n) {
-        const Curve body = sample(ellipse, n, Side::fluid_outside);
-        const ComplexVector density = test::density_of(body, flow.velocity(body.x));
+        const Curve body = sample(body_ellipse, n, Side::fluid_outside);
+        const ComplexVector density = test::density_of(body, pole_flow.velocity(body.x));
         Curve seen = body;
         seen.side = side;
         const CauchyCurve cauchy(seen);
         const ComplexVector targets = ComplexVector::NullaryExpr(24, [](Index k) {
           const double t = 0.13 + 0.2613 * static_cast<double>(k);
-          return Complex{ellipse.a * std::cos(t), ellipse.b * std::sin(t)};
+          return Complex{body_ellipse.a * std::cos(t), body_ellipse.b * std::sin(t)};
         });
         return error(cauchy, cauchy.data((side == body.side ? 1.0 : -1.0) * density), targets);
       },
@@ -210,7 +209,7 @@ Measure between_nodes(const Quantity& error, Side side = Side::fluid_outside) {
 
 double velocity_error(const CauchyCurve& cauchy, const CauchyData& data,
                       const ComplexVector& targets) {
-  const ComplexVector exact = flow.velocity(targets);
+  const ComplexVector exact = pole_flow.velocity(targets);
   return test::largest(cauchy.velocity(data, 0, targets) - exact) / test::largest(exact);
 }
 
@@ -222,7 +221,7 @@ Quantity error_of(const Part& part, double factor = 1.0) {
     const auto found = cauchy.derivatives(cauchy.derivative_data(data), 0, targets);
     double error = 0.0, size = 0.0;
     for (Index i = 0; i < targets.size(); ++i) {
-      const Complex exact = part(derivatives_of(flow, targets[i]));
+      const Complex exact = part(derivatives_of(pole_flow, targets[i]));
       error = std::max(error, std::abs(factor * part(found[static_cast<std::size_t>(i)]) - exact));
       size = std::max(size, std::abs(exact));
     }
@@ -305,7 +304,7 @@ Experiment methods_on_the_surface() {
             .claim = Claim{.id = "07_5",
                            .statement = "The limit by Cauchy integrals converges as the density's "
                                         "modes fall, N^2 e^{-d N / 2}.",
-                           .law = Geometric{0.5 * depth, 0.05, 2.0},
+                           .law = Geometric{0.5 * pole_depth, 0.05, 2.0},
                            .window = {.from = 40.0, .floor = 1e-13},
                            .reason = "the pole at depth d makes modes k e^{-d k}, of which N nodes "
                                      "hold those below N/2; the derivative has one more k",
@@ -321,7 +320,7 @@ Experiment rates_on_the_surface() {
     return Claim{.id = id,
                  .statement = "On the surface, between the nodes, " + what +
                               " converges at half the rate of the pole's depth d.",
-                 .law = Geometric{0.5 * depth, 0.05, power},
+                 .law = Geometric{0.5 * pole_depth, 0.05, power},
                  .window = {.from = 40.0, .floor = 1e-13},
                  .reason =
                      "the density's modes k e^{-d k} beyond N/2 are cut off, and aliases of "

@@ -1,7 +1,6 @@
 // Bodies in a container whose wall moves by a pure strain: the smallest suspension with an exact
 // effective viscosity.
 #include <algorithm>
-#include <numbers>
 
 #include "experiments.hpp"
 #include "stress/dissipation.hpp"
@@ -16,8 +15,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double viscosity = 1.3;
 const FlowDerivatives strained{0.0, 0.0, {1.0, -0.6}};
 
 /// Free bodies in a circular container of radius 1 whose wall moves as the linear flow.

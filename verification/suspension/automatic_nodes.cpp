@@ -12,11 +12,11 @@ using namespace study;
 namespace {
 
 // The tightest tolerance that is asked for.
-constexpr double least_tolerance = 1e-11;
+constexpr double tightest_tolerance = 1e-11;
 
 // Whether rounding leaves as little as the tightest tolerance.
 bool is_solvable(Scene scene) {
-  scene.solver.tolerance = least_tolerance;
+  scene.solver.tolerance = tightest_tolerance;
   const SuspensionSolver solver(scene);
   try {
     solver.solve(solver.initial_configuration());
@@ -37,7 +37,7 @@ std::vector<Scene> scenes(int count) {
     const std::vector<Gap> gaps =
         find_gaps(probe.initial_configuration(), probe.references(), tolerance);
     if (gaps.front().points.gap < 1e-2 || scene.bodies.size() > 3) continue;
-    scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
+    scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
     if (is_solvable(scene)) found.push_back(scene);
   }
   return found;
@@ -70,7 +70,7 @@ Measure worst_errors(const Choice& choice) {
     const bool quick = size == Size::quick;
     const std::vector<Scene> some = scenes(quick ? 3 : 12);
     std::vector<Measurement> points;
-    for (const double tolerance : {least_tolerance, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+    for (const double tolerance : {tightest_tolerance, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
       double worst = 0.0;
       for (Scene scene : some) {
         const Effort effort = choice(scene, tolerance);
@@ -89,7 +89,7 @@ Measure worst_errors(const Choice& choice) {
 
 }  // namespace
 
-Experiment automatic_nodes() {
+Experiment errors_on_automatic_nodes() {
   return {.key = "automatic",
           .title = "Automatic nodes: the error achieved",
           .x = "tolerance asked for e",

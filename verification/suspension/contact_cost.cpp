@@ -15,7 +15,7 @@ using namespace test;
 namespace {
 
 // The first steps find out how exactly contact is to be solved.
-constexpr int first_steps = 6, steps = 12;
+constexpr int first_steps = 6, all_steps = 12;
 
 struct ClusterRun {
   std::vector<StepInfo> steps;
@@ -26,7 +26,7 @@ struct ClusterRun {
 ClusterRun hexagon(int rings, bool in_contact) {
   static Once<std::pair<int, bool>, ClusterRun> runs;
   return runs({rings, in_contact}, [&] {
-    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * steps, 0.005);
+    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * all_steps, 0.005);
     scene.solver.gmres_max_iterations = 2000;
     if (in_contact) scene.contact = ContactSettings{0.1};
     const SuspensionSolver solver(scene);
@@ -47,8 +47,10 @@ ClusterRun hexagon(int rings, bool in_contact) {
 /// Of a step after the first ones, on average.
 double in_a_step(const ClusterRun& run, double (*quantity)(const StepInfo& step)) {
   double sum = 0.0;
-  for (int k = first_steps; k < steps; ++k) sum += quantity(run.steps[static_cast<std::size_t>(k)]);
-  return sum / (steps - first_steps);
+  for (int k = first_steps; k < all_steps; ++k) {
+    sum += quantity(run.steps[static_cast<std::size_t>(k)]);
+  }
+  return sum / (all_steps - first_steps);
 }
 
 double gmres_iterations(const StepInfo& step) {
@@ -67,7 +69,7 @@ double seconds(const StepInfo& step) {
 /// Of a step after the first ones, on average.
 double in_a_step(int rings, double (*quantity)(const RunTotals& totals)) {
   const ClusterRun run = hexagon(rings, true);
-  return (quantity(run.all) - quantity(run.first)) / (steps - first_steps);
+  return (quantity(run.all) - quantity(run.first)) / (all_steps - first_steps);
 }
 
 double contact_solves(int rings) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "experiments.hpp"
+#include "scenes.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
 
@@ -15,9 +16,7 @@ using namespace test;
 
 namespace {
 
-constexpr double h = std::numbers::pi / 32;
-
-// Gaps, in h, and the force by a prototype of plain rules with many nodes.
+// Gaps, in node spacings, and the force by a prototype of plain rules with many nodes.
 const std::array<std::pair<double, double>, 7> known{{{0.25, 9.4711},
                                                       {0.5, 9.5176},
                                                       {1.0, 9.6108},
@@ -33,7 +32,7 @@ struct Hold {
 /// Radius 1/2 on the axis of u = (-x, y), at a gap that is the separation.
 ///
 /// @param  nodes  on each disk; a few are a planted defect
-Hold hold(double gap, double dt, int nodes = stokesbook::automatic_nodes) {
+Hold hold(double gap, double dt, int nodes = automatic_nodes) {
   static Once<std::tuple<double, double, int>, Hold> holds;
   return holds({gap, dt, nodes}, [&] {
     std::vector<Body> disks(2, Body{.shape = Circle{0.5}, .n_nodes = nodes});
@@ -41,7 +40,7 @@ Hold hold(double gap, double dt, int nodes = stokesbook::automatic_nodes) {
     disks[1].position = 0.5 + 0.5 * gap;
     Scene scene = over(in_contact(ExtensionalFlow{-1.0}, disks, gap), 4.0 * dt, dt);
     // What 32 nodes cannot resolve is to be seen, not refused.
-    if (nodes != stokesbook::automatic_nodes) scene.solver.tolerance = 0.5;
+    if (nodes != automatic_nodes) scene.solver.tolerance = 0.5;
     const RecordedRun run = recorded_run(scene);
     Hold found{run.frames.back().contacts.at(0).force, 0.0, 2.0};
     for (const Frame& frame : run.frames) {
@@ -59,7 +58,7 @@ Measure differences(int nodes) {
     std::vector<Measurement> measurements;
     for (const auto& [gap, force] : known) {
       measurements.push_back(
-          {.x = gap, .error = std::abs(hold(gap * h, 0.1, nodes).force / force - 1.0)});
+          {.x = gap, .error = std::abs(hold(gap * node_spacing, 0.1, nodes).force / force - 1.0)});
     }
     return measurements;
   };
@@ -86,30 +85,31 @@ Measure over_steps(double (*quantity)(double dt)) {
   };
 }
 
-double spread(double dt) {
-  return std::abs(hold(2.0 * h, dt).force / hold(2.0 * h, 0.1).force - 1.0);
+double force_spread(double dt) {
+  return std::abs(hold(2.0 * node_spacing, dt).force / hold(2.0 * node_spacing, 0.1).force - 1.0);
 }
 
-double drift(double dt) {
-  const Hold found = hold(2.0 * h, dt);
+double gap_drift(double dt) {
+  const Hold found = hold(2.0 * node_spacing, dt);
   return std::max(found.widest - 1.0, 1.0 - found.narrowest);
 }
 
 // One Euler step without contact, from the separation.
 double free_drift(double dt) {
   std::vector<Body> disks(2, Body{.shape = Circle{0.5}});
-  disks[0].position = -0.5 - h;
-  disks[1].position = 0.5 + h;
+  disks[0].position = -0.5 - node_spacing;
+  disks[1].position = 0.5 + node_spacing;
   Scene scene = in_contact(ExtensionalFlow{-1.0}, disks, 1.0);
   scene.contact.reset();
   const SuspensionSolver solver(scene);
   const Solution solution = solver.solve(solver.initial_configuration());
-  return std::abs((solution.motions[1].velocity - solution.motions[0].velocity) * dt) / (2.0 * h);
+  return std::abs((solution.motions[1].velocity - solution.motions[0].velocity) * dt) /
+         (2.0 * node_spacing);
 }
 
 // The published normalisation of Stokeslets, without 1 / (4 pi).
 double published_unit(double dt) {
-  return std::abs(hold(2.0 * h, dt).force / (4.0 * std::numbers::pi) / 9.7982 - 1.0);
+  return std::abs(hold(2.0 * node_spacing, dt).force / (4.0 * std::numbers::pi) / 9.7982 - 1.0);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ Experiment holding_force() {
           .error = "relative difference of the force",
           .lines = {{.key = "known",
                      .label = "from a prototype's",
-                     .measure = differences(stokesbook::automatic_nodes),
+                     .measure = differences(automatic_nodes),
                      .claim = Claim{.id = "12_10",
                                     .statement = "The force that holds two disks apart is right to "
                                                  "the digits known.",
@@ -160,7 +160,7 @@ Experiment holding_steps() {
       .error = "relative difference",
       .lines = {{.key = "force",
                  .label = "of the force from that of dt = 0.1",
-                 .measure = over_steps(spread),
+                 .measure = over_steps(force_spread),
                  .claim = Claim{.id = "12_12",
                                 .statement = "The force that holds two disks apart does not "
                                              "depend on the time step.",
@@ -171,7 +171,7 @@ Experiment holding_steps() {
                                     over_steps(published_unit)}},
                 {.key = "gap",
                  .label = "of the gap from the separation",
-                 .measure = over_steps(drift),
+                 .measure = over_steps(gap_drift),
                  .claim = Claim{.id = "12_13",
                                 .statement = "A gap that begins at the separation is kept.",
                                 .law = Identity{1e-5},

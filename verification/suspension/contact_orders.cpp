@@ -13,7 +13,7 @@ using namespace test;
 
 namespace {
 
-constexpr double separation = 0.25;
+constexpr double pair_separation = 0.25;
 
 /// Where the one disk ends, seen from the other, after 6 units of time.
 Complex end(double dt, SteppingMethod method, double kept) {
@@ -38,7 +38,7 @@ Measure errors(SteppingMethod method, double kept_by_reference) {
     std::vector<Measurement> measurements;
     for (double steps = 1.0 / 0.16; steps <= (size == Size::full ? 101.0 : 51.0); steps *= 2.0) {
       measurements.push_back(
-          {.x = steps, .error = std::abs(end(1.0 / steps, method, separation) - reference)});
+          {.x = steps, .error = std::abs(end(1.0 / steps, method, pair_separation) - reference)});
     }
     return measurements;
   };
@@ -54,7 +54,7 @@ Experiment contact_orders() {
           .lines = {
               {.key = "euler",
                .label = "Euler",
-               .measure = errors(SteppingMethod::euler, separation),
+               .measure = errors(SteppingMethod::euler, pair_separation),
                .claim = Claim{.id = "12_14",
                               .statement = "With contact Euler's method is of order 1.",
                               .law = Algebraic{1.0, 0.15},
@@ -64,7 +64,7 @@ Experiment contact_orders() {
                                   errors(SteppingMethod::euler, 0.3)}},
               {.key = "heun",
                .label = "Heun",
-               .measure = errors(SteppingMethod::heun, separation),
+               .measure = errors(SteppingMethod::heun, pair_separation),
                .claim = Claim{.id = "12_15",
                               .statement = "With contact Heun's method is of order 2.",
                               .law = Algebraic{2.0, 0.2},
@@ -74,8 +74,8 @@ Experiment contact_orders() {
                                   "step's velocity has a kink or a jump, which costs an error of "
                                   "the order of its square, and makes the fit uneven",
                               .api = {"stokesbook::Simulation"}},
-               .control =
-                   Control{"Euler's method instead", errors(SteppingMethod::euler, separation)}}}};
+               .control = Control{"Euler's method instead",
+                                  errors(SteppingMethod::euler, pair_separation)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

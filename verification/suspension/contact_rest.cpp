@@ -13,13 +13,13 @@ using namespace test;
 
 namespace {
 
-constexpr double separation = 0.05;
+constexpr double floor_separation = 0.05;
 
 /// A heavy ellipse that lies on the floor of a container; written every so many steps.
 Scene resting_scene(int steps, int written, bool with_contact) {
   Body heavy{.shape = Ellipse{0.5, 0.3}, .position = {0.1, -1.6}, .orientation = 0.1};
   heavy.force = {0.0, -20.0};
-  Scene scene = over(in_contact(QuiescentFlow{}, {heavy}, separation), 0.1 * steps, 0.1);
+  Scene scene = over(in_contact(QuiescentFlow{}, {heavy}, floor_separation), 0.1 * steps, 0.1);
   scene.walls = {{.role = WallRole::outer, .shape = Circle{2.0}}};
   scene.solver.tolerance = 1e-3;
   scene.output.dt_write = 0.1 * written;
@@ -35,7 +35,7 @@ Measure drift(bool with_contact) {
     const RecordedRun run = recorded_run(scene, Refusals::recorded);
     std::vector<Measurement> measurements;
     const auto gap = [&](const Frame& frame) {
-      return least_exact_gap(placed_shapes(scene, frame), 1.0) / separation;
+      return least_exact_gap(placed_shapes(scene, frame), 1.0) / floor_separation;
     };
     for (std::size_t k = 6; k < run.frames.size(); ++k) {
       measurements.push_back(

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "experiments.hpp"
 #include "record/number_text.hpp"
+#include "scenes.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
 
@@ -18,32 +18,30 @@ using namespace test;
 
 namespace {
 
-constexpr double h = std::numbers::pi / 32;  // node spacing of the published runs
-
 // Rate times step; the table lists half of it.
-const std::array<double, 5> steps{0.08, 0.04, 0.02, 0.01, 0.005};
+const std::array<double, 5> published_steps{0.08, 0.04, 0.02, 0.01, 0.005};
 
-// What is printed for a separation, in h, and these steps.
+// What is printed for a separation, in node spacings, and these steps.
 struct Row {
   double separation;
   std::array<double, 5> change;
 };
 
-const std::array<Row, 7> published{{{0.0, {0.135, 0.0732, 0.0374, 0.0200, 0.0101}},
-                                    {1.0, {0.135, 0.0732, 0.0374, 0.0200, 0.0101}},
-                                    {2.0, {0.188, 0.141, 0.117, 0.108, 0.102}},
-                                    {2.25, {0.255, 0.208, 0.187, 0.178, 0.173}},
-                                    {2.5, {0.305, 0.269, 0.252, 0.245, 0.240}},
-                                    {2.75, {0.364, 0.331, 0.313, 0.307, 0.303}},
-                                    {3.0, {0.412, 0.388, 0.372, 0.367, 0.363}}}};
+const std::array<Row, 7> published_rows{{{0.0, {0.135, 0.0732, 0.0374, 0.0200, 0.0101}},
+                                         {1.0, {0.135, 0.0732, 0.0374, 0.0200, 0.0101}},
+                                         {2.0, {0.188, 0.141, 0.117, 0.108, 0.102}},
+                                         {2.25, {0.255, 0.208, 0.187, 0.178, 0.173}},
+                                         {2.5, {0.305, 0.269, 0.252, 0.245, 0.240}},
+                                         {2.75, {0.364, 0.331, 0.313, 0.307, 0.303}},
+                                         {3.0, {0.412, 0.388, 0.372, 0.367, 0.363}}}};
 
 std::vector<Row> rows(Size size) {
-  if (size == Size::full) return {published.begin(), published.end()};
-  return {published[0], published[2], published[6]};
+  if (size == Size::full) return {published_rows.begin(), published_rows.end()};
+  return {published_rows[0], published_rows[2], published_rows[6]};
 }
 
 std::size_t columns(Size size) {
-  return size == Size::full ? steps.size() : 2;
+  return size == Size::full ? published_steps.size() : 2;
 }
 
 /// Distance of both centres from where they began, over that of their start from the origin.
@@ -58,13 +56,13 @@ double change(const Scene& scene) {
   return std::sqrt(moved / start);
 }
 
-/// @param  separation  in h; 0: no contact is asked for
+/// @param  separation  in node spacings; 0: no contact is asked for
 double change(double separation, double dt) {
   static Once<std::pair<double, double>, double> changes;
   return changes({separation, dt}, [&] {
     std::vector<Body> disks(2, Body{.shape = Circle{0.5}});
     disks[0].position = {-8.0, 0.5};
-    Scene scene = over(in_contact(ShearFlow{1.0}, disks, separation * h), 40.0, dt);
+    Scene scene = over(in_contact(ShearFlow{1.0}, disks, separation * node_spacing), 40.0, dt);
     if (separation == 0.0) scene.contact.reset();
     scene.reverse_at = {20.0};
     scene.output.dt_write = 40.0;
@@ -77,20 +75,21 @@ Measure changes(std::size_t column) {
     std::vector<Measurement> measurements;
     if (column >= columns(size)) return measurements;
     for (const Row& row : rows(size)) {
-      measurements.push_back({.x = row.separation, .error = change(row.separation, steps[column])});
+      measurements.push_back(
+          {.x = row.separation, .error = change(row.separation, published_steps[column])});
     }
     return measurements;
   };
 }
 
 // By how much separations are taken too wide is a planted defect.
-Measure differences(double wider) {
+Measure differences_from_table(double wider) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const Row& row : rows(size)) {
       double largest = 0.0;
       for (std::size_t k = 0; k < (wider == 0.0 ? columns(size) : 1); ++k) {
-        const double found = change(row.separation + wider, steps[k]);
+        const double found = change(row.separation + wider, published_steps[k]);
         largest = std::max(largest, std::abs(found / row.change[k] - 1.0));
       }
       measurements.push_back({.x = row.separation, .error = largest});
@@ -111,7 +110,7 @@ Experiment reversal_table() {
       .lines = {
           {.key = "difference",
            .label = "largest difference from the published table, relative",
-           .measure = differences(0.0),
+           .measure = differences_from_table(0.0),
            .claim =
                Claim{.id = "12_9",
                      .statement = "What contact leaves of a reversal agrees with the published "
@@ -121,10 +120,10 @@ Experiment reversal_table() {
                                "shorter in places: at separation 0, which is none here, a step "
                                "more forth than back explains what differs by 5 %",
                      .api = {"stokesbook::Simulation"}},
-           .control = Control{"separations wider by pi/128", differences(0.25)}}}};
-  for (std::size_t k = 0; k < steps.size(); ++k) {
+           .control = Control{"separations wider by pi/128", differences_from_table(0.25)}}}};
+  for (std::size_t k = 0; k < published_steps.size(); ++k) {
     experiment.lines.push_back({.key = "column_" + std::to_string(k),
-                                .label = "rate x dt = " + short_number(steps[k]),
+                                .label = "rate x dt = " + short_number(published_steps[k]),
                                 .measure = changes(k)});
   }
   return experiment;

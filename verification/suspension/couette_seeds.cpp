@@ -135,23 +135,23 @@ Measure changes(double area = 1.0) {
 }
 
 /// @param  kept  in separations; more than one is a planted defect
-Measure lost(double kept) {
+Measure lost_from_starts(double kept) {
   return of_starts(1, 8, [=](unsigned seed) {
     return std::max(0.0, kept - small_run(seed, Care::usual).least_gap);
   });
 }
 
 /// What is printed of the published cells, in the sweep's order. Disks have no order.
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, none},
-                                                        {1220.0, none},
-                                                        {1420.0, none},
+constexpr double unprinted = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
+                                                        {1220.0, unprinted},
+                                                        {1420.0, unprinted},
                                                         {1100.0, 520.0},
                                                         {1230.0, 600.0},
                                                         {1360.0, 650.0},
                                                         {1080.0, 910.0},
                                                         {1180.0, 890.0},
-                                                        {none, none}}};
+                                                        {unprinted, unprinted}}};
 
 /// Cells with random starts: the small one, and in the full size the published ones, as the sweep
 /// has them.
@@ -206,7 +206,7 @@ Line off(const std::string& key, const CouetteProperty& property) {
   return {.key = key + "_off",
           .label = "from print, over what a run may differ",
           .measure = of_cells([=](std::size_t cell, const Runs& runs) {
-            if (cell == 0) return none;
+            if (cell == 0) return unprinted;
             const Estimate found = estimate(runs, property);
             return std::abs(found.mean - printed_of(printed_of_cells[cell - 1], property)) /
                    range_of_a_run(found, runs.size());
@@ -340,7 +340,7 @@ Experiment couette_care() {
                               changes(area_of_fluid)}},
           {.key = "lost",
            .label = "part of the separation that the narrowest gap lacks",
-           .measure = lost(1.0),
+           .measure = lost_from_starts(1.0),
            .claim = Claim{.id = "12_51",
                           .statement = "From any start, two revolutions of the small Couette cell "
                                        "keep the separation.",
@@ -348,7 +348,8 @@ Experiment couette_care() {
                           .reason = "each step resolves contact with the mobility of all bodies "
                                     "together",
                           .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"a separation 1 % wider than what is kept", lost(1.01)}}}};
+           .control =
+               Control{"a separation 1 % wider than what is kept", lost_from_starts(1.01)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

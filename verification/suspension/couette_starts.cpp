@@ -16,14 +16,14 @@ namespace {
 
 /// A published cell: its scene, and what is printed that bodies add to the
 /// viscosity, in thousandths.
-struct Cell {
+struct CellStart {
   const char* scene;
   double printed;
 };
 
-constexpr Cell dilute{"couette", 108.0}, dense{"couette_dense", 297.0};
+constexpr CellStart dilute_start{"couette", 108.0}, dense_start{"couette_dense", 297.0};
 
-Scene scene_of(const Cell& cell) {
+Scene scene_of(const CellStart& cell) {
   return shipped_scene(cell.scene);
 }
 
@@ -38,7 +38,7 @@ enum class Bodies {
   nine_of_ten  ///< a planted defect
 };
 
-double added_viscosity(const Cell& cell, double tolerance, Bodies bodies) {
+double added_viscosity(const CellStart& cell, double tolerance, Bodies bodies) {
   static test::Once<std::tuple<std::string, double, Bodies>, double> found;
   return found({cell.scene, tolerance, bodies}, [&] {
     Scene scene = scene_of(cell);
@@ -57,7 +57,7 @@ std::vector<double> tolerances(Size size) {
                             : std::vector{1e-4, 1e-3, 1e-2};
 }
 
-Measure added_viscosities(const Cell& cell) {
+Measure added_viscosities(const CellStart& cell) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const double tolerance : tolerances(size)) {
@@ -68,7 +68,7 @@ Measure added_viscosities(const Cell& cell) {
   };
 }
 
-Measure differences(const Cell& cell, Bodies bodies) {
+Measure differences_at_start(const CellStart& cell, Bodies bodies) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const double tolerance : tolerances(size)) {
@@ -80,17 +80,18 @@ Measure differences(const Cell& cell, Bodies bodies) {
 }
 
 Line difference(const std::string& key, const std::string& id, const std::string& label,
-                const Cell& cell) {
+                const CellStart& cell) {
   return {.key = key + "_off",
           .label = label + ": difference from print",
-          .measure = differences(cell, Bodies::all),
+          .measure = differences_at_start(cell, Bodies::all),
           .claim = Claim{.id = id,
                          .statement = "The first instant of the published Couette run with " +
                                       label + " has the published viscosity, to its digits.",
                          .law = Identity{0.6},
                          .reason = "printed to four digits, of positions known to four digits",
                          .api = {"stokesbook::Rheometer"}},
-          .control = Control{"one body in ten left out", differences(cell, Bodies::nine_of_ten)}};
+          .control =
+              Control{"one body in ten left out", differences_at_start(cell, Bodies::nine_of_ten)}};
 }
 
 // Those of the published run, and its near integrals; the tolerance is one that any nodes meet.
@@ -115,7 +116,7 @@ constexpr double half_digit = 5e-5;  // of the positions that are known
 double added_when_moved(Scene (*nodes)(Scene), unsigned seed, double most) {
   static test::Once<std::tuple<Scene (*)(Scene), unsigned, double>, double> found;
   return found({nodes, seed, most}, [&] {
-    Scene scene = nodes(scene_of(dense));
+    Scene scene = nodes(scene_of(dense_start));
     std::mt19937_64 random(seed);
     for (Body& body : scene.bodies) {
       const double x = uniform(random, -most, most), y = uniform(random, -most, most);
@@ -144,16 +145,18 @@ Measure when_moved(Scene (*nodes)(Scene), std::optional<double> expected,
 }  // namespace
 
 Experiment couette_starts() {
-  return {
-      .key = "couette_starts",
-      .title = "The published Couette cells at their first instant",
-      .x = "tolerance e",
-      .error = "what bodies add to the torque of the inner wall, in thousandths",
-      .lines = {
-          {.key = "dilute", .label = "80 ellipses 3:1, 5 %", .measure = added_viscosities(dilute)},
-          {.key = "dense", .label = "320 ellipses 6:1, 10 %", .measure = added_viscosities(dense)},
-          difference("dilute", "12_30", "80 ellipses 3:1", dilute),
-          difference("dense", "12_31", "320 ellipses 6:1", dense)}};
+  return {.key = "couette_starts",
+          .title = "The published Couette cells at their first instant",
+          .x = "tolerance e",
+          .error = "what bodies add to the torque of the inner wall, in thousandths",
+          .lines = {{.key = "dilute",
+                     .label = "80 ellipses 3:1, 5 %",
+                     .measure = added_viscosities(dilute_start)},
+                    {.key = "dense",
+                     .label = "320 ellipses 6:1, 10 %",
+                     .measure = added_viscosities(dense_start)},
+                    difference("dilute", "12_30", "80 ellipses 3:1", dilute_start),
+                    difference("dense", "12_31", "320 ellipses 6:1", dense_start)}};
 }
 
 Experiment couette_digits() {

@@ -16,10 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double log_uniform(std::mt19937_64& random, double low, double high) {
-  return low * std::pow(high / low, uniform(random, 0.0, 1.0));
-}
-
 Shape random_shape(Crowd crowd, std::mt19937_64& random) {
   const double size = uniform(random, 0.4, 0.6);
   switch (crowd) {

@@ -8,7 +8,7 @@ namespace stokesbook::verification::suspension {
 /// @{
 study::Experiment spread_of_estimates();
 study::Experiment estimates();
-study::Experiment automatic_nodes();
+study::Experiment errors_on_automatic_nodes();
 study::Experiment pair_speeds();
 study::Experiment lubrication();
 study::Experiment many_bodies();

@@ -21,7 +21,7 @@ using namespace test;
 namespace {
 
 /// The scene that ships, with its ellipses in place: all alike, in a strain of rate 1 along x.
-Scene crowd() {
+Scene shipped_crowd() {
   return with_fills_placed(shipped_scene("extension_crowd"));
 }
 
@@ -33,7 +33,7 @@ struct CrowdRun {
 const CrowdRun& crowd_run(Size size, bool in_contact) {
   static Once<std::pair<Size, bool>, CrowdRun> runs;
   return runs({size, in_contact}, [&] {
-    Scene scene = crowd();
+    Scene scene = shipped_crowd();
     if (!in_contact) scene.contact.reset();
     if (size == Size::full) scene.solver.tolerance = 1e-4;
     scene.output.dt_write = 0.25;
@@ -58,12 +58,12 @@ Ellipse ellipse_of(const Scene& scene) {
   return std::get<Ellipse>(scene.bodies.front().shape);
 }
 
-double order(const Scene&, const Frame& frame) {
+double order_parameter(const Scene&, const Frame& frame) {
   return frame.rheology.order_parameter;
 }
 
 /// Mean of cos 2 theta if each ellipse turned alone: tan theta falls like e^(-2 beta t) (Jeffery).
-double order_alone(const Scene& scene, const Frame& frame) {
+double order_parameter_alone(const Scene& scene, const Frame& frame) {
   const auto [a, b] = ellipse_of(scene);
   const double beta = (a * a - b * b) / (a * a + b * b);
   double sum = 0.0;
@@ -76,11 +76,12 @@ double order_alone(const Scene& scene, const Frame& frame) {
 }
 
 double least_gap(const Scene& scene, const Frame& frame) {
-  return least_exact_gap(placed_shapes(scene, frame), 1.0) / crowd().contact->minimum_separation;
+  return least_exact_gap(placed_shapes(scene, frame), 1.0) /
+         shipped_crowd().contact->minimum_separation;
 }
 
 /// @param  kept  in separations; more than one is a planted defect
-Measure lost(double kept) {
+Measure lost_in_extension(double kept) {
   return over_time(true, [=](const Scene& scene, const Frame& frame) {
     return std::max(0.0, kept - least_gap(scene, frame));
   });
@@ -91,7 +92,7 @@ Measure lost(double kept) {
 ///
 /// @param  factor  of Jeffery's answer; other than one is a planted defect
 double turned_by_others(double spread, double factor) {
-  Scene scene = crowd();
+  Scene scene = shipped_crowd();
   scene.contact.reset();
   scene.solver.tolerance = 1e-9;
   for (Body& body : scene.bodies) body.position *= spread;
@@ -106,7 +107,7 @@ double turned_by_others(double spread, double factor) {
   return largest;
 }
 
-Measure differences(double factor) {
+Measure differences_from_alone(double factor) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double spread = 1.0; spread <= (size == Size::full ? 64.0 : 32.0); spread *= 2.0) {
@@ -119,18 +120,19 @@ Measure differences(double factor) {
 }  // namespace
 
 Experiment extension_order() {
-  return {.key = "extension_order",
-          .title = "How a crowd of ellipses lines up in extension",
-          .x = "strain e t",
-          .error = "mean of cos 2 theta",
-          .axes = Axes::nominal,
-          .lines = {{.key = "crowd", .label = "the crowd", .measure = over_time(true, order)},
-                    {.key = "without",
-                     .label = "the crowd without contact",
-                     .measure = over_time(false, order)},
-                    {.key = "alone",
-                     .label = "the same ellipses, each alone",
-                     .measure = over_time(true, order_alone)}}};
+  return {
+      .key = "extension_order",
+      .title = "How a crowd of ellipses lines up in extension",
+      .x = "strain e t",
+      .error = "mean of cos 2 theta",
+      .axes = Axes::nominal,
+      .lines = {{.key = "crowd", .label = "the crowd", .measure = over_time(true, order_parameter)},
+                {.key = "without",
+                 .label = "the crowd without contact",
+                 .measure = over_time(false, order_parameter)},
+                {.key = "alone",
+                 .label = "the same ellipses, each alone",
+                 .measure = over_time(true, order_parameter_alone)}}};
 }
 
 Experiment extension_gaps() {
@@ -144,36 +146,36 @@ Experiment extension_gaps() {
           {.key = "contact", .label = "with contact", .measure = over_time(true, least_gap)},
           {.key = "lost",
            .label = "what it lacks",
-           .measure = lost(1.0),
+           .measure = lost_in_extension(1.0),
            .claim = Claim{.id = "12_47",
                           .statement = "In extension a crowd keeps its separation.",
                           .law = Identity{1e-3},
                           .reason = "each step resolves contact with the mobility of all "
                                     "bodies together",
                           .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"a separation 1 % wider than what is kept", lost(1.01)}},
+           .control = Control{"a separation 1 % wider than what is kept", lost_in_extension(1.01)}},
           {.key = "without", .label = "without contact", .measure = over_time(false, least_gap)}}};
 }
 
 Experiment extension_apart() {
-  return {
-      .key = "extension_apart",
-      .title = "How others turn an ellipse of a crowd in extension",
-      .x = "distances, in those of the crowd, s",
-      .error = "largest difference from the angular velocity alone, over the rate of strain",
-      .lines = {{.key = "turned",
-                 .label = "36 ellipses",
-                 .measure = differences(1.0),
-                 .claim = Claim{.id = "12_48",
-                                .statement = "Ellipses of a crowd in extension turn as each "
-                                             "would alone, but for a difference of order 2 in "
-                                             "size over distance.",
-                                .law = Algebraic{2.0, 0.1},
-                                .window = {.from = 4.0},
-                                .reason = "the others are stresslets; the gradient of their "
-                                          "flow falls like s^-2",
-                                .api = {"stokesbook::SuspensionSolver"}},
-                 .control = Control{"an ellipse alone that turns 1 % faster", differences(1.01)}}}};
+  return {.key = "extension_apart",
+          .title = "How others turn an ellipse of a crowd in extension",
+          .x = "distances, in those of the crowd, s",
+          .error = "largest difference from the angular velocity alone, over the rate of strain",
+          .lines = {{.key = "turned",
+                     .label = "36 ellipses",
+                     .measure = differences_from_alone(1.0),
+                     .claim = Claim{.id = "12_48",
+                                    .statement = "Ellipses of a crowd in extension turn as each "
+                                                 "would alone, but for a difference of order 2 in "
+                                                 "size over distance.",
+                                    .law = Algebraic{2.0, 0.1},
+                                    .window = {.from = 4.0},
+                                    .reason = "the others are stresslets; the gradient of their "
+                                              "flow falls like s^-2",
+                                    .api = {"stokesbook::SuspensionSolver"}},
+                     .control = Control{"an ellipse alone that turns 1 % faster",
+                                        differences_from_alone(1.01)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -13,7 +13,7 @@ using namespace study;
 namespace {
 
 // What is known of one solution.
-struct Judged {
+struct JudgedSolution {
   double error;      // against a solution with nodes that crowd at gaps, for a tolerance of 1e-12
   double estimate;   // by a correction on finer nodes
   double tail;       // by the tails of its densities
@@ -34,14 +34,14 @@ double largest_tail(const Solved& solved) {
 // Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps
 // are narrow.
 Completion reference_of(Scene scene) {
-  scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
+  scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
   scene.solver.tolerance = 1e-12;
   const SuspensionSolver solver(scene);
   const Resolutions first = solver.first_resolutions(solver.initial_configuration());
   return solved_at(solver, finer(finer(first)), 1e-14).completion;
 }
 
-Judged judge(std::mt19937_64& random, int most_nodes) {
+JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
   Scene scene = random_scene(random);
   scene.solver.preconditioner = PreconditionerKind::none;
   const SuspensionSolver solver(scene);
@@ -63,17 +63,17 @@ Judged judge(std::mt19937_64& random, int most_nodes) {
 }
 
 // Where rounding does not rule, and the nodes resolve something.
-bool is_in_range(const Judged& judged) {
+bool is_in_range(const JudgedSolution& judged) {
   return judged.error >= 1e-11 && judged.error <= 1e-2;
 }
 
-const std::vector<Judged>& judged(Size size) {
+const std::vector<JudgedSolution>& judged(Size size) {
   const auto judge_all = [](int count, int most_nodes) {
     std::mt19937_64 random(12);
-    std::vector<Judged> found;
+    std::vector<JudgedSolution> found;
     while (static_cast<int>(found.size()) < count) {
       try {
-        const Judged one = judge(random, most_nodes);
+        const JudgedSolution one = judge(random, most_nodes);
         if (is_in_range(one)) found.push_back(one);
       } catch (const NumericsRefused&) {
         // Rounding rules: GMRES breaks down, and the solver refuses such a scene.
@@ -81,18 +81,18 @@ const std::vector<Judged>& judged(Size size) {
     }
     return found;
   };
-  static const std::vector<Judged> quick = judge_all(60, 160);
+  static const std::vector<JudgedSolution> quick = judge_all(60, 160);
   if (size == Size::quick) return quick;
-  static const std::vector<Judged> full = judge_all(200, 600);
+  static const std::vector<JudgedSolution> full = judge_all(200, 600);
   return full;
 }
 
-using Estimate = double Judged::*;
+using EstimateKind = double JudgedSolution::*;
 
-Measure spread(Estimate estimate) {
+Measure spread(EstimateKind estimate) {
   return [=](Size size) {
     std::vector<double> orders;
-    for (const Judged& one : judged(size)) {
+    for (const JudgedSolution& one : judged(size)) {
       orders.push_back(std::abs(std::log10(one.error / one.*estimate)));
     }
     std::ranges::sort(orders);
@@ -105,10 +105,10 @@ Measure spread(Estimate estimate) {
   };
 }
 
-Measure errors_over(Estimate estimate) {
+Measure errors_over(EstimateKind estimate) {
   return [=](Size size) {
     std::vector<Measurement> points;
-    for (const Judged& one : judged(size)) {
+    for (const JudgedSolution& one : judged(size)) {
       points.push_back({.x = one.*estimate, .error = one.error});
     }
     std::ranges::sort(points, {}, &Measurement::x);
@@ -127,15 +127,17 @@ Experiment spread_of_estimates() {
       .lines = {
           {.key = "correction",
            .label = "by a correction on finer nodes",
-           .measure = spread(&Judged::estimate),
+           .measure = spread(&JudgedSolution::estimate),
            .claim = Claim{.id = "12_1",
                           .statement = "Error and estimate are within a factor 10 of each "
                                        "other in 95 of 100 random scenes.",
                           .law = Identity{1.0},
                           .reason = "what was asked of the estimate",
                           .api = {"stokesbook::estimate_error"}},
-           .control = Control{"estimates by the densities' tails", spread(&Judged::tail)}},
-          {.key = "tail", .label = "by the densities' tails", .measure = spread(&Judged::tail)}}};
+           .control = Control{"estimates by the densities' tails", spread(&JudgedSolution::tail)}},
+          {.key = "tail",
+           .label = "by the densities' tails",
+           .measure = spread(&JudgedSolution::tail)}}};
 }
 
 Experiment estimates() {
@@ -145,7 +147,7 @@ Experiment estimates() {
           .error = "error of motions and loads, relative to the largest",
           .lines = {{.key = "correction",
                      .label = "by a correction on finer nodes",
-                     .measure = errors_over(&Judged::estimate),
+                     .measure = errors_over(&JudgedSolution::estimate),
                      .claim = Claim{.id = "12_2",
                                     .statement =
                                         "No error is more than 30 times as large as its estimate.",
@@ -154,7 +156,7 @@ Experiment estimates() {
                                               "it does not cry wolf",
                                     .api = {"stokesbook::estimate_error"}},
                      .control = Control{"estimates by the residual of the iteration alone",
-                                        errors_over(&Judged::iteration)}}}};
+                                        errors_over(&JudgedSolution::iteration)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -15,11 +15,11 @@ namespace {
 
 using MakeScene = Scene (*)();
 
-Scene lobed_row() {
+Scene lobed_bodies() {
   return shipped_scene("lobed_row");
 }
 
-Scene vortices() {
+Scene ellipses() {
   return test::ellipses_in_vortices();
 }
 
@@ -43,7 +43,7 @@ const Nodes of_row{{16, 32, 64, 128}, {16, 32, 64, 128, 256, 512}},
     of_vortices{{32, 48, 64}, {32, 48, 64, 96, 128}};
 
 template <class Quantity>
-Measure over(const Nodes& counts, const Quantity& quantity) {
+Measure over_nodes_of(const Nodes& counts, const Quantity& quantity) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const int nodes : size == Size::full ? counts.full : counts.quick) {
@@ -54,18 +54,20 @@ Measure over(const Nodes& counts, const Quantity& quantity) {
 }
 
 Measure row_counts(PreconditionerKind preconditioner) {
-  return over(of_row, [=](int nodes) { return iterations(lobed_row, nodes, preconditioner); });
+  return over_nodes_of(of_row,
+                       [=](int nodes) { return iterations(lobed_bodies, nodes, preconditioner); });
 }
 
 Measure vortex_counts(PreconditionerKind preconditioner) {
-  return over(of_vortices, [=](int nodes) { return iterations(vortices, nodes, preconditioner); });
+  return over_nodes_of(of_vortices,
+                       [=](int nodes) { return iterations(ellipses, nodes, preconditioner); });
 }
 
 /// Iterations over those without a preconditioner.
 Measure vortex_share(PreconditionerKind preconditioner) {
-  return over(of_vortices, [=](int nodes) {
-    return iterations(vortices, nodes, preconditioner) /
-           iterations(vortices, nodes, PreconditionerKind::none);
+  return over_nodes_of(of_vortices, [=](int nodes) {
+    return iterations(ellipses, nodes, preconditioner) /
+           iterations(ellipses, nodes, PreconditionerKind::none);
   });
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int most_steps = 40;
 
-Scene crowd(Coupling coupling) {
+Scene crowd_in_vortices(Coupling coupling) {
   Scene scene = ellipses_in_vortices(1e-2);
   scene.solver.coupling = coupling;
   scene.solver.preconditioner = PreconditionerKind::block_diagonal;
@@ -31,7 +31,7 @@ Scene crowd(Coupling coupling) {
 const RecordedRun& run_of(double dt, Coupling coupling) {
   static Once<std::pair<double, Coupling>, RecordedRun> runs;
   return runs({dt, coupling}, [=] {
-    Scene scene = over(crowd(coupling), most_steps * dt, dt);
+    Scene scene = over(crowd_in_vortices(coupling), most_steps * dt, dt);
     scene.output.dt_write = most_steps * dt;
     return recorded_run(scene, Refusals::recorded);
   });
@@ -54,7 +54,7 @@ double spectral_radius() {
   static Once<int, double> found;
   return found(0, [] {
     constexpr Eigen::Index m = 40;
-    const Discretised start(crowd(Coupling::local));
+    const Discretised start(crowd_in_vortices(Coupling::local));
     const auto sweep = [&](const Eigen::VectorXd& error) -> Eigen::VectorXd {
       return error -
              start.discrete.precondition(interleaved(start.discrete.system(deinterleaved(error))));

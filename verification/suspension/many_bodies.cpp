@@ -15,7 +15,7 @@ using namespace study;
 namespace {
 
 // Ellipses at an area fraction of 35 % in vortices, GMRES to 1e-6.
-Scene crowd(int count) {
+Scene crowd_of(int count) {
   constexpr double a = 1.0, b = 0.5, fraction = 0.35;
   const double side = std::sqrt(count * std::numbers::pi * a * b / fraction);
   Scene scene;
@@ -41,15 +41,15 @@ Completion first_of(Completion completion) {
 }
 
 // What is known of one crowd.
-struct Judged {
+struct JudgedCrowd {
   double error;      // of the first bodies, against twice the nodes
   double estimate;   // of all bodies, by a correction on finer nodes
   double iteration;  // ten times the residual of the iteration
   double unknowns, iterations, seconds;
 };
 
-Judged judge(int count) {
-  const Scene scene = crowd(count);
+JudgedCrowd judge_crowd(int count) {
+  const Scene scene = crowd_of(count);
   const auto start = std::chrono::steady_clock::now();
   const SuspensionSolver solver(scene);
   const Resolutions resolutions = resolutions_of(solver.references());
@@ -69,14 +69,14 @@ Judged judge(int count) {
           taken.count()};
 }
 
-Measure over_bodies(double Judged::*estimate) {
+Measure over_bodies(double JudgedCrowd::*estimate) {
   return [=](Size size) {
-    static test::Once<int, Judged> judged;
+    static test::Once<int, JudgedCrowd> judged;
     std::vector<int> counts{125, 250, 500};
     if (size == Size::full) counts = {1000, 3000, 10000};
     std::vector<Measurement> measurements;
     for (const int count : counts) {
-      const Judged& one = judged(count, [=] { return judge(count); });
+      const JudgedCrowd& one = judged(count, [=] { return judge_crowd(count); });
       measurements.push_back({.x = one.*estimate,
                               .error = one.error,
                               .unknowns = one.unknowns,
@@ -96,7 +96,7 @@ Experiment many_bodies() {
           .error = "difference of the motions of the first hundred, relative to the flow",
           .lines = {{.key = "ellipses",
                      .label = "fast sums",
-                     .measure = over_bodies(&Judged::estimate),
+                     .measure = over_bodies(&JudgedCrowd::estimate),
                      .claim = Claim{.id = "12_8",
                                     .statement = "Motions among thousands of bodies err by no more "
                                                  "than their estimate.",
@@ -105,7 +105,7 @@ Experiment many_bodies() {
                                               "difference at a hundred",
                                     .api = {"stokesbook::FastSum", "stokesbook::estimate_error"}},
                      .control = Control{"estimates by the residual of the iteration alone",
-                                        over_bodies(&Judged::iteration)}}},
+                                        over_bodies(&JudgedCrowd::iteration)}}},
           .operation = "iterations"};
 }
 

@@ -26,7 +26,7 @@ Scene until(Scene scene, double t_final, int nodes_a_wall = 256) {
 }
 
 Scene by(Scene scene, SteppingMethod method, double dt, double tolerance) {
-  scene = with_nodes(std::move(scene), stokesbook::automatic_nodes, stokesbook::automatic_nodes);
+  scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
   scene.solver = {.tolerance = tolerance};
   scene.solver.preconditioner = PreconditionerKind::block_diagonal;
   scene.time->method = method;
@@ -84,7 +84,7 @@ Scene couette(Size size) {
 }
 
 // Effective viscosity, in the mean over the written times.
-std::vector<double> viscosity(const std::vector<Frame>& frames) {
+std::vector<double> mean_viscosity(const std::vector<Frame>& frames) {
   const double sum = std::accumulate(
       frames.begin(), frames.end(), 0.0,
       [](double so_far, const Frame& frame) { return so_far + frame.rheology.torque_ratio; });
@@ -152,7 +152,7 @@ const Trial couette_trial{
     .adapted = SteppingMethod::heun,
     .steps = {0.125, 0.0625, 0.03125},
     .tolerances = {0.3, 0.1},
-    .observed = viscosity,
+    .observed = mean_viscosity,
     .reference = [](Scene scene) {
       scene.contact.reset();
       return by(scene, SteppingMethod::rk4, 0.05, 1e-5);

@@ -16,7 +16,7 @@ using namespace test;
 namespace {
 
 // How the circles are moved along their line of centres.
-struct Drive {
+struct PairDrive {
   BackgroundFlow flow;
   double force = 0.0;  // on the right one, opposite on the left one
 
@@ -36,14 +36,14 @@ struct Drive {
   }
 };
 
-const Drive extension{ExtensionalFlow{1.0}}, pull{QuiescentFlow{}, 1.0};
+const PairDrive in_extension{ExtensionalFlow{1.0}}, pulled_apart{QuiescentFlow{}, 1.0};
 
 // What the solver can vouch for at the narrowest gaps, in units of the largest velocity: its
 // estimate, unlike the speed, sees all rounding errors.
 constexpr double least_tolerance = 1e-10;
 
 // Speed of the right circle, solved to a part of itself; nodes as given or automatic.
-double speed(const Drive& drive, double gap, double relative_error, int n_nodes,
+double speed(const PairDrive& drive, double gap, double relative_error, int n_nodes,
              NearSingular near = NearSingular::automatic) {
   Scene scene = drive.scene(gap);
   scene.solver.near_singular = near;
@@ -55,7 +55,7 @@ double speed(const Drive& drive, double gap, double relative_error, int n_nodes,
   scene.solver.gmres_tol = 1e-14;
   const SuspensionSolver solver(scene);
   const Configuration start = solver.initial_configuration();
-  if (n_nodes == stokesbook::automatic_nodes) {
+  if (n_nodes == automatic_nodes) {
     return solver.solve(start).motions[1].velocity.real();
   }
   return solved_at(solver, resolutions_of(solver.references()), 1e-14)
@@ -63,7 +63,7 @@ double speed(const Drive& drive, double gap, double relative_error, int n_nodes,
       .velocity.real();
 }
 
-Measure relative_errors(const Drive& drive, int n_nodes) {
+Measure relative_errors(const PairDrive& drive, int n_nodes) {
   return [=](Size) {
     std::vector<Measurement> points;
     for (const double gap : {1e-4, 1e-3, 1e-2, 1e-1}) {
@@ -75,7 +75,7 @@ Measure relative_errors(const Drive& drive, int n_nodes) {
   };
 }
 
-Measure speeds(const Drive& drive, int n_nodes) {
+Measure speeds(const PairDrive& drive, int n_nodes) {
   return [=](Size) {
     std::vector<Measurement> points;
     for (const double gap : {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
@@ -89,8 +89,8 @@ Measure errors_to_the_narrowest(int n_nodes, NearSingular near) {
   return [=](Size) {
     std::vector<Measurement> points;
     for (const double gap : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0}) {
-      const double found = speed(extension, gap, 1e-3, n_nodes, near);
-      points.push_back({.x = gap, .error = std::abs(found / extension.exact(gap) - 1.0)});
+      const double found = speed(in_extension, gap, 1e-3, n_nodes, near);
+      points.push_back({.x = gap, .error = std::abs(found / in_extension.exact(gap) - 1.0)});
     }
     return points;
   };
@@ -105,7 +105,8 @@ Measure responses(int n_nodes, NearSingular near) {
     for (const double spacings : {0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0}) {
       const double gap = spacings * std::numbers::pi / 16.0;
       points.push_back(
-          {.x = spacings, .error = speed(pull, gap, 1e-6, n_nodes, near) / pull.exact(gap)});
+          {.x = spacings,
+           .error = speed(pulled_apart, gap, 1e-6, n_nodes, near) / pulled_apart.exact(gap)});
     }
     return points;
   };
@@ -121,10 +122,10 @@ Measure response_errors(int n_nodes, NearSingular near) {
 }
 
 Line closed_form(const std::string& key, const std::string& id, const std::string& label,
-                 const Drive& drive) {
+                 const PairDrive& drive) {
   return {.key = key,
           .label = label,
-          .measure = relative_errors(drive, stokesbook::automatic_nodes),
+          .measure = relative_errors(drive, automatic_nodes),
           .claim = Claim{.id = id,
                          .statement = "With automatic nodes the pair's speed is right to 1e-8 of "
                                       "itself, although it is 1e-7 of the flow's at the least gap.",
@@ -136,11 +137,11 @@ Line closed_form(const std::string& key, const std::string& id, const std::strin
           .control = Control{"48 nodes a circle", relative_errors(drive, 48)}};
 }
 
-Line law(const std::string& key, const std::string& id, const std::string& label,
-         const Drive& drive) {
+Line lubrication_law(const std::string& key, const std::string& id, const std::string& label,
+                     const PairDrive& drive) {
   return {.key = key,
           .label = label,
-          .measure = speeds(drive, stokesbook::automatic_nodes),
+          .measure = speeds(drive, automatic_nodes),
           .claim = Claim{.id = id,
                          .statement = "The pair's speed falls like the gap to the power 3/2, over "
                                       "five decades.",
@@ -159,8 +160,8 @@ Experiment pair_speeds() {
           .title = "Two circles, against closed forms",
           .x = "gap g",
           .error = "relative error of the speed along the line of centres",
-          .lines = {closed_form("extension", "12_4", "in extension", extension),
-                    closed_form("pull", "12_5", "pulled apart", pull)}};
+          .lines = {closed_form("extension", "12_4", "in extension", in_extension),
+                    closed_form("pull", "12_5", "pulled apart", pulled_apart)}};
 }
 
 Experiment narrow_gaps() {
@@ -171,8 +172,7 @@ Experiment narrow_gaps() {
           .error = "relative error of the speed along the line of centres",
           .lines = {{.key = "ours",
                      .label = "automatic nodes",
-                     .measure = errors_to_the_narrowest(stokesbook::automatic_nodes,
-                                                        NearSingular::automatic),
+                     .measure = errors_to_the_narrowest(automatic_nodes, NearSingular::automatic),
                      .claim = Claim{.id = "12_46",
                                     .statement = "Automatic nodes give the pair's speed to 1e-3 of "
                                                  "itself at all gaps down to a millionth.",
@@ -187,38 +187,37 @@ Experiment narrow_gaps() {
 
 Experiment contact_response() {
   constexpr int published = 32;
-  return {
-      .key = "contact_response",
-      .title =
-          "What forces of contact do to a gap, by 32 equal nodes and by automatic ones: two "
-          "circles pulled apart",
-      .x = "gap in spacings of 32 nodes g",
-      .error = "speed of opening over the exact one, or as said",
-      .axes = Axes::nominal,
-      .lines = {{.key = "plain",
-                 .label = "32 nodes, plain rule",
-                 .measure = responses(published, NearSingular::off)},
-                {.key = "interpolation",
-                 .label = "32 nodes, interpolation",
-                 .measure = responses(published, NearSingular::interpolation)},
-                {.key = "cauchy",
-                 .label = "32 nodes, Cauchy scheme",
-                 .measure = responses(published, NearSingular::cauchy)},
-                {.key = "automatic",
-                 .label = "automatic nodes",
-                 .measure = responses(stokesbook::automatic_nodes, NearSingular::automatic)},
-                {.key = "automatic_off",
-                 .label = "automatic nodes: difference from 1",
-                 .measure = response_errors(stokesbook::automatic_nodes, NearSingular::automatic),
-                 .claim = Claim{.id = "12_54",
-                                .statement = "Automatic nodes give the response to a force of "
-                                             "contact to 1e-6 of itself, down to a twentieth "
-                                             "of the spacing of 32 nodes.",
-                                .law = Identity{1e-6},
-                                .reason = "it is what was asked of the solver",
-                                .api = {"stokesbook::SuspensionSolver"}},
-                 .control = Control{"32 equal nodes by the plain rule",
-                                    response_errors(published, NearSingular::off)}}}};
+  return {.key = "contact_response",
+          .title =
+              "What forces of contact do to a gap, by 32 equal nodes and by automatic ones: two "
+              "circles pulled apart",
+          .x = "gap in spacings of 32 nodes g",
+          .error = "speed of opening over the exact one, or as said",
+          .axes = Axes::nominal,
+          .lines = {{.key = "plain",
+                     .label = "32 nodes, plain rule",
+                     .measure = responses(published, NearSingular::off)},
+                    {.key = "interpolation",
+                     .label = "32 nodes, interpolation",
+                     .measure = responses(published, NearSingular::interpolation)},
+                    {.key = "cauchy",
+                     .label = "32 nodes, Cauchy scheme",
+                     .measure = responses(published, NearSingular::cauchy)},
+                    {.key = "automatic",
+                     .label = "automatic nodes",
+                     .measure = responses(automatic_nodes, NearSingular::automatic)},
+                    {.key = "automatic_off",
+                     .label = "automatic nodes: difference from 1",
+                     .measure = response_errors(automatic_nodes, NearSingular::automatic),
+                     .claim = Claim{.id = "12_54",
+                                    .statement = "Automatic nodes give the response to a force of "
+                                                 "contact to 1e-6 of itself, down to a twentieth "
+                                                 "of the spacing of 32 nodes.",
+                                    .law = Identity{1e-6},
+                                    .reason = "it is what was asked of the solver",
+                                    .api = {"stokesbook::SuspensionSolver"}},
+                     .control = Control{"32 equal nodes by the plain rule",
+                                        response_errors(published, NearSingular::off)}}}};
 }
 
 Experiment lubrication() {
@@ -226,8 +225,8 @@ Experiment lubrication() {
           .title = "The law of lubrication",
           .x = "gap g",
           .error = "speed along the line of centres",
-          .lines = {law("extension", "12_6", "in extension", extension),
-                    law("pull", "12_7", "pulled apart", pull)}};
+          .lines = {lubrication_law("extension", "12_6", "in extension", in_extension),
+                    lubrication_law("pull", "12_7", "pulled apart", pulled_apart)}};
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -14,7 +14,7 @@ namespace {
 /// Four disks at a distance from their centre, each under the torque 1, with viscosity 1.
 ///
 /// @return  the speed at which they circle
-double speed(double radius, double distance) {
+double circling_speed(double radius, double distance) {
   Scene scene;
   for (const Complex direction : {Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
     scene.bodies.push_back(
@@ -29,17 +29,17 @@ double speed(double radius, double distance) {
 /// whose velocity the part 1/sqrt(2) is along the circle, and the one across at 2 R.
 ///
 /// @param  across  how many there are; none is a planted defect
-double law(double distance, double across) {
+double rotlet_speed(double distance, double across) {
   return (1.0 + 0.5 * across) / (4.0 * std::numbers::pi * distance);
 }
 
-Measure differences(double across) {
+Measure rotlet_errors(double across) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double distance = 4.0; distance <= (size == Size::full ? 128.0 : 64.0); distance *= 2.0) {
-      const double found = speed(0.5, 0.5 * distance);
+      const double found = circling_speed(0.5, 0.5 * distance);
       measurements.push_back(
-          {.x = distance, .error = std::abs(found / law(0.5 * distance, across) - 1.0)});
+          {.x = distance, .error = std::abs(found / rotlet_speed(0.5 * distance, across) - 1.0)});
     }
     return measurements;
   };
@@ -54,7 +54,7 @@ Experiment rotors() {
           .error = "relative difference of the speed from that of point rotlets",
           .lines = {{.key = "rotlets",
                      .label = "four disks",
-                     .measure = differences(1.0),
+                     .measure = rotlet_errors(1.0),
                      .claim = Claim{.id = "12_34",
                                     .statement = "Rotors carry each other round as point rotlets "
                                                  "do, but for an error of order 2 in size over "
@@ -65,7 +65,7 @@ Experiment rotors() {
                                               "adds to it; its strain, d^-2, calls stresslets in "
                                               "the others, whose flow falls like d^-1",
                                     .api = {"stokesbook::SuspensionSolver"}},
-                     .control = Control{"the rotlet across left out", differences(0.0)}}}};
+                     .control = Control{"the rotlet across left out", rotlet_errors(0.0)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

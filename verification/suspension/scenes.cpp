@@ -14,13 +14,9 @@ namespace stokesbook::verification::suspension {
 
 namespace {
 
-Complex random_vector(std::mt19937_64& random) {
+Complex random_in_square(std::mt19937_64& random) {
   const double x = uniform(random, -1.0, 1.0);
   return {x, uniform(random, -1.0, 1.0)};
-}
-
-double log_uniform(std::mt19937_64& random, double low, double high) {
-  return low * std::pow(high / low, uniform(random, 0.0, 1.0));
 }
 
 Shape random_shape(std::mt19937_64& random) {
@@ -65,7 +61,7 @@ Wall random_container(std::mt19937_64& random, const std::vector<Body>& bodies) 
   Wall wall{.role = WallRole::outer, .shape = Circle{radius}, .n_nodes = 16};
   if (random() % 2 == 0) wall.shape = Ellipse{1.2 * radius, radius};
   wall.motion = RotatingWall{1.0};
-  if (random() % 2 == 0) wall.motion = TranslatingWall{random_vector(random)};
+  if (random() % 2 == 0) wall.motion = TranslatingWall{random_in_square(random)};
   return wall;
 }
 
@@ -73,6 +69,10 @@ Wall random_container(std::mt19937_64& random, const std::vector<Body>& bodies) 
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+double log_uniform(std::mt19937_64& random, double low, double high) {
+  return low * std::pow(high / low, uniform(random, 0.0, 1.0));
 }
 
 Scene shipped_scene(const std::string& name) {
@@ -97,7 +97,7 @@ Scene random_scene(std::mt19937_64& random) {
     if (k > 0) move_to_gap(body, scene.bodies, angle, log_uniform(random, 1e-3, 1.0));
     body.held = some_held && random() % 2 == 0;
     if (body.held || loaded) {
-      (body.held ? body.velocity : body.force) = random_vector(random);
+      (body.held ? body.velocity : body.force) = random_in_square(random);
       (body.held ? body.omega : body.torque) = uniform(random, -1.0, 1.0);
     }
     scene.bodies.push_back(body);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -9,8 +10,14 @@
 
 namespace stokesbook::verification::suspension {
 
+/// Node spacing of the published runs of disks of radius 1/2.
+inline constexpr double node_spacing = std::numbers::pi / 32;
+
 /// A number between two bounds, the same on every machine.
 double uniform(std::mt19937_64& random, double low, double high);
+
+/// The same, of a uniform logarithm.
+double log_uniform(std::mt19937_64& random, double low, double high);
 
 /// A scene of chapter 12, as it is shipped.
 Scene shipped_scene(const std::string& name);

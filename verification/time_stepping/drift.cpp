@@ -50,8 +50,8 @@ Measure errors(Method method, double tolerance, bool hastens = false) {
   };
 }
 
-Line line(const std::string& key, const std::string& label, Method method, double tolerance,
-          const std::string& id) {
+Line drift_line(const std::string& key, const std::string& label, Method method, double tolerance,
+                const std::string& id) {
   return {
       .key = key,
       .label = label,
@@ -77,9 +77,9 @@ Experiment drift() {
           .lines = {{.key = "euler",
                      .label = "Euler, 100 steps a turn",
                      .measure = errors(Method::euler, 1.0)},
-                    line("rk4", "Runge-Kutta 4, 100 steps a turn", Method::rk4, 1.0, "09_23"),
-                    line("dormand_prince54", "Dormand-Prince 5(4), tolerance 1e-8",
-                         Method::dormand_prince54, 1e-8, "09_24"),
+                    drift_line("rk4", "Runge-Kutta 4, 100 steps a turn", Method::rk4, 1.0, "09_23"),
+                    drift_line("dormand_prince54", "Dormand-Prince 5(4), tolerance 1e-8",
+                               Method::dormand_prince54, 1e-8, "09_24"),
                     {.key = "prince_dormand87",
                      .label = "Prince-Dormand 8(7), tolerance 1e-8",
                      .measure = errors(Method::prince_dormand87, 1e-8)}}};

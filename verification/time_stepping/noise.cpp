@@ -40,7 +40,8 @@ Measure evaluations(Method method, bool has_noise) {
   };
 }
 
-Line line(const std::string& key, const std::string& label, Method method, const std::string& id) {
+Line noise_line(const std::string& key, const std::string& label, Method method,
+                const std::string& id) {
   return {.key = key,
           .label = label + ", rates with noise",
           .measure = evaluations(method, true),
@@ -59,20 +60,21 @@ Line line(const std::string& key, const std::string& label, Method method, const
 }  // namespace
 
 Experiment noisy_rates() {
-  return {
-      .key = "noise",
-      .title = "Rates with noise of 1e-5, an ellipse 3:1 in shear",
-      .x = "tolerance",
-      .error = "evaluations of the rate",
-      .lines = {line("dormand_prince54", "Dormand-Prince 5(4)", Method::dormand_prince54, "09_27"),
-                line("prince_dormand87", "Prince-Dormand 8(7)", Method::prince_dormand87, "09_28"),
-                {.key = "exact_54",
-                 .label = "Dormand-Prince 5(4), no noise",
-                 .measure = evaluations(Method::dormand_prince54, false)},
-                {.key = "exact_87",
-                 .label = "Prince-Dormand 8(7), no noise",
-                 .measure = evaluations(Method::prince_dormand87, false)}},
-      .operation = "evaluations of the rate"};
+  return {.key = "noise",
+          .title = "Rates with noise of 1e-5, an ellipse 3:1 in shear",
+          .x = "tolerance",
+          .error = "evaluations of the rate",
+          .lines = {noise_line("dormand_prince54", "Dormand-Prince 5(4)", Method::dormand_prince54,
+                               "09_27"),
+                    noise_line("prince_dormand87", "Prince-Dormand 8(7)", Method::prince_dormand87,
+                               "09_28"),
+                    {.key = "exact_54",
+                     .label = "Dormand-Prince 5(4), no noise",
+                     .measure = evaluations(Method::dormand_prince54, false)},
+                    {.key = "exact_87",
+                     .label = "Prince-Dormand 8(7), no noise",
+                     .measure = evaluations(Method::prince_dormand87, false)}},
+          .operation = "evaluations of the rate"};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -34,8 +34,8 @@ Measure errors(Method method, Way way) {
   };
 }
 
-Line line(const std::string& key, const std::string& label, Method method, double order,
-          const std::string& id) {
+Line return_line(const std::string& key, const std::string& label, Method method, double order,
+                 const std::string& id) {
   return {.key = key,
           .label = label,
           .measure = errors(method, Way::there_and_back),
@@ -61,11 +61,11 @@ Experiment returns() {
       .error = "distance of the angle from the start",
       .lines = {
           {.key = "euler", .label = "Euler", .measure = errors(Method::euler, Way::there_and_back)},
-          line("heun", "Heun", Method::heun, 3.0, "09_25"),
+          return_line("heun", "Heun", Method::heun, 3.0, "09_25"),
           {.key = "bogacki_shampine32",
            .label = "Bogacki-Shampine 3(2)",
            .measure = errors(Method::bogacki_shampine32, Way::there_and_back)},
-          line("rk4", "Runge-Kutta 4", Method::rk4, 5.0, "09_26")}};
+          return_line("rk4", "Runge-Kutta 4", Method::rk4, 5.0, "09_26")}};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -41,8 +41,8 @@ constexpr const char* lower_order =
 // asked, in the few long steps of the pair 8(7), whose errors happen to cancel.
 constexpr double starts[] = {0.0, 1.0, 2.5, 4.0, 6.0, 7.5, 9.0};
 
-Line line(const std::vector<Motion>& motions, Method method, const std::string& id,
-          const std::string& reason) {
+Line tolerance_line(const std::vector<Motion>& motions, Method method, const std::string& id,
+                    const std::string& reason) {
   const std::string names[] = {"Bogacki-Shampine 3(2)", "Dormand-Prince 5(4)",
                                "Prince-Dormand 8(7)"};
   const std::string keys[] = {"bogacki_shampine32", "dormand_prince54", "prince_dormand87"};
@@ -73,9 +73,9 @@ Experiment tolerances() {
               "from seven angles",
           .x = "tolerance",
           .error = "largest error of the angle at the ends of steps, of all seven",
-          .lines = {line(jeffery, Method::bogacki_shampine32, "09_17", in_proportion),
-                    line(jeffery, Method::dormand_prince54, "09_18", in_proportion),
-                    line(jeffery, Method::prince_dormand87, "09_19", lower_order)},
+          .lines = {tolerance_line(jeffery, Method::bogacki_shampine32, "09_17", in_proportion),
+                    tolerance_line(jeffery, Method::dormand_prince54, "09_18", in_proportion),
+                    tolerance_line(jeffery, Method::prince_dormand87, "09_19", lower_order)},
           .work_precision = true,
           .operation = "evaluations of the rate"};
 }
@@ -87,8 +87,8 @@ Experiment tolerances_of_passing() {
           .title = "Error found for the tolerance asked: two circles that pass each other",
           .x = "tolerance",
           .error = "largest error of position, in radii, and angle",
-          .lines = {line(pair, Method::dormand_prince54, "09_20", in_proportion),
-                    line(pair, Method::prince_dormand87, "09_21", lower_order)},
+          .lines = {tolerance_line(pair, Method::dormand_prince54, "09_20", in_proportion),
+                    tolerance_line(pair, Method::prince_dormand87, "09_21", lower_order)},
           .work_precision = true,
           .operation = "solves"};
 }

@@ -66,7 +66,7 @@ Measure errors(double aspect, const Assemble& assemble) {
   };
 }
 
-Line ellipse_line(const std::string& key, const std::string& id, double aspect) {
+Line spectrum_line(const std::string& key, const std::string& id, double aspect) {
   const double m = (aspect - 1.0) / (aspect + 1.0);
   const auto assemble = [](const Curve& curve) { return double_layer_matrix(curve); };
   return {.key = key,
@@ -91,7 +91,7 @@ Experiment ellipse_spectrum() {
           .x = "nodes N",
           .error = "largest error of the eigenvalues of the modes 1 to 4, all at most 1/2",
           .axes = Axes::semi_log,
-          .lines = {ellipse_line("two", "01_12", 2.0), ellipse_line("three", "01_13", 3.0)}};
+          .lines = {spectrum_line("two", "01_12", 2.0), spectrum_line("three", "01_13", 3.0)}};
 }
 
 }  // namespace stokesbook::verification::trapezoid

@@ -37,7 +37,7 @@ Measure relative_errors(const Ellipse& ellipse, double distance, const Perimeter
   return test::over_nodes(0.0, 30.0 / distance, 20, error, 1.0);
 }
 
-Line ellipse_line(const std::string& key, const std::string& id, double aspect) {
+Line perimeter_line(const std::string& key, const std::string& id, double aspect) {
   const Ellipse ellipse{aspect, 1.0};
   const double distance = std::atanh(1.0 / aspect);
   return {.key = key,
@@ -64,8 +64,8 @@ Experiment perimeters() {
           .x = "nodes N",
           .error = "relative error of the perimeter",
           .axes = Axes::semi_log,
-          .lines = {ellipse_line("two", "01_9", 2.0), ellipse_line("five", "01_10", 5.0),
-                    ellipse_line("twenty", "01_11", 20.0)}};
+          .lines = {perimeter_line("two", "01_9", 2.0), perimeter_line("five", "01_10", 5.0),
+                    perimeter_line("twenty", "01_11", 20.0)}};
 }
 
 }  // namespace stokesbook::verification::trapezoid

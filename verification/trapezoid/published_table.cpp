@@ -64,7 +64,7 @@ Measure doubling(int from, int to, const Error& error) {
   };
 }
 
-const auto trapezoid = [](Eigen::Index n, const auto& f) { return trapezoid_rule(n, f); };
+const auto each_node_once = [](Eigen::Index n, const auto& f) { return trapezoid_rule(n, f); };
 const auto both_ends = [](Eigen::Index n, const auto& f) { return rule_with_both_ends(n, f); };
 const auto mean_of_sides = [](Eigen::Index n) { return jump_error(n, 0.5); };
 const auto right_side = [](Eigen::Index n) { return jump_error(n, 0.0); };
@@ -99,7 +99,8 @@ Experiment smoothness() {
       .lines = {
           {.key = "periodic",
            .label = "exp(cos t)",
-           .measure = doubling(2, 32, [](Eigen::Index n) { return periodic_error(n, trapezoid); }),
+           .measure =
+               doubling(2, 32, [](Eigen::Index n) { return periodic_error(n, each_node_once); }),
            .claim = Claim{.id = "01_2",
                           .statement = "For an entire periodic function the error falls faster "
                                        "than any power of N.",
