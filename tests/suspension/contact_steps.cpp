@@ -11,13 +11,17 @@ namespace {
 
 using enum SteppingMethod;
 
-// Disks in shear meet, and slide past each other; by steps of a fixed length, or adapted ones.
+// Disks in shear that are driven together, turn round, and part.
+Scene passing_pair() {
+  return in_contact(ShearFlow{1.0},
+                    {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
+                     body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
+                    0.25);
+}
+
+// The same, on the way past each other; by steps of a fixed length, or adapted ones.
 Scene sliding_past(bool adapted) {
-  Scene scene = over(in_contact(ShearFlow{1.0},
-                                {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                                 body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                                0.25),
-                     4.0, 0.2, heun);
+  Scene scene = over(passing_pair(), 4.0, 0.2, heun);
   if (adapted) scene.time->tolerance = 1e-2;
   return scene;
 }
@@ -49,13 +53,10 @@ void resume_from_checkpoints(const Scene& scene) {
 
 }  // namespace
 
-// Order of Euler and of Heun with contact: a pair that is driven together, turns round, and parts.
+// Order of Euler and of Heun with contact.
 BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
   const auto end = [](double dt, SteppingMethod method) {
-    Scene scene = in_contact(ShearFlow{1.0},
-                             {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                              body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                             0.25);
+    Scene scene = passing_pair();
     scene.output.dt_write = 6.0;
     scene.solver.tolerance = 1e-7;
     const Frame frame = recorded_run(over(scene, 6.0, dt, method)).frames.back();
@@ -135,12 +136,9 @@ BOOST_AUTO_TEST_CASE(steps_with_contact_follow_the_effort) {
   BOOST_TEST(run.steps[2].dt == 0.04, boost::test_tools::tolerance(1e-9));
 }
 
-// A pair that is driven together, turns round, and parts: the error follows the tolerance.
+// From meeting to parting the error follows the tolerance.
 BOOST_AUTO_TEST_CASE(errors_with_contact_follow_the_tolerance) {
-  Scene scene = in_contact(ShearFlow{1.0},
-                           {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
-                            body_at(Circle{0.5}, {0.0, 0.0}, automatic_nodes)},
-                           0.25);
+  Scene scene = passing_pair();
   scene.output.dt_write = 6.0;
   scene.solver.tolerance = 1e-6;
   const auto distance = [](const RecordedRun& run) {
