@@ -20,7 +20,8 @@ constexpr double left = 62.0, right = 16.0, top = 34.0, bottom = 44.0;
 constexpr double drawn_width = width - left - right;
 constexpr double drawn_height = 280.0;
 constexpr double legend_row = 19.0;
-constexpr double marker = 3.6;  ///< half the size of a point
+constexpr double marker = 3.6;         ///< half the size of a point
+constexpr std::size_t label_row = 60;  ///< letters that go above the plot side by side
 /// @}
 
 /// Colours of the lines, told apart by colour-blind readers too (Okabe and Ito 2008, darkened for
@@ -147,6 +148,15 @@ std::optional<Layout> lay_out(const Plot& plot) {
   return layout;
 }
 
+/// What is measured, above its axis: in two rows where one is too short.
+std::string y_label(const std::string& text) {
+  const std::string bold = "font-weight=\"600\"";
+  const std::size_t space = text.size() > label_row ? text.rfind(' ', label_row) : text.npos;
+  if (space == text.npos) return svg::label({left, 20.0}, text, bold);
+  return svg::label({left, 11.0}, text.substr(0, space), bold) +
+         svg::label({left, 26.0}, text.substr(space + 1), bold);
+}
+
 std::string frame(const Plot& plot, const Layout& layout) {
   std::string svg, grid;
   const double low = top + drawn_height;
@@ -161,7 +171,7 @@ std::string frame(const Plot& plot, const Layout& layout) {
     svg += svg::label({left - 6.0, y + 4.0}, tick.text, "text-anchor=\"end\"");
   }
   const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
-  svg += svg::label({left, 20.0}, plot.y_label, "font-weight=\"600\"");
+  svg += y_label(plot.y_label);
   svg += svg::label({left + 0.5 * drawn_width, low + 37.0}, plot.x_label,
                     "text-anchor=\"middle\" font-weight=\"600\"");
   return svg::path(grid, thin + "stroke-opacity=\"0.13\"") +

@@ -194,8 +194,8 @@ bool StageRows::is_violated(const std::vector<StageRow>& rows) const {
       rows, [this](const StageRow& row) { return row.gap < -rules_.polygons.tolerance; });
 }
 
-// By how much gaps of polygons and curves may differ; twice, since a vertex may lie beside the
-// closest point.
+// By how much gaps of polygons and curves may differ: twice the sags, since a vertex may lie beside
+// the closest point; twice that, to have some to spare.
 double StageRows::sags(const StageRow& row) const {
   return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
 }

@@ -39,6 +39,17 @@ BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
   BOOST_TEST(svg.ends_with("</svg>\n"));
 }
 
+BOOST_AUTO_TEST_CASE(long_labels_take_two_rows) {
+  Plot plot = decay({{8, 1e-1}, {16, 1e-2}});
+  const std::string row = "as many words as there is room for above the plot, in a row";
+  for (const std::string rest : {"", " and what is left"}) {
+    plot.y_label = row + rest;
+    const std::string svg = draw_plot(plot);
+    BOOST_TEST(count(svg, ">" + row + "<") == 1);
+    BOOST_TEST(count(svg, ">and what is left<") == (rest.empty() ? 0 : 1));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(colours_follow_the_page) {
   const std::string svg = draw_plot(decay({{8, 1e-1}, {16, 1e-2}}));
   BOOST_TEST(count(svg, "prefers-color-scheme:dark") == 2);

@@ -10,6 +10,7 @@
 #include "scenes.hpp"
 #include "support/recorded_run.hpp"
 #include "support/touching.hpp"
+#include "suspension/fill.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -70,17 +71,52 @@ Scene a_third_of_the_vortices(Size size) {
   return scene;
 }
 
-Scene couette(Size size) {
-  Scene scene = shipped_scene("couette");
-  std::vector<Body> kept;
-  for (std::size_t k = 0; k < scene.bodies.size(); k += size == Size::full ? 1 : 4) {
-    kept.push_back(scene.bodies[k]);
+// Contact sets in early, and lasts.
+Scene crowd(Size size) {
+  Scene scene = with_fills_placed(shipped_scene("extension_crowd"));
+  if (size == Size::quick) {
+    std::erase_if(scene.bodies, [](const Body& body) { return std::abs(body.position) > 2.0; });
   }
+  return until(scene, 0.5);
+}
+
+Scene rotors(Size) {
+  return until(shipped_scene("rotors"), 10.0);
+}
+
+Scene sedimentation(Size) {
+  return until(shipped_scene("sedimentation"), 3.0, 128);
+}
+
+// A published cell, or in the quick study every so many of its bodies, kept apart and written at
+// five times.
+Scene couette(const std::string& name, std::size_t stride, double separation, double t_final) {
+  Scene scene = shipped_scene(name);
+  std::vector<Body> kept;
+  for (std::size_t k = 0; k < scene.bodies.size(); k += stride) kept.push_back(scene.bodies[k]);
   scene.bodies = kept;
-  scene.contact = ContactSettings{0.03};
-  scene = until(scene, 1.0);
-  scene.output.dt_write = 0.25;
+  scene.contact = ContactSettings{separation};
+  scene = until(scene, t_final);
+  scene.output.dt_write = 0.25 * t_final;
   return scene;
+}
+
+Scene dilute_couette(Size size) {
+  return couette("couette", size == Size::full ? 1 : 4, 0.03, 1.0);
+}
+
+Scene dense_couette(Size size) {
+  return couette("couette_dense", size == Size::full ? 1 : 8, 0.002, 0.5);
+}
+
+// Mean of cos 2 theta over the bodies at the end.
+std::vector<double> alignment(const std::vector<Frame>& frames) {
+  const std::vector<BodyState>& bodies = frames.back().bodies;
+  const double sum =
+      std::accumulate(bodies.begin(), bodies.end(), 0.0, [](double so_far, const BodyState& body) {
+        return so_far + std::cos(2.0 * body.orientation);
+      });
+  return {sum / static_cast<double>(bodies.size())};
 }
 
 // Effective viscosity, in the mean over the written times.
@@ -144,19 +180,55 @@ const Trial vortices_trial =
                 in_vortices("vortices", "16 of the 48 ellipses", a_third_of_the_vortices),
             all_vortices_trial = in_vortices("all_vortices", "48 ellipses", vortices);
 
-const Trial couette_trial{
-    .key = "couette",
-    .title = "Couette cell with 80 ellipses 3:1, in the quick study 20, over the first radian",
-    .error = "error of the effective viscosity, mean of five times",
-    .scene = couette,
+const Trial crowd_trial{
+    .key = "crowd",
+    .title = "A crowd of ellipses in extension, in the quick study its middle, at t = 1/2",
+    .error = "error of the mean of cos 2 theta",
+    .scene = crowd,
     .adapted = SteppingMethod::heun,
-    .steps = {0.125, 0.0625, 0.03125},
-    .tolerances = {0.3, 0.1},
-    .observed = mean_viscosity,
-    .reference = [](Scene scene) {
-      scene.contact.reset();
-      return by(scene, SteppingMethod::rk4, 0.05, 1e-5);
-    }};
+    .steps = {0.05, 0.025, 0.0125},
+    .tolerances = {0.3, 0.1, 0.03},
+    .observed = alignment,
+    .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.0025, 1e-4); }};
+
+Trial by_runge_kutta(const std::string& key, const std::string& title, Scene (*scene)(Size)) {
+  return {.key = key,
+          .title = title,
+          .error = "largest error of a position or angle, radius 1/2",
+          .scene = scene,
+          .adapted = SteppingMethod::dormand_prince54,
+          .steps = {0.1, 0.05, 0.025},
+          .tolerances = {0.3, 0.1, 0.03, 0.01},
+          .reference = [](Scene all) { return by(all, SteppingMethod::rk4, 0.025, 1e-6); }};
+}
+
+const Trial rotors_trial = by_runge_kutta("rotors", "Four rotors at t = 10", rotors),
+            sedimentation_trial = by_runge_kutta(
+                "sedimentation", "A sedimenting pair in a container at t = 3", sedimentation);
+
+Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)(Size)) {
+  return {.key = key,
+          .title = title,
+          .error = "error of the effective viscosity, mean of five times",
+          .scene = scene,
+          .adapted = SteppingMethod::heun,
+          .steps = {0.125, 0.0625, 0.03125},
+          .tolerances = {0.3, 0.1},
+          .observed = mean_viscosity,
+          .reference = [](Scene all) {
+            all.contact.reset();
+            return by(all, SteppingMethod::rk4, 0.05, 1e-5);
+          }};
+}
+
+const Trial couette_trial = viscosity(
+                "couette",
+                "Couette cell with 80 ellipses 3:1, in the quick study 20, over the first radian",
+                dilute_couette),
+            dense_couette_trial = viscosity(
+                "dense_couette",
+                "Couette cell with 320 ellipses 6:1, in the quick study 40, over half a radian",
+                dense_couette);
 
 Measure points(const Trial& trial, Way way) {
   return [=](Size size) {
@@ -247,7 +319,12 @@ Experiment shares_of_work() {
                     share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, 0.6),
                     share_of_work("12_43", "injection, reversed", injection_trial, 0.6),
                     share_of_work("12_44", "16 ellipses in vortices", vortices_trial, 0.6),
-                    share_of_work("12_45", "viscosity of a Couette cell", couette_trial, 0.5)}};
+                    share_of_work("12_45", "viscosity of a Couette cell", couette_trial, 0.5),
+                    share_of_work("12_55", "a crowd in extension", crowd_trial, 0.6),
+                    share_of_work("12_56", "four rotors", rotors_trial, 0.6),
+                    share_of_work("12_57", "a sedimenting pair", sedimentation_trial, 0.6),
+                    share_of_work("12_58", "viscosity of a dense Couette cell", dense_couette_trial,
+                                  0.5)}};
 }
 
 Experiment shares_of_steps() {
@@ -260,15 +337,29 @@ Experiment shares_of_steps() {
                     share_of_steps("eight lobed bodies in shear", lobed_trial),
                     share_of_steps("injection, reversed", injection_trial),
                     share_of_steps("16 ellipses in vortices", vortices_trial),
-                    share_of_steps("viscosity of a Couette cell", couette_trial)}};
+                    share_of_steps("viscosity of a Couette cell", couette_trial),
+                    share_of_steps("a crowd in extension", crowd_trial),
+                    share_of_steps("four rotors", rotors_trial),
+                    share_of_steps("a sedimenting pair", sedimentation_trial),
+                    share_of_steps("viscosity of a dense Couette cell", dense_couette_trial)}};
 }
 
 }  // namespace
 
 std::vector<Experiment> methods_compared() {
-  return {figure(extension_trial), figure(disks_trial),    figure(lobed_trial),
-          figure(injection_trial), figure(vortices_trial), figure(all_vortices_trial),
-          figure(couette_trial),   shares_of_work(),       shares_of_steps()};
+  return {figure(extension_trial),
+          figure(disks_trial),
+          figure(lobed_trial),
+          figure(injection_trial),
+          figure(vortices_trial),
+          figure(all_vortices_trial),
+          figure(couette_trial),
+          figure(crowd_trial),
+          figure(rotors_trial),
+          figure(sedimentation_trial),
+          figure(dense_couette_trial),
+          shares_of_work(),
+          shares_of_steps()};
 }
 
 }  // namespace stokesbook::verification::suspension
