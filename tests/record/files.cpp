@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(records_show_when_they_are_published) {
     GrowingFile file(folder.at("a"), 5);
     std::string whole = "head\n";
     BOOST_TEST(read(folder.at("a")) == whole);
-    std::string many_pages(100'000, 'x');
+    std::string many_pages(100'001, 'x');
     many_pages.back() = '\n';
     for (int k = 0; k < 5; ++k) {
       const std::string before = whole;
