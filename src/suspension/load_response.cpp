@@ -42,7 +42,7 @@ constexpr int iterations_of_closer_column = 5;
 constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
 
 // Columns then, and those of the next configuration.
-constexpr double closer = 0.1, coarser = 10.0;
+constexpr double tightening = 0.1, loosening = 10.0;
 
 // Of each load, the part that no other of them tells, up to a factor: 1 where all are well apart.
 VectorXd parts_apart(const SparseMatrix<double>& loads) {
@@ -301,7 +301,7 @@ bool LoadResponse::keep_correction() {
 
 bool LoadResponse::tighten() {
   if (tolerance_ <= exact_) return false;
-  tolerance_ = std::max(exact_, closer * tolerance_);
+  tolerance_ = std::max(exact_, tightening * tolerance_);
   spent_ = 0;
   return true;
 }
@@ -343,7 +343,7 @@ AnsweredLoads LoadResponse::answered() const {
     densities.col(i) = answer.density;
   }
   result.densities.add(0.0, configuration_, references_, std::move(densities));
-  result.tolerance = std::min(AnsweredLoads::most_tolerance, coarser * tolerance_);
+  result.tolerance = std::min(AnsweredLoads::most_tolerance, loosening * tolerance_);
   return result;
 }
 
