@@ -18,7 +18,7 @@ constexpr double layer_tolerance = 1e-3;
 
 // In mean radii of gyration: gaps within a cluster, and those of contacts that may make a rigid
 // network.
-constexpr double cluster_reach = 2.0, contact = 0.05;
+constexpr double cluster_reach = 2.0, touching = 0.05;
 
 using Inverses = std::map<const Reference*, std::shared_ptr<const MatrixXd>>;
 
@@ -89,7 +89,7 @@ ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) 
   std::size_t contacts = 0;  // each seen from both sides
   for (const std::vector<Neighbour>& of_one : neighbours) {
     contacts += static_cast<std::size_t>(
-        std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < contact; }));
+        std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < touching; }));
   }
   const bool rigid = contacts >= 2 * count;
   return count < cluster_crowd || rigid ? ClusterForm::resistance : ClusterForm::mobility;

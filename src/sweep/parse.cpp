@@ -62,7 +62,7 @@ constexpr Requirement<std::int64_t> first_seed{
       return k >= 0 && k <= std::numeric_limits<std::int64_t>::max() - int{most_tasks};
     }};
 constexpr Requirement<int> item_number{"an integer >= 0", [](const int& k) { return k >= 0; }};
-constexpr Requirement<std::vector<double>> interval{
+constexpr Requirement<std::vector<double>> time_interval{
     "two times [begin, end] with 0 <= begin < end", [](const std::vector<double>& times) {
       return times.size() == 2 && times[0] >= 0.0 && times[0] < times[1];
     }};
@@ -173,7 +173,7 @@ Quantity read_quantity(const Node& node) {
   quantity.where = node.where;
   read_column(table, header, quantity);
   quantity.name = table.get("name", column_name).value_or(quantity.column);
-  const auto times = table.get("average", interval);
+  const auto times = table.get("average", time_interval);
   const auto reduction = table.get("take", reductions);
   if (times.has_value() == reduction.has_value()) {
     fail(node, "must hold average = [begin, end] or take, " + describe(reductions));

@@ -17,8 +17,8 @@ using test::random_vector;
 namespace {
 
 const Complex position{0.4, -0.3};
-const ComplexVector inside = ComplexVector{{Complex{0.5, -0.2}, Complex{0.2, -0.4}}};
-const ComplexVector outside = ComplexVector{{Complex{2.5, 1.0}, Complex{-2.0, -2.2}}};
+const ComplexVector inner_points = ComplexVector{{Complex{0.5, -0.2}, Complex{0.2, -0.4}}};
+const ComplexVector outer_points = ComplexVector{{Complex{2.5, 1.0}, Complex{-2.0, -2.2}}};
 
 // Single layer by the trapezoid rule.
 ComplexVector single_layer(const Curve& curve, const ComplexVector& traction, double viscosity,
@@ -54,15 +54,15 @@ double normal_flux(const Curve& curve, const ComplexVector& velocity) {
 BOOST_AUTO_TEST_CASE(outside_a_body) {
   const ExactFlow flow{{{{0.5, -0.3}, {0.5, -0.3}, 0.4}, {{0.2, -0.3}, {0.1, 0.8}, -0.1}}};
   const Curve body = place(sample(Star{1.0, 0.2, 5}, 400, Side::fluid_outside), position, 0.3);
-  BOOST_TEST(largest(represent(flow, body, outside) - flow.velocity(outside)) < 1e-14);
-  BOOST_TEST(largest(represent(flow, body, inside)) < 2e-13);
+  BOOST_TEST(largest(represent(flow, body, outer_points) - flow.velocity(outer_points)) < 1e-14);
+  BOOST_TEST(largest(represent(flow, body, inner_points)) < 2e-13);
 }
 
 BOOST_AUTO_TEST_CASE(inside_a_wall) {
   const ExactFlow flow{{{{3.0, 1.0}, {0.5, -0.3}, 0.4}, {{-1.5, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
   const Curve wall = place(sample(Star{1.0, 0.2, 5}, 400, Side::fluid_inside), position, 0.3);
-  BOOST_TEST(largest(represent(flow, wall, inside) - flow.velocity(inside)) < 1e-14);
-  BOOST_TEST(largest(represent(flow, wall, outside)) < 1e-14);
+  BOOST_TEST(largest(represent(flow, wall, inner_points) - flow.velocity(inner_points)) < 1e-14);
+  BOOST_TEST(largest(represent(flow, wall, outer_points)) < 1e-14);
 }
 
 BOOST_AUTO_TEST_CASE(flux_through_one_curve) {

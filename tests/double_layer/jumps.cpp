@@ -16,7 +16,7 @@ using test::largest;
 namespace {
 
 // Nodes of the limits, and of the sum off the curve: the latter resolves distances of 1e-3.
-constexpr Index coarse = 256, refinement = 512;
+constexpr Index coarse_nodes = 256, refinement = 512;
 
 ComplexVector jumping_density(Index n) {
   ComplexVector density(n);
@@ -58,14 +58,14 @@ ComplexVector limit_from(const Curve& curve, const StressletSum& layer,
 }
 
 void check_jumps(const Shape& shape, Side side) {
-  const Curve curve = sample(shape, coarse, side);
-  const ComplexVector density = jumping_density(coarse);
+  const Curve curve = sample(shape, coarse_nodes, side);
+  const ComplexVector density = jumping_density(coarse_nodes);
   const Eigen::VectorXd principal_values = double_layer_matrix(curve) * interleaved(density);
   const auto every_16th = Eigen::seqN(0, 16, 16);
   const ComplexVector on_curve = deinterleaved(principal_values)(every_16th);
   const ComplexVector half = 0.5 * density(every_16th);
 
-  const Curve fine = sample(shape, coarse * refinement, side);
+  const Curve fine = sample(shape, coarse_nodes * refinement, side);
   const ComplexVector fine_density = jumping_density(fine.size());
   const StressletSum layer({fine});
   // The extrapolation multiplies rounding by 2^10.

@@ -11,7 +11,7 @@ using test::relative_error;
 
 namespace {
 
-constexpr double tolerance = 1e-10;
+constexpr double sum_tolerance = 1e-10;
 
 struct Setting {
   std::vector<Curve> curves = test::ellipses(4, 64);
@@ -20,7 +20,7 @@ struct Setting {
   Eigen::VectorXd torque = random_vector(500, 4).real();
 
   ComplexVector velocity() const {
-    return Fmm(curves, points, FmmSettings::for_tolerance(tolerance))
+    return Fmm(curves, points, FmmSettings::for_tolerance(sum_tolerance))
         .velocity({density, force, torque});
   }
 };
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(turned_and_moved) {
   after.points = (turn * before.points.array() + shift).matrix();
   after.density = turn * before.density;
   after.force = turn * before.force;
-  BOOST_TEST(relative_error(after.velocity(), turn * before.velocity()) < 2.0 * tolerance);
+  BOOST_TEST(relative_error(after.velocity(), turn * before.velocity()) < 2.0 * sum_tolerance);
 }
 
 // Velocities of nodes do not change with the length; of forces by their logarithm, of torques by

@@ -14,6 +14,7 @@
 
 using namespace stokesbook;
 using Eigen::Index;
+using std::numbers::pi;
 
 namespace {
 
@@ -44,7 +45,6 @@ BOOST_AUTO_TEST_CASE(one_body_in_an_unbounded_fluid) {
 
 // A disk pulled by F has the traction F / (2 pi a) everywhere; turned by L, L x^perp / (2 pi a^3).
 BOOST_AUTO_TEST_CASE(pulled_and_turned_disk) {
-  constexpr double pi = std::numbers::pi;
   for (double radius : {0.7, 1e-3, 1e3}) {
     const Load load{{1.0, 0.5}, 0.7 * radius};
     const Complex centre = radius * Complex{0.3, -2.0};
