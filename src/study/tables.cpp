@@ -103,23 +103,23 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   const auto& cost = each.cost;
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
-  const std::string columns = span(each.count());
+  const std::string spanned = span(each.count());
   std::vector<std::vector<double>> slopes;
   std::set<double> xs;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Line& line = experiment.lines[k];
     const LineResult& result = lines[k];
     slopes.push_back(each.slope ? each.slope->between(result.measurements) : std::vector<double>{});
-    names += head(escaped(line.label), columns);
+    names += head(escaped(line.label), spanned);
     columns +=
         head("error") + (each.slope ? head(each.slope->name) : "") + (cost ? head("cost") : "");
     for (const Measurement& point : result.measurements) xs.insert(point.x);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
                                      escaped(law_text(line.claim->law, experiment.x))
                                : "",
-                    columns);
-    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", columns);
-    verdict += verdict_cell(result, columns);
+                    spanned);
+    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", spanned);
+    verdict += verdict_cell(result, spanned);
   }
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
   for (const double x : xs) {
