@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "contact_checks.hpp"
 #include "contact_setup.hpp"
 #include "support/exact_gaps.hpp"
 
