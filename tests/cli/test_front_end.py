@@ -76,7 +76,8 @@ class FrontEnd(unittest.TestCase):
             self.assertIn("./stokes exercise [03] ", self.stokes(command, "--help").stdout)
 
     def test_bad_usage(self):
-        for tool in "doxygen", "python3", "chromium", "slurmctld", "parallel", "clang++", "c++":
+        for tool in ("doxygen", "python3", "git", "chromium", "slurmctld", "parallel", "clang++",
+                     "c++"):
             self.program(self.tools / tool, "exit 0")
         self.configure(self.root)
         self.assertIn("needs a name", self.stokes("test", "--preset", code=1).stderr)
