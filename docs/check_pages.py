@@ -30,6 +30,8 @@ FORMULA = re.compile(r"\\f\$(.*?)\\f\$|\\f\[(.*?)\\f\]|\\f\{(.*?)\\f\}|\$\$(.+?)
 UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX)\b|\?\?\?")
 # Up to the next command of the comment, which begins its line, or the comment's end.
 ACCURACY = re.compile(r"@par Accuracy.*\n(?:\s*///(?! *@).*\n|\s*/// *@ref.*\n)*")
+# A line that Markdown takes for an item of a list when the result is a whole number.
+AS_ITEM = re.compile(r"\s*[@\\]val_\w+\.\s")
 CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
 
 TYPED_RESULT = re.compile(
@@ -148,6 +150,8 @@ def chapter_violations(name, text):
                    if (match := CODE_COMMAND.search(line))]
     violations += [f"{name}:{line}: a typed result, {result}: use the study's alias"
                    for line, result in typed_results(prose)]
+    violations += [f"{name}:{number}: a result that may be an item of a list, as 11. is: not first"
+                   for number, line in enumerate(prose.splitlines(), 1) if AS_ITEM.match(line)]
     return violations
 
 

@@ -50,6 +50,10 @@ class Chapters(unittest.TestCase):
                       "47 iterations", "2.5 s", "30 ms"]:
             self.assert_found(f"The error\nis {typed}, say.\n", "chapter.md:4", "typed result")
 
+    def test_results_that_may_be_items(self):
+        self.assert_found("It takes\n\\val_01_error_32. Others take more.\n", "chapter.md:4", "list")
+        self.assertEqual(chapter("It takes\n\\val_01_error_32, say.\n"), [])
+
     def test_digits_that_are_significant(self):
         for definition in "0.125", "0.0125", "0.001", "1.25", "12.5", "100", "0.5":
             self.assertEqual(chapter(f"A radius\nof {definition}.\n"), [])
