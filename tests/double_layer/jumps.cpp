@@ -18,7 +18,7 @@ namespace {
 // Nodes of the limits, and of the sum off the curve: the latter resolves distances of 1e-3.
 constexpr Index coarse_nodes = 256, refinement = 512;
 
-ComplexVector jumping_density(Index n) {
+ComplexVector analytic_density(Index n) {
   ComplexVector density(n);
   for (Index j = 0; j < n; ++j) {
     const double t = 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
@@ -59,14 +59,14 @@ ComplexVector limit_from(const Curve& curve, const StressletSum& layer,
 
 void check_jumps(const Shape& shape, Side side) {
   const Curve curve = sample(shape, coarse_nodes, side);
-  const ComplexVector density = jumping_density(coarse_nodes);
+  const ComplexVector density = analytic_density(coarse_nodes);
   const Eigen::VectorXd principal_values = double_layer_matrix(curve) * interleaved(density);
   const auto every_16th = Eigen::seqN(0, 16, 16);
   const ComplexVector on_curve = deinterleaved(principal_values)(every_16th);
   const ComplexVector half = 0.5 * density(every_16th);
 
   const Curve fine = sample(shape, coarse_nodes * refinement, side);
-  const ComplexVector fine_density = jumping_density(fine.size());
+  const ComplexVector fine_density = analytic_density(fine.size());
   const StressletSum layer({fine});
   // The extrapolation multiplies rounding by 2^10.
   BOOST_TEST(largest(limit_from(fine, layer, fine_density, -1.0) - (on_curve - half)) < 1e-11);

@@ -11,7 +11,6 @@
 #include "support/exact_gaps.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
-#include "suspension/fill.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -19,11 +18,6 @@ using namespace study;
 using namespace test;
 
 namespace {
-
-/// The scene that ships, with its ellipses in place: all alike, in a strain of rate 1 along x.
-Scene shipped_crowd() {
-  return with_fills_placed(shipped_scene("extension_crowd"));
-}
 
 constexpr double aligned_from = 0.5;  // before, the mean of cos 2 theta may be negative
 

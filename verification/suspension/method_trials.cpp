@@ -10,7 +10,6 @@
 #include "scenes.hpp"
 #include "support/recorded_run.hpp"
 #include "support/touching.hpp"
-#include "suspension/fill.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -73,7 +72,7 @@ Scene a_third_of_the_vortices(Size size) {
 
 // Contact sets in early, and lasts.
 Scene crowd(Size) {
-  return until(with_fills_placed(shipped_scene("extension_crowd")), 0.5);
+  return until(shipped_crowd(), 0.5);
 }
 
 Scene rotors(Size) {
@@ -107,12 +106,7 @@ Scene dense_couette(Size size) {
 
 // Mean of cos 2 theta over the bodies at the end.
 std::vector<double> alignment(const std::vector<Frame>& frames) {
-  const std::vector<BodyState>& bodies = frames.back().bodies;
-  const double sum =
-      std::accumulate(bodies.begin(), bodies.end(), 0.0, [](double so_far, const BodyState& body) {
-        return so_far + std::cos(2.0 * body.orientation);
-      });
-  return {sum / static_cast<double>(bodies.size())};
+  return {frames.back().rheology.order_parameter};
 }
 
 // Effective viscosity, in the mean over the written times.

@@ -8,6 +8,7 @@
 #include "double_layer/double_layer.hpp"
 #include "scene/parse.hpp"
 #include "support/smooth_curve.hpp"
+#include "suspension/fill.hpp"
 #include "suspension/gaps.hpp"
 
 namespace stokesbook::verification::suspension {
@@ -77,6 +78,10 @@ double log_uniform(std::mt19937_64& random, double low, double high) {
 
 Scene shipped_scene(const std::string& name) {
   return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / (name + ".toml"));
+}
+
+Scene shipped_crowd() {
+  return with_fills_placed(shipped_scene("extension_crowd"));
 }
 
 Scene with_nodes(Scene scene, int a_body, int a_wall) {

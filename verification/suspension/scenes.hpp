@@ -22,6 +22,10 @@ double log_uniform(std::mt19937_64& random, double low, double high);
 /// A scene of chapter 12, as it is shipped.
 Scene shipped_scene(const std::string& name);
 
+/// The crowd in extension that is shipped, its ellipses in place: all alike, in a strain of rate 1
+/// along x.
+Scene shipped_crowd();
+
 /// Gives all bodies and all walls so many nodes.
 Scene with_nodes(Scene scene, int a_body, int a_wall);
 
