@@ -27,33 +27,36 @@ def coloured(simple, source, view, place, name, colours):
     return display
 
 
+def reader_of(simple, path):
+    return simple.PVDReader(registrationName=path.name, FileName=str(path))
+
+
 def show_components(simple, path, view):
     """Bodies in colour, walls in grey."""
-    reader = simple.PVDReader(FileName=str(path))
+    reader = reader_of(simple, path)
     # Filled polygons are drawn as if they were convex; triangles are what they are.
     triangles = simple.Triangulate(Input=reader)
     numbers = reader.CellData[NUMBER].GetRange()
 
-    def part(low, high):
-        return simple.Threshold(Input=triangles, Scalars=["CELLS", NUMBER],
-                                LowerThreshold=low, UpperThreshold=high)
+    def part(name, low, high):
+        return simple.Threshold(registrationName=name, Input=triangles,
+                                Scalars=["CELLS", NUMBER], LowerThreshold=low, UpperThreshold=high)
 
-    coloured(simple, part(0, max(numbers[1], 0)), view, *BODIES[1:])
+    coloured(simple, part("bodies", 0, max(numbers[1], 0)), view, *BODIES[1:])
     if numbers[0] < 0:
-        walls = simple.Show(part(numbers[0], -1), view)
+        walls = simple.Show(part("walls", numbers[0], -1), view)
         simple.ColorBy(walls, None)
         walls.DiffuseColor = walls.AmbientColor = [0.4, 0.4, 0.4]
         walls.LineWidth = 3
 
 
 def show_contacts(simple, path, view):
-    reader = simple.PVDReader(FileName=str(path))
-    coloured(simple, reader, view, *CONTACTS[1:]).LineWidth = 4
+    coloured(simple, reader_of(simple, path), view, *CONTACTS[1:]).LineWidth = 4
 
 
 def show_field(simple, path, view):
     """The first quantity that the run has, behind the bodies; none where there is no fluid."""
-    reader = simple.PVDReader(FileName=str(path))
+    reader = reader_of(simple, path)
     _, place, name, colours = next(f for f in FIELDS if f[2] in reader.PointData.keys())
     display = coloured(simple, reader, view, place, name, colours)
     simple.GetColorTransferFunction(name, display, True).NanOpacity = 0.0
