@@ -3,10 +3,9 @@
 
 #include <fstream>
 
-#include <Eigen/Eigenvalues>
-
 #include "lcp/lemke.hpp"
 #include "study/plot.hpp"
+#include "support/spectra.hpp"
 
 using namespace stokesbook;
 using Eigen::MatrixXd;
@@ -66,7 +65,7 @@ void check_sweep() {
 double largest_eigenvalue(int m) {
   const MatrixXd matrix = chain(m);
   const MatrixXd iteration = matrix.triangularView<Eigen::Lower>().solve(upper(matrix));
-  return iteration.eigenvalues().cwiseAbs().maxCoeff();
+  return test::eigenvalues(iteration).cwiseAbs().maxCoeff();
 }
 
 void check_left() {
