@@ -196,9 +196,6 @@ const Trial rotors_trial = by_runge_kutta("rotors", "Four rotors at t = 10", rot
             sedimentation_trial = by_runge_kutta(
                 "sedimentation", "A sedimenting pair in a container at t = 3", sedimentation);
 
-// By Euler's method, steps of an eighth drive the slender bodies of the dense cell so hard against
-// the outer wall that contact cuts the steps after them to thousandths; those of a sixteenth take
-// less work than any of ours, for an error hundreds of times as large.
 Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)(Size),
                 double longest_step) {
   return {.key = key,
@@ -215,6 +212,9 @@ Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)
           }};
 }
 
+// By Euler's method, steps of an eighth drive the slender bodies of the dense cell so hard against
+// the outer wall that contact cuts the steps after them to thousandths; those of a sixteenth take
+// less work than any of ours, for an error hundreds of times as large.
 const Trial couette_trial = viscosity(
                 "couette",
                 "Couette cell with 80 ellipses 3:1, in the quick study 20, over the first radian",

@@ -52,28 +52,18 @@ System with_history(const std::vector<double>& eigenvalues, const std::vector<do
   not_done(eigenvalues, residuals);  // your code instead of this line
   //@ solution
   const auto n = static_cast<Index>(residuals.size());
-  VectorXd b(n);
-  for (Index i = 0; i < n; ++i) {
-    const double before = residuals[static_cast<std::size_t>(i)];
-    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
-    b[i] = std::sqrt(before * before - after * after);
-  }
-  // A b = e_1, A e_1 = e_2, ..., A e_{n-1} = c_0 b + c_1 e_1 + ... + c_{n-1} e_{n-1}.
-  const VectorXd c = companion_column(eigenvalues);
-  MatrixXd matrix = MatrixXd::Zero(n, n);
-  matrix.diagonal(-1).head(n - 2).setOnes();
-  matrix.col(n - 2) = c[0] * b;
-  matrix.col(n - 2).head(n - 1) += c.tail(n - 1);
-  matrix.col(n - 1) = (VectorXd::Unit(n, 0) - matrix.leftCols(n - 1) * b.head(n - 1)) / b[n - 1];
-  return {matrix, b};
+  const Eigen::Map<const VectorXd> before(residuals.data(), n);
+  VectorXd after = VectorXd::Zero(n);
+  after.head(n - 1) = before.tail(n - 1);
+  //@ end
+  //@ starter
+  //@ solution
+  const VectorXd b = (before.cwiseAbs2() - after.cwiseAbs2()).cwiseSqrt();
   //@ wrong plain_differences: the squares of the residuals differ by the squares of the components
-  const auto n = static_cast<Index>(residuals.size());
-  VectorXd b(n);
-  for (Index i = 0; i < n; ++i) {
-    const double before = residuals[static_cast<std::size_t>(i)];
-    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
-    b[i] = before - after;
-  }
+  const VectorXd b = before - after;
+  //@ end
+  //@ starter
+  //@ solution
   // A b = e_1, A e_1 = e_2, ..., A e_{n-1} = c_0 b + c_1 e_1 + ... + c_{n-1} e_{n-1}.
   const VectorXd c = companion_column(eigenvalues);
   MatrixXd matrix = MatrixXd::Zero(n, n);
@@ -83,13 +73,6 @@ System with_history(const std::vector<double>& eigenvalues, const std::vector<do
   matrix.col(n - 1) = (VectorXd::Unit(n, 0) - matrix.leftCols(n - 1) * b.head(n - 1)) / b[n - 1];
   return {matrix, b};
   //@ wrong in_unit_vectors: the companion matrix is one in the basis b, e_1, ..., e_{n-1}
-  const auto n = static_cast<Index>(residuals.size());
-  VectorXd b(n);
-  for (Index i = 0; i < n; ++i) {
-    const double before = residuals[static_cast<std::size_t>(i)];
-    const double after = i + 1 < n ? residuals[static_cast<std::size_t>(i + 1)] : 0.0;
-    b[i] = std::sqrt(before * before - after * after);
-  }
   MatrixXd companion = MatrixXd::Zero(n, n);
   companion.diagonal(-1).setOnes();
   companion.col(n - 1) = companion_column(eigenvalues);
