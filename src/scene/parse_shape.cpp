@@ -74,8 +74,8 @@ Shape read_nodes(const Node& node, const std::filesystem::path& directory) {
   const TableReader table(node, {"kind", "file", "points"});
   const Node* points = table.find("points");
   if (points == nullptr) {
-    return nodes_of_file(table.at("file", describe(csv_file_name) + ", or points = [[x, y], ...]"),
-                         directory);
+    const std::string file = describe(csv_file_name);
+    return nodes_of_file(table.at("file", file + ", or points = [[x, y], ...]"), directory);
   }
   table.refuse({"file"}, "the curve has its points already: give file or points, not both");
   return inline_nodes(*points);

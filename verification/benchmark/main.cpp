@@ -14,6 +14,7 @@
 #include "fma_peak.hpp"
 #include "table.hpp"
 #include "taylor_green.hpp"
+#include "waiting.hpp"
 
 namespace stokesbook {
 
@@ -27,7 +28,7 @@ std::string machine() {
   return text.str();
 }
 
-std::vector<Table> run_benchmarks(bool quick) {
+std::vector<Table> run_benchmarks(bool quick, const std::string& program) {
   const double budget = quick ? 0.05 : 0.5;
   std::vector<Table> tables;
   const auto add = [&](const Table& table) {
@@ -46,6 +47,7 @@ std::vector<Table> run_benchmarks(bool quick) {
   add(time_close_evaluation(0.5 * budget));
   add(time_near_storage(0.5 * budget));
   add(time_taylor_green(budget));
+  add(time_waiting(program, quick ? 5 : 50));
   return tables;
 }
 
@@ -60,9 +62,16 @@ int main(int argc, char** argv) {
   app.add_option("--csv", csv, "also write the numbers to a file");
   app.add_option("--html", html, "also write tables and figures to a file");
   app.add_flag("--quick", quick, "fewer sizes and repeats");
+  int solves = 0;
+  app.add_option("--solves", solves, "only this work, for the times of waiting threads")->group("");
   CLI11_PARSE(app, argc, argv);
+  if (solves > 0) {
+    const stokesbook::WorkTime time = stokesbook::solve_often(solves);
+    std::cout << time.wall << ' ' << time.cpu << '\n';
+    return 0;
+  }
   std::cout << stokesbook::machine();
-  const std::vector<stokesbook::Table> tables = stokesbook::run_benchmarks(quick);
+  const std::vector<stokesbook::Table> tables = stokesbook::run_benchmarks(quick, argv[0]);
   const auto write = [](const std::string& path, const auto& write_to) {
     if (path.empty()) return true;
     std::ofstream file(path);

@@ -6,6 +6,15 @@
 
 namespace stokesbook {
 
+/// Returns the time that a piece of work takes, in seconds.
+template <class Work>
+double seconds_of(const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// Returns the least time that a piece of work takes, in seconds: other processes only ever add to
 /// it.
 ///
@@ -13,14 +22,11 @@ namespace stokesbook {
 /// @param  budget  seconds to spend; at least three calls are made
 template <class Work>
 double least_seconds(const Work& work, double budget) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
-  double least = std::numeric_limits<double>::infinity();
-  const Clock::time_point begin = Clock::now();
-  for (int calls = 0; calls < 3 || seconds(Clock::now() - begin) < budget; ++calls) {
-    const Clock::time_point start = Clock::now();
-    work();
-    least = std::min(least, seconds(Clock::now() - start));
+  double least = std::numeric_limits<double>::infinity(), spent = 0.0;
+  for (int calls = 0; calls < 3 || spent < budget; ++calls) {
+    const double seconds = seconds_of(work);
+    least = std::min(least, seconds);
+    spent += seconds;
   }
   return least;
 }

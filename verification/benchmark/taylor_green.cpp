@@ -68,4 +68,10 @@ Table time_taylor_green(double budget) {
   return table;
 }
 
+void solve_taylor_green(int solves) {
+  const SuspensionSolver solver(taylor_green({32, 1e-2, PreconditionerKind::none}));
+  const Configuration start = solver.initial_configuration();
+  for (int k = 0; k < solves; ++k) solver.solve(start);
+}
+
 }  // namespace stokesbook

@@ -10,4 +10,9 @@ namespace stokesbook {
 /// @param  budget  seconds to spend on each number
 Table time_taylor_green(double budget);
 
+/// Solves the same scene again and again, with 32 nodes a body and no preconditioner.
+///
+/// @param  solves  how often
+void solve_taylor_green(int solves);
+
 }  // namespace stokesbook
