@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(one_slender_body) {
 // Nodes, forces and torques together, several fields at once.
 BOOST_AUTO_TEST_CASE(nodes_and_points) {
   const std::vector<Curve> curves = test::ellipses(4, 64);
-  const Index n = 16 * 64, m = 3000;
+  const Index n = 16 * 64, m = 1500;
   const ComplexVector points = (5.0 * random_vector(m, 1).array() + Complex{4.0, 4.0}).matrix();
   Eigen::MatrixXcd density(n, 7), force(m, 7);
   Eigen::MatrixXd torque(m, 7);
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(nodes_and_points) {
     force.col(field) = 1e-3 * random_vector(m, 20 + field);
     torque.col(field) = 1e-3 * random_vector(m, 30 + field).real();
   }
-  const ComplexVector targets = (6.0 * random_vector(400, 2).array() + Complex{4.0, 4.0}).matrix();
+  const ComplexVector targets = (6.0 * random_vector(200, 2).array() + Complex{4.0, 4.0}).matrix();
   const StressletSum sum(curves);
   for (const double tolerance : tolerances) {
     const Fmm at_targets(curves, points, targets, FmmSettings::for_tolerance(tolerance));

@@ -22,7 +22,7 @@ double gap(const SmoothCurve& a, const SmoothCurve& b) {
 
 // Whether two bodies' closed polygons of fine nodes have a node within the other.
 bool nodes_overlap(const SmoothCurve& a, const SmoothCurve& b) {
-  constexpr Eigen::Index n = 500;
+  constexpr Eigen::Index n = 250;
   const auto holds = [](const ComplexVector& polygon, Complex point) {
     double angle = 0.0;
     for (Eigen::Index j = 0; j < n; ++j) {

@@ -11,9 +11,9 @@ namespace {
 
 // An inner wall that blows fluid in, one free body, and an enclosing wall that lets too little out.
 StokesProblem leaking() {
-  StokesProblem problem{{held_body(Circle{0.5}, 128, {{-1.2, 0.3}}, {}),
-                         free_body(Ellipse{0.6, 0.4}, 128, {{0.8, -0.4}, 0.5}, {{0.3, 0.2}, 0.1}),
-                         enclosing_wall(Ellipse{3, 2.2}, 192, {{0.1, 0.2}, 0.4})},
+  StokesProblem problem{{held_body(Circle{0.5}, 64, {{-1.2, 0.3}}, {}),
+                         free_body(Ellipse{0.6, 0.4}, 96, {{0.8, -0.4}, 0.5}, {{0.3, 0.2}, 0.1}),
+                         enclosing_wall(Ellipse{3, 2.2}, 128, {{0.1, 0.2}, 0.4})},
                         1.3,
                         {},
                         {}};

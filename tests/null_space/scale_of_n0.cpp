@@ -27,11 +27,11 @@ StokesProblem cell(double length, Eigen::Index n) {
 BOOST_AUTO_TEST_SUITE(scale_of_n0)
 
 BOOST_AUTO_TEST_CASE(results_do_not_depend_on_it) {
-  const StokesProblem problem = cell(1.0, 128);
+  const StokesProblem problem = cell(1.0, 96);
   const Completion expected = solve_bounded(problem, ClosureForm::reduced);
   const double length = perimeter(problem.components[3].curve);
   for (const ClosureForm form : all_forms) {
-    for (const double scale : {1.0, -1.0, length, -length}) {
+    for (const double scale : {-1.0, length}) {
       const Completion result = solve_bounded(problem, form, scale);
       for (std::size_t k = 0; k < 4; ++k) {
         BOOST_TEST(distance(result.motions[k], expected.motions[k]) < 1e-12);

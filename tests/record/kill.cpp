@@ -184,16 +184,12 @@ std::size_t check_crowd(const Folder& folder) {
   return saved;
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_SUITE(interruptions)
-
 /// A kill splits a write that goes across pages of the file. Nobody sees it.
-BOOST_AUTO_TEST_CASE(records_of_many_pages) {
+void kill_records_of_many_pages(int times) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> moment(0.0, seconds_of(write_long_records));
   int split = 0;
-  for (int trial = 0; trial < 50 || (split == 0 && trial < 1000); ++trial) {
+  for (int trial = 0; trial < times || (split == 0 && trial < 1000); ++trial) {
     const Folder folder(fast_place());
     killed_after(moment(generator), [&] { return write_long_records(folder.path()); });
     if (!std::filesystem::exists(folder.at("a"))) continue;
@@ -207,27 +203,29 @@ BOOST_AUTO_TEST_CASE(records_of_many_pages) {
 }
 
 /// What a reader finds, and how far back the checkpoint is, where a frame has many pages.
-BOOST_AUTO_TEST_CASE(frames_of_many_pages) {
+void kill_frames_of_many_pages(int times) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> moment(0.0, seconds_of(run_crowd));
   int under_way = 0;
-  for (int trial = 0; trial < 50 || (under_way <= 10 && trial < 1000); ++trial) {
+  for (int trial = 0; trial < times || (under_way <= times / 5 && trial < 1000); ++trial) {
     const Folder folder(fast_place());
     const bool killed = killed_after(moment(generator), [&] { return run_crowd(folder.path()); });
     if (check_crowd(folder) > 0 && killed) ++under_way;
   }
-  BOOST_TEST(under_way > 10);
+  BOOST_TEST(under_way > times / 5);
 }
 
-BOOST_AUTO_TEST_CASE(killed_at_random_moments) {
+void kill_sample_runs(int times) {
   const std::map<std::string, std::string> expected = uninterrupted_run();
   BOOST_TEST((uninterrupted_run() == expected));
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> moment(0.0, seconds_of(run_sample));
   int killed = 0;
   int resumed = 0;
-  // Fifty times, and more where a busy machine makes most moments too early or too late.
-  for (int trial = 0; trial < 50 || (std::min(killed, resumed) <= 10 && trial < 1000); ++trial) {
+  // More often where a busy machine makes most moments too early or too late.
+  const int wanted = times / 5;
+  for (int trial = 0; trial < times || (std::min(killed, resumed) <= wanted && trial < 1000);
+       ++trial) {
     const Folder folder(fast_place());
     if (killed_after(moment(generator), [&] { return run_sample(folder.path()); })) ++killed;
     check_files(folder);
@@ -235,8 +233,24 @@ BOOST_AUTO_TEST_CASE(killed_at_random_moments) {
     BOOST_TEST((read_all(folder.path()) == expected), "trial " << trial);
   }
   // Most moments must have been moments of the run, or nothing has been tested.
-  BOOST_TEST(killed > 10);
-  BOOST_TEST(resumed > 10);
+  BOOST_TEST(killed > wanted);
+  BOOST_TEST(resumed > wanted);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(interruptions)
+
+BOOST_AUTO_TEST_CASE(killed_at_random_moments) {
+  kill_records_of_many_pages(10);
+  kill_frames_of_many_pages(10);
+  kill_sample_runs(10);
+}
+
+BOOST_AUTO_TEST_CASE(killed_at_many_random_moments, *boost::unit_test::label("full")) {
+  kill_records_of_many_pages(50);
+  kill_frames_of_many_pages(50);
+  kill_sample_runs(50);
 }
 
 /// A limit on the size of files stands for a disk that takes a part of a record only.

@@ -105,38 +105,50 @@ void compare(const Step& step, Tally& tally) {
   }
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(nothing_is_missed_in_crowds) {
+void compare_crowds(unsigned seeds) {
   Tally tally;
   for (double travel : {0.1, 0.5, 3.0}) {
-    for (unsigned seed = 1; seed <= 8; ++seed) compare(random_step(8, seed, travel), tally);
+    for (unsigned seed = 1; seed <= seeds; ++seed) compare(random_step(8, seed, travel), tally);
   }
   BOOST_TEST_MESSAGE("near " << tally.near << ", violated " << tally.violated << ", passed "
                              << tally.passed << ", later " << tally.later << ", contact-free "
                              << tally.contact_free);
-  BOOST_TEST(tally.violated > 50u);
-  BOOST_TEST(tally.contact_free > 100u);
+  BOOST_TEST(tally.violated > 6 * seeds);
+  BOOST_TEST(tally.contact_free > 12 * seeds);
   BOOST_TEST(tally.passed < tally.violated / 4);
 }
 
-BOOST_AUTO_TEST_CASE(nothing_is_missed_in_containers) {
+void compare_containers(unsigned seeds) {
   Tally tally;
   for (double travel : {0.3, 3.0}) {
-    for (unsigned seed = 1; seed <= 6; ++seed) compare(random_step(6, seed, travel, true), tally);
+    for (unsigned seed = 1; seed <= seeds; ++seed)
+      compare(random_step(6, seed, travel, true), tally);
   }
   BOOST_TEST_MESSAGE("near " << tally.near << ", violated " << tally.violated << ", passed "
                              << tally.passed << ", later " << tally.later << ", contact-free "
                              << tally.contact_free);
-  BOOST_TEST(tally.violated > 10u);
-  BOOST_TEST(tally.contact_free > 50u);
+  BOOST_TEST(tally.violated > 5 * seeds / 3);
+  BOOST_TEST(tally.contact_free > 8 * seeds);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_missed_in_crowds_and_containers) {
+  compare_crowds(3);
+  compare_containers(2);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_missed_in_many_crowds_and_containers,
+                     *boost::unit_test::label("full")) {
+  compare_crowds(8);
+  compare_containers(6);
 }
 
 // What a step may do, its end does not regret: the independent test of the end agrees.
 BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
   std::size_t admitted = 0, refused = 0;
   for (double travel : {0.02, 0.1, 0.5, 2.0}) {
-    for (unsigned seed = 20; seed < 60; ++seed) {
+    for (unsigned seed = 20; seed < 40; ++seed) {
       const Step step = random_step(5, seed, travel, seed % 2 == 0);
       const Interferences found = interferences(step, {{separation}, tolerance});
       std::vector<Pose> ends;
@@ -152,6 +164,6 @@ BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
       if (!is_apart) BOOST_TEST(!found.admits_step());
     }
   }
-  BOOST_TEST(admitted > 20u);
-  BOOST_TEST(refused > 20u);
+  BOOST_TEST(admitted > 10u);
+  BOOST_TEST(refused > 10u);
 }

@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(lopsided_body_N2) {
 
 BOOST_AUTO_TEST_CASE(pairs_of_circles_N3) {
   const auto pair = [](double gap) {
-    return std::vector<Component>{test::free_body(Circle{1.0}, 224, {{-1.0 - 0.5 * gap}}),
-                                  test::free_body(Circle{1.0}, 224, {{1.0 + 0.5 * gap}})};
+    return std::vector<Component>{test::free_body(Circle{1.0}, 144, {{-1.0 - 0.5 * gap}}),
+                                  test::free_body(Circle{1.0}, 144, {{1.0 + 0.5 * gap}})};
   };
   BOOST_TEST(
       std::abs(first_stresslet(in_linear_flow(pair(0.5), 1.0, unit_shear), unit_shear).imag() -

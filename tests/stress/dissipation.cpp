@@ -28,7 +28,8 @@ struct Dissipation {
     const ComplexVector traction = boundary_traction(problem, flow.derivatives(flow.nodes()));
     by_boundary = sum(boundary_power(flow, traction));
     by_loads = sum(power_of_loads(flow));
-    const FluidQuadrature rule = fluid_quadrature(curves_of(problem));
+    const FluidQuadrature rule =
+        fluid_quadrature(curves_of(problem), FluidQuadratureSettings{.points_a_width = 14.0});
     by_volume = volume_dissipation(rule, flow.derivatives(rule.points), problem.viscosity);
   }
 
@@ -43,7 +44,7 @@ void check_agreement(const Dissipation& d) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(couette_C6) {
-  for (double scale : {1.0, 1e-3, 1e3}) {
+  for (double scale : {1.0, 1e-3}) {
     BOOST_TEST_CONTEXT("scale " << scale) {
       const StokesProblem problem{{test::held_body(Circle{scale}, 96, {}, {0.0, 0.4}),
                                    test::enclosing_wall(Circle{2.5 * scale}, 96, {}, {0.0, -0.7})},
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annulus) {
   const double mu = 1.3;
   const test::EccentricAnnulus annulus{
       1.0, 2.0, {0.1, -0.2}, {0.4, 0.2}, {{0.3, -0.4}, 1.0}, {{0.1, 0.2}, -0.5}};
-  const Dissipation d(test::solve_flow(test::annulus_problem(annulus, mu, 160, 160)));
+  const Dissipation d(test::solve_flow(test::annulus_problem(annulus, mu, 128, 128)));
   check_agreement(d);
   const Load inner = test::inner_load(annulus, mu);
   const Complex relative = annulus.inner.velocity - annulus.outer.velocity;
@@ -74,12 +75,12 @@ BOOST_AUTO_TEST_CASE(eccentric_annulus) {
 
 // Free bodies with loads and a held one in a container whose wall deforms.
 BOOST_AUTO_TEST_CASE(several_bodies_in_a_deforming_container) {
-  Component wall = test::enclosing_wall(Ellipse{4.0, 3.0}, 256, {});
+  Component wall = test::enclosing_wall(Ellipse{4.0, 3.0}, 160, {});
   wall.velocity = 0.5 * wall.curve.x.conjugate() + (0.3 * imaginary) * wall.curve.x;
   const StokesProblem problem{
-      {test::free_body(Ellipse{1.0, 0.5}, 192, {{-1.3, 0.3}, 0.7}, {{1.0, -2.0}, 0.5}),
-       test::free_body(Superellipse{0.8, 0.6, 4}, 256, {{1.4, -0.6}, 0.2}),
-       test::held_body(Circle{0.5}, 128, {{0.6, 1.5}}, {{0.2, 0.1}, -1.0}), wall},
+      {test::free_body(Ellipse{1.0, 0.5}, 128, {{-1.3, 0.3}, 0.7}, {{1.0, -2.0}, 0.5}),
+       test::free_body(Superellipse{0.8, 0.6, 4}, 224, {{1.4, -0.6}, 0.2}),
+       test::held_body(Circle{0.5}, 80, {{0.6, 1.5}}, {{0.2, 0.1}, -1.0}), wall},
       1.3,
       {},
       {}};

@@ -61,13 +61,13 @@ BOOST_AUTO_TEST_CASE(pulled_and_turned_disk) {
 }
 
 BOOST_AUTO_TEST_CASE(close_bodies_in_a_container) {
-  for (double scale : {1.0, 1e-3, 1e3}) {
+  for (double scale : {1.0, 1e-3}) {
     const auto at = [&](double x, double y) { return scale * Complex{x, y}; };
     const StokesProblem problem{
-        {test::free_body(Circle{scale}, 192, {at(-1.0, 0.3)}, {{1.0, -2.0}, 0.5 * scale}),
-         test::free_body(Ellipse{scale, 0.6 * scale}, 192, {at(1.1, 0.3), 0.1}),
-         test::held_body(Circle{0.5 * scale}, 160, {at(0.0, -1.2)}, {at(0.2, 0.1), -1.0}),
-         test::enclosing_wall(Circle{3.0 * scale}, 192, {at(0.2, 0.1)}, {0.0, 0.4})},
+        {test::free_body(Circle{scale}, 144, {at(-1.0, 0.3)}, {{1.0, -2.0}, 0.5 * scale}),
+         test::free_body(Ellipse{scale, 0.6 * scale}, 144, {at(1.1, 0.3), 0.1}),
+         test::held_body(Circle{0.5 * scale}, 96, {at(0.0, -1.2)}, {at(0.2, 0.1), -1.0}),
+         test::enclosing_wall(Circle{3.0 * scale}, 128, {at(0.2, 0.1)}, {0.0, 0.4})},
         1.3,
         {},
         {}};

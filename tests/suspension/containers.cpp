@@ -1,5 +1,5 @@
 // Bodies and inner walls in containers: reference numbers C5, C6, C7, N9, NA of the specification
-// in six systems of units, and the whole resistance of eccentric circles against its closed form
+// in two systems of units, and the whole resistance of eccentric circles against its closed form
 // down to small gaps.
 
 #include "expected.hpp"
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annuli) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double gap : {0.3, 0.1, 0.03, 0.01}) {
-    for (int trial = 0; trial < 3; ++trial) {
+    for (int trial = 0; trial < 2; ++trial) {
       EccentricAnnulus annulus{1.0, 1.6 + 0.4 * uniform(random), Complex{0.2, 0.1},
                                0.0, random_motion(random),       random_motion(random)};
       const double eccentricity = annulus.outer_radius - 1 - gap;
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annuli) {
 }
 
 // A journal bearing that all but runs dry.
-BOOST_AUTO_TEST_CASE(journal_bearings) {
+BOOST_AUTO_TEST_CASE(journal_bearings, *boost::unit_test::label("full")) {
   for (const double gap : {0.003, 0.001}) {
     check_inner_load({1.0, 1.5, 0.0, {0.0, 0.5 - gap}, {0.0, 0.7}, {0.0, -0.4}}, gap);
   }

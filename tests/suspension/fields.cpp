@@ -49,7 +49,7 @@ Complex derivative(const Solved& solved, Complex point, Complex step) {
 BOOST_AUTO_TEST_SUITE(fields)
 
 BOOST_AUTO_TEST_CASE(divergence) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(51), units));
     for (const Complex point : fluid_points(solved, 4 * units.length, 0.1 * units.length)) {
       const double h = 5e-4 * units.length;
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(divergence) {
 // Vorticity and strain are those of the velocity; pressure and vorticity satisfy the momentum
 // balance grad p = mu rot w. Differences of order 4 err by about 1e-9.
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     for (const double drive : {1.0, -1.0}) {
       Solved solved(in_units(loaded_trio(58), units));
       solved.solution = solved.solver.solve(solved.configuration, drive);
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
 // u(0) = d r^2, which makes u biharmonic, and <u_theta> = A r, which makes the vorticity harmonic.
 // Together: momentum.
 BOOST_AUTO_TEST_CASE(momentum) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(52), units));
     for (const Complex point : fluid_points(solved, 4 * units.length, 0.25 * units.length)) {
       const double r = 0.1 * units.length;
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(momentum) {
 // Between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape. There the field
 // errs like the tail of the density; motions, with their tolerance of 1e-12, like its square.
 BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(53), units));
     for (std::size_t k = 0; k < 3; ++k) {
       const SmoothCurve curve =

@@ -58,7 +58,8 @@ BOOST_AUTO_TEST_SUITE(invariance)
 BOOST_AUTO_TEST_CASE(units) {
   for (const std::uint64_t seed : {41u, 42u}) {
     const Scene mixed = mixed_scene(seed);
-    check(mixed, expected_from(Solved(mixed), [](RigidMotion m, Complex) { return m; }), 1e-11);
+    check(mixed, expected_from(Solved(mixed), [](RigidMotion m, Complex) { return m; }), 1e-11,
+          all_units);
   }
 }
 

@@ -27,7 +27,7 @@ Eigen::MatrixXd mobility(Scene scene, const Units& units) {
 }
 
 void check_mobility(const Scene& scene) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     const Eigen::MatrixXd matrix = mobility(scene, units);
     const double largest = matrix.cwiseAbs().maxCoeff();
     BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-12 * largest);
@@ -44,17 +44,13 @@ BOOST_AUTO_TEST_SUITE(mobility_matrices)
 
 BOOST_AUTO_TEST_CASE(unbounded) {
   std::mt19937_64 random(21);
-  for (int trial = 0; trial < 2; ++trial) {
-    check_mobility(with_gauge(resolved(scene(random_bodies(random))), 30.0));
-  }
+  check_mobility(with_gauge(resolved(scene(random_bodies(random))), 30.0));
 }
 
 BOOST_AUTO_TEST_CASE(bounded) {
   std::mt19937_64 random(22);
-  for (int trial = 0; trial < 2; ++trial) {
-    const Wall wall = outer_wall(Ellipse{4.2, 3.6}, 0, {}, {0.1, 0.2}, 0.5);
-    check_mobility(resolved(scene(random_bodies(random), {}, {wall})));
-  }
+  const Wall wall = outer_wall(Ellipse{4.2, 3.6}, 0, {}, {0.1, 0.2}, 0.5);
+  check_mobility(resolved(scene(random_bodies(random), {}, {wall})));
 }
 
 // A wall slows every body down: the difference of the mobilities is positive definite.

@@ -42,7 +42,7 @@ double mutual_power(const Solved& moving, const Solved& loading) {
 }
 
 void check_exchange(const Scene& first, const Scene& second) {
-  for (const Units& units : all_units) {
+  for (const Units& units : two_units) {
     const Solved a(in_units(first, units)), b(in_units(second, units));
     const double scale = units.force() * units.velocity();
     const double ab = mutual_power(a, b), ba = mutual_power(b, a);
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(loads_and_distant_flows) {
       body.force = load.force;
       body.torque = load.torque;
     }
-    for (const Units& units : all_units) {
+    for (const Units& units : two_units) {
       const Solved by_loads(in_units(loaded, units)), by_flow(in_units(carried, units));
       double work = 0.0, strained = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {

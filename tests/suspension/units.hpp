@@ -19,6 +19,9 @@ struct Units {
 inline const std::vector<Units> all_units{{1, 1, 1},     {1e-3, 1, 1},     {1e3, 1, 1},
                                           {1, 1.3, 2.5}, {1e-3, 1.3, 2.5}, {1e3, 1.3, 2.5}};
 
+/// Units of one, and a system in which all three differ from one. The test of units takes all.
+inline const std::vector<Units> two_units{{1, 1, 1}, {1e-3, 1.3, 2.5}};
+
 inline Shape in_units(const Shape& shape, const Units& units) {
   struct Scaled {
     double length;

@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(the_depth_of_a_singularity_is_the_integral_up_to_it) {
         };
         const double lowest = 1e-9;
         const double sum = node_density(grading, parameter) * lowest +
-                           integral(continued, std::log(lowest), std::log(depth), 40000);
+                           integral(continued, std::log(lowest), std::log(depth), 8000);
         BOOST_TEST(std::abs(graded_depth(grading, parameter, depth) * mean / sum - 1.0) < 1e-6);
       }
     }
