@@ -16,6 +16,9 @@ import unittest
 
 import numpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
+from tiers import full
+
 PROGRAM, SCENES = sys.argv[1], pathlib.Path(sys.argv[2])
 
 PAIR = """
@@ -471,10 +474,19 @@ class Records(Program):
 
 
 class ShippedScenes(Program):
-    def test_every_scene_runs(self):
-        scenes = sorted(SCENES.glob("*.toml"))
+    large = {SCENES / f"{name}.toml" for name in ("couette_dense", "couette_random")}
+
+    def test_every_scene_runs_but_the_large_ones(self):
+        scenes = set(SCENES.glob("*.toml")) - self.large
         self.assertGreaterEqual(len(scenes), 7)
-        for scene in scenes:
+        self.check_run(scenes)
+
+    @full
+    def test_the_large_scenes_run(self):
+        self.check_run(self.large)
+
+    def check_run(self, scenes):
+        for scene in sorted(scenes):
             with self.subTest(scene=scene.name):
                 result = stokes("run", scene, "--out", self.folder / scene.stem, "--quiet",
                                 "--set", "time.t_final=0.2")

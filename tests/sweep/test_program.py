@@ -6,6 +6,7 @@ Usage: test_program.py PROGRAM SWEEPS [unittest arguments]
 import csv
 import fcntl
 import os
+import pathlib
 import re
 import signal
 import statistics
@@ -15,6 +16,8 @@ import unittest
 
 import numpy
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
+from tiers import full
 from sweeping import PROGRAM, SCENE, SWEEP, SWEEPS, TASKS, Sweeping
 
 
@@ -52,6 +55,7 @@ class Results(Sweeping):
                 found = [float(row[name + end]) for end in ("", "_standard_error", "_interval")]
                 numpy.testing.assert_allclose(found, expected, rtol=1e-11)
 
+    @full
     def test_jobs_do_not_change_a_bit(self):
         for jobs in 1, 3:
             self.sweep("--out", f"jobs{jobs}", "--jobs", jobs)
@@ -127,6 +131,7 @@ class Losses(Sweeping):
         self.assertLess(self.solves("a", task), self.solves("a", 0 if task > 0 else TASKS - 1))
         self.assertEqual(self.results("a"), self.whole)
 
+    @full
     def test_a_worker_is_killed_again_and_again(self):
         process = self.start("--out", "a", "--jobs", 2)
         for _ in range(3):
@@ -185,6 +190,7 @@ class Losses(Sweeping):
         self.sweep("--out", "a", "--collect")
         self.assertEqual(self.results("a"), self.whole)
 
+    @full
     def test_two_sweeps_share_a_folder(self):
         processes = [self.start("--out", "a", "--jobs", 2) for _ in range(2)]
         seen = set()
