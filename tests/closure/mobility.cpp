@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(reference_lopsided_N2) {
 
 BOOST_AUTO_TEST_CASE(is_symmetric_and_positive) {
   const StokesProblem problem{{free_body(lopsided_curve(), 128, {{-1.7, 0.2}, 1.0}),
-                               free_body(Ellipse{1, 0.5}, 128, {{1.2, 0.9}, 0.4}),
-                               free_body(Star{0.8, 0.15, 3}, 128, {{0.6, -1.6}})},
+                               free_body(Ellipse{1, 0.5}, 96, {{1.2, 0.9}, 0.4}),
+                               free_body(Star{0.8, 0.15, 3}, 96, {{0.6, -1.6}})},
                               1.3,
                               {},
                               100.0};

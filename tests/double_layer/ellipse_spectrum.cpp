@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(action_on_fourier_modes) {
 BOOST_AUTO_TEST_CASE(closed_form_of_the_whole_spectrum) {
   // Every eigenvalue above 1e-3 is met with its multiplicity: sorted lists agree.
   for (double aspect : {1.0, 2.0, 3.0, 6.0}) {
-    std::vector<double> computed = computed_spectrum(aspect, 1.0, 192, Side::fluid_inside);
+    const Index n = aspect > 3.0 ? 192 : 96;
+    std::vector<double> computed = computed_spectrum(aspect, 1.0, n, Side::fluid_inside);
     std::vector<double> exact = closed_form_spectrum((aspect - 1.0) / (aspect + 1.0), 60);
     for (auto* spectrum : {&computed, &exact}) {
       std::erase_if(*spectrum, [](double lambda) { return std::abs(lambda) < 1e-3; });

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(one_slender_body) {
 // Nodes, forces and torques together, several fields at once.
 BOOST_AUTO_TEST_CASE(nodes_and_points) {
   const std::vector<Curve> curves = test::ellipses(4, 64);
-  const Index n = 16 * 64, m = 1500;
+  const Index n = 16 * 64, m = 1000;
   const ComplexVector points = (5.0 * random_vector(m, 1).array() + Complex{4.0, 4.0}).matrix();
   Eigen::MatrixXcd density(n, 7), force(m, 7);
   Eigen::MatrixXd torque(m, 7);

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(closest_pair_in_other_units, *boost::unit_test::label("full
 BOOST_AUTO_TEST_CASE(closed_forms_at_other_gaps) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (int trial = 0; trial < 4; ++trial) {
+  for (int trial = 0; trial < 8; ++trial) {
     const CirclePair circles{0.5 + uniform(random), std::pow(10.0, -1.5 * uniform(random))};
     const Complex along = std::polar(1.0, 6 * uniform(random));
     const Complex right = (circles.a + circles.gap / 2) * along;
