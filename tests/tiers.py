@@ -1,4 +1,4 @@
-"""Which tests run: those with the mark @full belong to the full tier, which sets STOKESBOOK_FULL."""
+"""Tests with the mark @full run in the full tier only, which sets STOKESBOOK_FULL."""
 
 import os
 import unittest

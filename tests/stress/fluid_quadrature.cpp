@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(areas_polynomials_and_poles_around_a_hollow,
   check_integrals(lopsided_body());
 }
 
-// A grid that is too coarse shows: the error falls with the spacing. The test above has the default.
+// A grid that is too coarse shows: the error falls with the spacing.
 BOOST_AUTO_TEST_CASE(converges_with_the_grid) {
   const Case c = cases()[1];
   const Analytic f{c.poles, 3};
