@@ -1,6 +1,7 @@
 // What it costs, and what it saves, that waiting threads sleep: see src/cli/waiting_threads.cpp.
 #include "waiting.hpp"
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -37,7 +38,7 @@ class BusyProcesses {
       const pid_t child = fork();
       if (child == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        for (volatile unsigned turns = 0;; turns = turns + 1) {}
+        for (std::atomic<unsigned> turns = 0;; ++turns) {}
       }
       if (child > 0) children_.push_back(child);
     }
