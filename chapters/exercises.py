@@ -21,21 +21,27 @@ exercise.cpp  One source for all variants of the reader's file. Lines outside ta
 
               Every group has a starter and a solution; a wrong variant without a block in a group
               has the solution's. What follows the colon must appear in the rejection. At least two
-              wrong variants; each a mistake that readers make.
+              wrong variants; each a mistake that readers make. A group ends where its function
+              does, because one program has all variants: each block becomes a branch of an if.
+              Functions that the solution needs are a group outside functions, of an empty starter
+              and a solution.
 check.cpp     Declares the reader's functions and calls exercise::run() of chapters/check.hpp with
               one Task a function. Expected values come from identities or exact solutions, never
               from stored numbers. A Mistake for each wrong variant and others that can be computed.
 
 The reader's file, its check and the variants are compiled with the warnings of the project and with
-sanitizers. The test exercise_NN.K proves: the starter reports every task as not done, the solution
-passes all, and every wrong variant is rejected with its text.
+assertions; the reader's file and the variants with sanitizers as well. The test exercise_NN.K proves:
+the starter reports every task as not done, the solution passes all, and every wrong variant is
+rejected with its text. The test exercise_NN.K_includes proves that the starter and the solution
+compile with their own includes alone.
 
 Usage: exercises.py exercise [NN]                  copies starters; lists the exercises
        exercises.py check BUILD [NN[.K]]           compiles and checks the reader's files
-       exercises.py variants EXERCISE FOLDER       writes every variant; prints their names
-       exercises.py prove EXERCISE FOLDER          runs the variants' programs
+       exercises.py variants EXERCISE FOLDER       writes the source of the program of all variants
+       exercises.py prove EXERCISE PROGRAM         runs it for every variant
 """
 
+import collections
 import os
 import pathlib
 import re
@@ -88,8 +94,12 @@ def exercises(number=""):
     return found
 
 
+Variants = collections.namedtuple("Variants", ["texts", "rejections", "together"])
+
+
 def variants(source):
-    """Text of every variant of an exercise.cpp, and the texts that must reject the wrong ones."""
+    """Text of every variant of an exercise.cpp, the texts that must reject the wrong ones, and one
+    text that has all variants, line by line where the source has them."""
     pieces, group, block, rejections = [], None, None, {}
 
     def require(condition, message):
@@ -117,12 +127,28 @@ def variants(source):
             rejections.setdefault(name, []).append(tag[3])
     require(group is None, "the last group has no end")
     names = ["starter", "solution", *rejections]
-    return {name: "".join(text_of(piece, name) for piece in pieces) for name in names}, rejections
+    texts = {name: "".join(text_of(piece, name) for piece in pieces) for name in names}
+    return Variants(texts, rejections, "".join(map(text_of_all, pieces)))
 
 
 def text_of(piece, variant):
     """A common line, or what a group has for a variant."""
     return piece if isinstance(piece, str) else "".join(piece.get(variant, piece["solution"]))
+
+
+def text_of_all(piece):
+    """A common line, or a chain of conditions, in which each variant has its block of a group."""
+    if isinstance(piece, str):
+        return piece
+    if piece.keys() == {"starter", "solution"} and not piece["starter"]:  # outside functions
+        return "\n\n" + "".join(piece["solution"]) + "\n"
+    text, others = "", piece.keys() - {"solution"}
+    for number, (name, block) in enumerate(piece.items(), 1):
+        condition = (f"is_variant(\"{name}\")" if name != "solution" else
+                     " && ".join(f"!is_variant(\"{other}\")" for other in sorted(others)))
+        text += (("} else " if text else "") +
+                 (f"if ({condition}) {{\n" if number < len(piece) else "{\n") + "".join(block))
+    return text + "}\n"
 
 
 def text_of_file(path):
@@ -152,7 +178,7 @@ def list_exercises():
 def copy(number):
     for exercise in exercises(number):
         place = pathlib.Path("exercises") / exercise.place
-        starter = variants(exercise.folder / "exercise.cpp")[0]["starter"]
+        starter = variants(exercise.folder / "exercise.cpp").texts["starter"]
         for path, text in [(place / "README.md", text_of_file(exercise.folder / "README.md")),
                            (place / "exercise.cpp", starter)]:
             if path.exists():
@@ -168,11 +194,14 @@ def without_build_lines(output):
                   flags=re.MULTILINE)
 
 
-def run(program, folder, **options):
-    """A program of the exercises; leaks are not their subject, 1 is the code of a wrong task."""
-    sanitizers = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3", "UBSAN_OPTIONS": "exitcode=3"}
+def run(program, folder, variant="", **options):
+    """A program of the exercises; leaks are not their subject, 1 is the code of a wrong task. Freed
+    memory is watched for a while only, and one thread suffices: both save most of the time."""
+    settings = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3:quarantine_size_mb=4",
+                "UBSAN_OPTIONS": "exitcode=3", "OMP_NUM_THREADS": "1",
+                "STOKESBOOK_VARIANT": variant}
     return subprocess.run([program], cwd=folder, timeout=SECONDS, stderr=subprocess.STDOUT,
-                          env={**os.environ, **sanitizers}, **options)
+                          env={**os.environ, **settings}, **options)
 
 
 def check_one(build, exercise):
@@ -220,26 +249,38 @@ def check(build, number):
         raise SystemExit(1)
 
 
-def outcomes(program):
+def write_variants(exercise, folder):
+    """What a program of all variants is built from; starter and solution as the reader has them."""
+    source = exercise / "exercise.cpp"
+    texts, _, together = variants(source)
+    for name in ["starter", "solution"]:
+        write(folder / f"{name}.cpp", texts[name])
+    # The compiler names the author's file in what it says.
+    write(folder / "variants.cpp",
+          '#include "chapters/variant.hpp"\nusing stokesbook::exercise::is_variant;\n'
+          f'#line 1 "{source.absolute()}"\n' + together)
+
+
+def outcomes(program, variant):
     """Exit code, output and the outcome of every task."""
     with tempfile.TemporaryDirectory() as folder:
-        result = run(program.absolute(), folder, text=True, stdout=subprocess.PIPE)
+        result = run(program.absolute(), folder, variant, text=True, stdout=subprocess.PIPE)
     return result.returncode, result.stdout, dict(OUTCOME.findall(result.stdout))
 
 
-def prove(exercise, programs):
+def prove(exercise, program):
     """Raises a Failure unless the check tells right from wrong."""
-    rejections = variants(exercise / "exercise.cpp")[1]
+    rejections = variants(exercise / "exercise.cpp").rejections
     if len(rejections) < 2:
         raise Failure("fewer than two wrong variants")
-    code, output, solved = outcomes(programs / "solution")
+    code, output, solved = outcomes(program, "solution")
     if code != 0 or not solved or set(solved.values()) != {"passed"}:
         raise Failure(f"the solution does not pass:\n{output}")
-    code, output, tasks = outcomes(programs / "starter")
+    code, output, tasks = outcomes(program, "starter")
     if code != 1 or tasks != dict.fromkeys(solved, "not done"):
         raise Failure(f"the starter does not report every task as not done:\n{output}")
     for name, texts in rejections.items():
-        code, output, tasks = outcomes(programs / name)
+        code, output, tasks = outcomes(program, name)
         if code != 1 or tasks.keys() != solved.keys() or "wrong" not in tasks.values():
             raise Failure(f"the wrong answer {name} is not rejected:\n{output}")
         for text in texts:
@@ -253,9 +294,7 @@ def main(command, *arguments):
     elif command == "check" and 1 <= len(arguments) <= 2:
         check(pathlib.Path(arguments[0]), *arguments[1:] or [""])
     elif command == "variants" and len(arguments) == 2:
-        for name, text in variants(pathlib.Path(arguments[0]) / "exercise.cpp")[0].items():
-            write(pathlib.Path(arguments[1]) / f"{name}.cpp", text)
-            print(name)
+        write_variants(*map(pathlib.Path, arguments))
     elif command == "prove" and len(arguments) == 2:
         prove(*map(pathlib.Path, arguments))
     else:

@@ -11,6 +11,10 @@ import tempfile
 import unittest
 
 CHAPTERS, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(CHAPTERS))
+import exercises  # noqa: E402
+
+ALIASING = CHAPTERS / "01_trapezoid/exercises/1_aliasing"
 PLACE = pathlib.Path("exercises/01_trapezoid/1_aliasing")
 
 TAGGED = """int common;
@@ -27,6 +31,38 @@ second();
 //@ wrong sign: the sign
 minus();
 //@ end
+"""
+
+FUNCTIONS = """#include <cstdio>
+//@ starter
+//@ solution
+int one() {
+  return 1;
+}
+//@ end
+int first() {
+  //@ starter
+  return 2;
+  //@ solution
+  return one();
+  //@ wrong more: more
+  return 3;
+  //@ wrong less: less
+  return 0;
+  //@ end
+}
+int second() {
+  //@ wrong less: less
+  return 40;
+  //@ wrong last: last
+  return 50;
+  //@ starter
+  return 30;
+  //@ solution
+  return 20;
+  //@ end
+}
+int main() { std::printf("%d %d\\n", first(), second()); }
 """
 
 
@@ -51,7 +87,7 @@ class Reader(Tool):
         return self.tool("check", BUILD, "01.1", code=code)
 
     def variant(self, name):
-        return (BUILD / PLACE / f"{name}.cpp").read_text()
+        return exercises.variants(ALIASING / "exercise.cpp").texts[name]
 
     def test_list(self):
         text = self.tool("exercise")
@@ -156,17 +192,43 @@ class Reader(Tool):
 
 
 class Author(Tool):
-    def variants(self, source, code=0):
+    def compile(self, *arguments, code=0):
+        result = subprocess.run(["c++", "-std=c++20", "-I", CHAPTERS.parent, *arguments],
+                                cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result.stderr
+
+    def write_variants(self, source, code=0):
         (self.folder / "exercise.cpp").write_text(source)
         return self.tool("variants", ".", "out", code=code)
 
     def test_variants(self):
-        self.assertEqual(self.variants(TAGGED).split(), ["starter", "solution", "slow", "sign"])
+        self.write_variants(TAGGED)
+        texts = exercises.variants(self.folder / "exercise.cpp").texts
+        self.assertEqual([*texts], ["starter", "solution", "slow", "sign"])
         for name, lines in [("starter", ["not_done();"]), ("solution", ["right();", "second();"]),
                             ("slow", ["wrong();", "second();"]),
                             ("sign", ["right();", "minus();"])]:
-            text = (self.folder / "out" / f"{name}.cpp").read_text()
-            self.assertEqual(text.splitlines(), ["int common;", *lines])
+            self.assertEqual(texts[name].splitlines(), ["int common;", *lines])
+        for name in ["starter", "solution"]:
+            self.assertEqual((self.folder / "out" / f"{name}.cpp").read_text(), texts[name])
+
+    def test_one_program_has_all_variants(self):
+        self.write_variants(FUNCTIONS)
+        program = self.folder / "program"
+        self.compile(self.folder / "out/variants.cpp", CHAPTERS / "variant.cpp", "-o", program)
+        for variant, result in [("starter", "2 30\n"), ("solution", "1 20\n"), ("", "1 20\n"),
+                                ("more", "3 20\n"), ("less", "0 40\n"), ("last", "1 50\n")]:
+            output = subprocess.run([program], env={"STOKESBOOK_VARIANT": variant}, text=True,
+                                    stdout=subprocess.PIPE, check=True).stdout
+            self.assertEqual(output, result, variant)
+
+    def test_compile_errors_name_the_authors_line(self):
+        for line, text in enumerate(FUNCTIONS.splitlines(), 1):
+            if "return" in text:
+                self.write_variants(FUNCTIONS.replace(text, "return missing;", 1))
+                errors = self.compile("-c", self.folder / "out/variants.cpp", code=1)
+                self.assertIn(f"{self.folder / 'exercise.cpp'}:{line}:", errors)
 
     def test_bad_tags(self):
         for old, new, message in [
@@ -177,42 +239,51 @@ class Author(Tool):
                 ("//@ starter\nnot", "//@ end\nnot", "exercise.cpp:2: this group has no starter"),
                 ("minus();\n//@ end\n", "", "the last group has no end")]:
             self.assertIn(old, TAGGED)
-            self.assertIn(message, self.variants(TAGGED.replace(old, new), code=1))
+            self.assertIn(message, self.write_variants(TAGGED.replace(old, new), code=1))
 
-    def program(self, name, *outcomes, code=1, text=""):
-        lines = [f"  task {k}, a title: {word}" for k, word in enumerate(outcomes, 1)]
-        path = self.folder / name
-        path.write_text("#!/bin/sh\ncat <<'END'\n" + "\n".join([*lines, text]) +
-                        f"\nEND\nexit {code}\n")
-        path.chmod(0o755)
+    def prove(self, results, code=0):
+        """Of a program that reports these outcomes, exit codes and texts, one for each variant."""
+        cases = ""
+        for variant, (words, exit_code, text) in results.items():
+            lines = [f"  task {k}, a title: {word}" for k, word in enumerate(words, 1)]
+            cases += f"{variant}) echo '" + "\n".join([*lines, text]) + f"'; exit {exit_code} ;;\n"
+        program = self.folder / "program"
+        program.write_text(f'#!/bin/sh\ncase $STOKESBOOK_VARIANT in\n{cases}esac\nexit 4\n')
+        program.chmod(0o755)
+        return self.tool("prove", ".", "program", code=code)
 
     def test_proof(self):
         (self.folder / "exercise.cpp").write_text(TAGGED)
+        right = {"starter": (["not done", "not done"], 1, ""),
+                 "solution": (["passed", "passed"], 0, ""),
+                 "slow": (["wrong", "passed"], 1, "it is too slow"),
+                 "sign": (["passed", "wrong"], 1, "the sign")}
+        self.prove(right)
+        for variant, planted, message in [
+                ("solution", (["passed", "wrong"], 1, ""), "solution does not pass"),
+                ("solution", (["passed", "passed"], 1, ""), "solution does not pass"),
+                ("solution", ([], 0, ""), "solution does not pass"),
+                ("starter", (["not done", "passed"], 1, ""), "every task as not done"),
+                ("starter", (["not done"], 1, ""), "every task as not done"),
+                ("starter", (["not done", "not done"], 3, ""), "as not done"),
+                ("slow", (["passed", "passed"], 0, ""), "slow is not rejected"),
+                ("slow", (["wrong"], 3, ""), "slow is not rejected"),
+                ("sign", (["passed", "wrong"], 1, ""), "does not say 'the sign'")]:
+            self.assertIn(message, self.prove({**right, variant: planted}, code=1))
 
-        def right():
-            self.program("starter", "not done", "not done")
-            self.program("solution", "passed", "passed", code=0)
-            self.program("slow", "wrong", "passed", text="it is too slow")
-            self.program("sign", "passed", "wrong", text="the sign")
-
-        right()
-        self.tool("prove", ".", ".")
-        for plant, message in [
-                (lambda: self.program("solution", "passed", "wrong"), "solution does not pass"),
-                (lambda: self.program("solution", "passed", "passed"), "solution does not pass"),
-                (lambda: self.program("solution", code=0), "solution does not pass"),
-                (lambda: self.program("starter", "not done", "passed"), "every task as not done"),
-                (lambda: self.program("starter", "not done"), "every task as not done"),
-                (lambda: self.program("starter", "not done", "not done", code=3), "as not done"),
-                (lambda: self.program("slow", "passed", "passed", code=0), "slow is not rejected"),
-                (lambda: self.program("slow", "wrong", code=3), "slow is not rejected"),
-                (lambda: self.program("sign", "passed", "wrong"), "does not say 'the sign'")]:
-            right()
-            plant()
-            self.assertIn(message, self.tool("prove", ".", ".", code=1))
+    def test_proof_of_a_wrong_answer_that_passes(self):
+        """A program takes a variant that it does not know for the solution."""
+        program = BUILD / PLACE / "variants"
+        self.tool("prove", ALIASING, program)
+        source = (ALIASING / "exercise.cpp").read_text()
+        planted = source.replace("  //@ end\n}", "  //@ wrong planted: never\n  //@ end\n}", 1)
+        self.assertNotEqual(planted, source)
+        (self.folder / "exercise.cpp").write_text(planted)
+        self.assertIn("the wrong answer planted is not rejected",
+                      self.tool("prove", ".", program.absolute(), code=1))
 
     def test_proof_wants_two_wrong_answers(self):
-        self.variants(TAGGED.replace("//@ wrong slow: too slow\nwrong();\n", ""))
+        self.write_variants(TAGGED.replace("//@ wrong slow: too slow\nwrong();\n", ""))
         self.assertIn("fewer than two", self.tool("prove", ".", ".", code=1))
 
     def test_every_exercise_is_complete_and_proved(self):

@@ -8,6 +8,9 @@
 #include "fmm/fmm.hpp"
 #include "support/point_sets.hpp"
 
+// operator new calls the malloc of the libraries, of which GCC cannot know.
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+
 namespace {
 
 std::atomic<long> allocation_count{0};

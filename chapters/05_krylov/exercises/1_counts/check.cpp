@@ -2,6 +2,7 @@
 #include "chapters/check.hpp"
 
 #include <array>
+#include <utility>
 
 #include "closure/bordered_system.hpp"
 #include "krylov/block_diagonal.hpp"

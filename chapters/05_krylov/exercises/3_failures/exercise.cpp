@@ -45,37 +45,47 @@ MatrixXd stalling(int n) {
   //@ end
 }
 
+//@ starter
+//@ solution
+// b in an orthonormal basis in which b - A x is the tail of b after each iteration.
+VectorXd components(const std::vector<double>& residuals) {
+  const auto n = static_cast<Index>(residuals.size());
+  const Eigen::Map<const VectorXd> before(residuals.data(), n);
+  VectorXd after = VectorXd::Zero(n);
+  after.head(n - 1) = before.tail(n - 1);
+  return (before.cwiseAbs2() - after.cwiseAbs2()).cwiseSqrt();
+}
+
+// A b = e_1, A e_1 = e_2, ..., A e_{n-1} = c_0 b + c_1 e_1 + ... + c_{n-1} e_{n-1}.
+MatrixXd with_basis(const VectorXd& b, const VectorXd& c) {
+  const Index n = b.size();
+  MatrixXd matrix = MatrixXd::Zero(n, n);
+  matrix.diagonal(-1).head(n - 2).setOnes();
+  matrix.col(n - 2) = c[0] * b;
+  matrix.col(n - 2).head(n - 1) += c.tail(n - 1);
+  matrix.col(n - 1) = (VectorXd::Unit(n, 0) - matrix.leftCols(n - 1) * b.head(n - 1)) / b[n - 1];
+  return matrix;
+}
+
+//@ end
 // Task 2: a system with these eigenvalues and these residuals, relative to the right-hand side:
 // residuals[0] = 1 > residuals[1] > ... > residuals[n-1] > 0.
 System with_history(const std::vector<double>& eigenvalues, const std::vector<double>& residuals) {
   //@ starter
   not_done(eigenvalues, residuals);  // your code instead of this line
   //@ solution
-  const auto n = static_cast<Index>(residuals.size());
-  const Eigen::Map<const VectorXd> before(residuals.data(), n);
-  VectorXd after = VectorXd::Zero(n);
-  after.head(n - 1) = before.tail(n - 1);
-  //@ end
-  //@ starter
-  //@ solution
-  const VectorXd b = (before.cwiseAbs2() - after.cwiseAbs2()).cwiseSqrt();
+  const VectorXd b = components(residuals);
+  return {with_basis(b, companion_column(eigenvalues)), b};
   //@ wrong plain_differences: the squares of the residuals differ by the squares of the components
-  const VectorXd b = before - after;
-  //@ end
-  //@ starter
-  //@ solution
-  // A b = e_1, A e_1 = e_2, ..., A e_{n-1} = c_0 b + c_1 e_1 + ... + c_{n-1} e_{n-1}.
-  const VectorXd c = companion_column(eigenvalues);
-  MatrixXd matrix = MatrixXd::Zero(n, n);
-  matrix.diagonal(-1).head(n - 2).setOnes();
-  matrix.col(n - 2) = c[0] * b;
-  matrix.col(n - 2).head(n - 1) += c.tail(n - 1);
-  matrix.col(n - 1) = (VectorXd::Unit(n, 0) - matrix.leftCols(n - 1) * b.head(n - 1)) / b[n - 1];
-  return {matrix, b};
+  const auto n = static_cast<Index>(residuals.size());
+  VectorXd b = Eigen::Map<const VectorXd>(residuals.data(), n);
+  b.head(n - 1) -= VectorXd(b.tail(n - 1));
+  return {with_basis(b, companion_column(eigenvalues)), b};
   //@ wrong in_unit_vectors: the companion matrix is one in the basis b, e_1, ..., e_{n-1}
-  MatrixXd companion = MatrixXd::Zero(n, n);
+  const VectorXd b = components(residuals);
+  MatrixXd companion = MatrixXd::Zero(b.size(), b.size());
   companion.diagonal(-1).setOnes();
-  companion.col(n - 1) = companion_column(eigenvalues);
+  companion.col(b.size() - 1) = companion_column(eigenvalues);
   return {companion, b};
   //@ end
 }
