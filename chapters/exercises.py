@@ -30,10 +30,10 @@ check.cpp     Declares the reader's functions and calls exercise::run() of chapt
               from stored numbers. A Mistake for each wrong variant and others that can be computed.
 
 The reader's file, its check and the variants are compiled with the warnings of the project and with
-assertions; the reader's file and the variants with sanitizers as well. The test exercise_NN.K proves:
+assertions, the reader's file and the variants also with sanitizers. The test exercise_NN.K proves:
 the starter reports every task as not done, the solution passes all, and every wrong variant is
 rejected with its text. The test exercise_NN.K_includes proves that the starter and the solution
-compile with their own includes alone.
+compile with no more than their own includes.
 
 Usage: exercises.py exercise [NN]                  copies starters; lists the exercises
        exercises.py check BUILD [NN[.K]]           compiles and checks the reader's files
