@@ -56,9 +56,10 @@ BOOST_AUTO_TEST_CASE(tables) {
     write_run(folder, k, k == 2 ? "0.40000000000000002" : "0.2");
   const std::vector<ResultRow> rows = collect(folder.path(), sweep);
   const std::string csv = to_csv(sweep, rows);
+  // The error's last digits depend on whether the compiler fuses multiplications and additions.
   BOOST_TEST(
       csv.starts_with("axes,runs,failed,unfinished,s12,s12_standard_error,s12_interval\n"
-                      "\"[1.0, 0.5]\",3,0,0,0.13333333333333333,0.033333333333333333,"));
+                      "\"[1.0, 0.5]\",3,0,0,0.13333333333333333,0.033333333333333"));
   BOOST_TEST(csv.ends_with("\"[2.0, 1.0]\",0,0,3,nan,nan,nan\n"));
   BOOST_TEST(to_text(sweep, rows) ==
              "        axes  runs  failed  unfinished               s12\n"
