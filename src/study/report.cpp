@@ -93,6 +93,7 @@ Json json_of(const Experiment& experiment, const Line& line, const LineResult& r
                    {"reason", line.claim->reason},
                    {"api", line.claim->api},
                    {"error", experiment.error}};
+  if (!result.verdict) return json;
   json["verdict"] = json_of(*result.verdict);
   json["control"] = {{"defect", line.control->defect},
                      {"rejected", result.control->rejected()},
@@ -112,11 +113,16 @@ struct Part {
   std::string html;
 };
 
-std::vector<Part> parts_of(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  if (std::ranges::all_of(lines,
-                          [](const LineResult& line) { return line.measurements.empty(); })) {
-    return {{"_table.html", "<p>The full size of the study measures this.</p>\n"}};
+constexpr const char* left_to_full = "The full size of the study measures this.";
+
+std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines) {
+  // A line that this size leaves out is neither a column nor an entry of a legend.
+  for (std::size_t k = lines.size(); k-- > 0;) {
+    if (lines[k].verdict || !lines[k].measurements.empty()) continue;
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
+    experiment.lines.erase(experiment.lines.begin() + static_cast<std::ptrdiff_t>(k));
   }
+  if (lines.empty()) return {{"_table.html", "<p>" + std::string(left_to_full) + "</p>\n"}};
   std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
                           {"_table.html", convergence_table(experiment, lines)}};
   if (experiment.work_precision) {
@@ -231,14 +237,19 @@ std::string claims_page(const std::vector<StudyResult>& results) {
           if (!line.claim) return;
           page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "**, " +
                   escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
-                  escaped(line.claim->reason) +
-                  "</small>\n\n| claimed | measured | control | verdict | study | about "
-                  "|\n|---|---|---|---|---|---|\n| " +
-                  escaped(law_text(line.claim->law, experiment.x)) + " | " +
-                  escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) +
-                  ": " + (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
-                  (found.holds() ? found.verdict_text() : "**" + found.verdict_text() + "**") +
-                  " | @ref " + anchor(result, experiment) + " |";
+                  escaped(line.claim->reason) + "</small>\n\n";
+          if (!found.verdict) {
+            page += left_to_full + (" See @ref " + anchor(result, experiment)) + ".\n\n";
+            return;
+          }
+          page +=
+              "| claimed | measured | control | verdict | study | about "
+              "|\n|---|---|---|---|---|---|\n| " +
+              escaped(law_text(line.claim->law, experiment.x)) + " | " +
+              escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) + ": " +
+              (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
+              (found.holds() ? found.verdict_text() : "**" + found.verdict_text() + "**") +
+              " | @ref " + anchor(result, experiment) + " |";
           for (const std::string& name : line.claim->api) page += " @ref " + name;
           page += " |\n\n";
         });

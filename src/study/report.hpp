@@ -59,7 +59,8 @@ std::string claims_page(const std::vector<StudyResult>& results);
 /// Writes the files of a study into a directory: `<name>.csv`, `<name>.json`, `<name>.aliases`,
 /// `<name>_study.md`, and for each experiment `<name>_<experiment>_table.html` and
 /// `..._figure.html`, where they were asked for `..._work_table.html` and `..._work_figure.html`.
-/// Of an experiment without measurements at this size, there is a table only, which says so.
+/// A line without measurements is left out. If an experiment has no others, there is a table only,
+/// which says so.
 ///
 /// @param  result      of the study
 /// @param  provenance  of this build

@@ -44,6 +44,7 @@ void validate(const Study& study) {
 
 LineResult measure(const Line& line, Size size) {
   LineResult result;
+  if (size < line.least) return result;
   result.measurements = line.measure(size);
   if (!line.claim) return result;
   result.verdict = check(*line.claim, result.measurements);
@@ -54,7 +55,7 @@ LineResult measure(const Line& line, Size size) {
 }
 
 void report(std::ostream& progress, const Line& line, const LineResult& result) {
-  if (!line.claim) return;
+  if (!result.verdict) return;
   progress << "  " << line.claim->id << "  " << to_string(result.verdict->outcome) << "  "
            << line.label << ": " << result.verdict->explanation << '\n';
   if (!result.control->rejected()) {

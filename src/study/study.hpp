@@ -17,8 +17,8 @@ namespace stokesbook::study {
 
 /// How much a study does.
 enum class Size {
-  quick,  ///< enough for every claim: what tests and a build of the docs run
-  full    ///< more points, finer and harder ones
+  quick,  ///< enough for nearly every claim: what tests and a build of the docs run
+  full    ///< more points, finer and harder ones, and the lines that take long
 };
 
 /// Measures one line of a figure, ascending in x.
@@ -37,6 +37,7 @@ struct Line {
   Measure measure;                      ///< the method
   std::optional<Claim> claim = {};      ///< none: shown for comparison
   std::optional<Control> control = {};  ///< one for each claim
+  Size least = Size::quick;             ///< full: the quick size leaves this line out
 };
 
 /// The axes on which an experiment's errors are straight lines.
@@ -79,11 +80,11 @@ struct ControlResult {
 /// What came out of one line.
 struct LineResult {
   std::vector<Measurement> measurements;  ///< ascending in x
-  std::optional<Verdict> verdict;         ///< of the line's claim
+  std::optional<Verdict> verdict;         ///< of the line's claim; none if this size leaves it out
   std::optional<ControlResult> control;   ///< of the line's control
 
   /// Tells whether the claim holds and its control was rejected.
-  /// @return  true also where nothing is claimed
+  /// @return  true also where nothing is claimed, or this size leaves the line out
   bool holds() const;
 
   /// Says how the claim fared.

@@ -46,6 +46,14 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
+/// What was measured of a claim and of its control, and the verdict: three cells.
+std::string evidence(const Line& line, const LineResult& found) {
+  return cell(escaped(found.verdict->explanation)) +
+         cell(escaped(line.control->defect) + ": " +
+              (found.control->rejected() ? "rejected" : "<b>not rejected</b>")) +
+         verdict_cell(found, "");
+}
+
 /// The cost that a convergence table shows beside the errors, if one was measured: the operations
 /// counted, or the unknowns. Work-precision tables show all, seconds too.
 std::optional<CostMeasure> shown_cost(const Experiment& experiment,
@@ -161,10 +169,8 @@ std::string claims_table(const StudyResult& result) {
                   cell(escaped(line.claim->statement) + "<br><small>" +
                        escaped(line.claim->reason) + "</small>") +
                   cell(escaped(law_text(line.claim->law, experiment.x))) +
-                  cell(escaped(found.verdict->explanation)) +
-                  cell(escaped(line.control->defect) + ": " +
-                       (found.control->rejected() ? "rejected" : "<b>not rejected</b>")) +
-                  verdict_cell(found, ""));
+                  (found.verdict ? evidence(line, found)
+                                 : cell("The full size of the study measures this.", span(3))));
     }
   }
   return table(escaped(result.study.title),
