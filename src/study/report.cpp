@@ -113,7 +113,7 @@ struct Part {
   std::string html;
 };
 
-constexpr const char* left_to_full = "The full size of the study measures this.";
+constexpr const char* full_size_measures = "The full size of the study measures this.";
 
 std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines) {
   // A line that this size leaves out is neither a column nor an entry of a legend.
@@ -122,7 +122,7 @@ std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines)
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
     experiment.lines.erase(experiment.lines.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  if (lines.empty()) return {{"_table.html", "<p>" + std::string(left_to_full) + "</p>\n"}};
+  if (lines.empty()) return {{"_table.html", "<p>" + std::string(full_size_measures) + "</p>\n"}};
   std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
                           {"_table.html", convergence_table(experiment, lines)}};
   if (experiment.work_precision) {
@@ -198,9 +198,9 @@ std::string to_aliases(const StudyResult& result) {
     for (const Measurement& point : found.measurements) {
       text += alias(name + '_' + key_of(point.x), point.error);
     }
-    if (!found.verdict) return;
-    text += alias("val_claim_" + line.claim->id, found.verdict->measured);
+    if (!line.claim) return;
     text += alias("val_claim_" + line.claim->id + "_claimed", claimed_number(line.claim->law));
+    if (found.verdict) text += alias("val_claim_" + line.claim->id, found.verdict->measured);
   });
   return text;
 }
@@ -239,7 +239,7 @@ std::string claims_page(const std::vector<StudyResult>& results) {
                   escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
                   escaped(line.claim->reason) + "</small>\n\n";
           if (!found.verdict) {
-            page += left_to_full + (" See @ref " + anchor(result, experiment)) + ".\n\n";
+            page += full_size_measures + (" See @ref " + anchor(result, experiment)) + ".\n\n";
             return;
           }
           page +=

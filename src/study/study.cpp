@@ -67,6 +67,11 @@ void report(std::ostream& progress, const Line& line, const LineResult& result) 
 
 }  // namespace
 
+Experiment left_to_full(Experiment experiment) {
+  for (Line& line : experiment.lines) line.least = Size::full;
+  return experiment;
+}
+
 std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                         const std::vector<LineResult>& lines) {
   std::vector<CostMeasure> costs{{"unknowns", &Measurement::unknowns},

@@ -59,6 +59,12 @@ struct Experiment {
   std::string operation = {};   ///< what is counted: "kernel evaluations"
 };
 
+/// Leaves all lines of an experiment to the full size.
+///
+/// @param  experiment  of any size
+/// @return             the same, which the quick size does not measure
+Experiment left_to_full(Experiment experiment);
+
 /// The study of one method: all that its chapter claims.
 struct Study {
   std::string number;                   ///< of the chapter, "02"

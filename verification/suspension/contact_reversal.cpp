@@ -73,7 +73,6 @@ double change(double separation, double dt) {
 Measure changes(std::size_t column) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
-    if (column >= columns(size)) return measurements;
     for (const Row& row : rows(size)) {
       measurements.push_back(
           {.x = row.separation, .error = change(row.separation, published_steps[column])});
@@ -124,7 +123,8 @@ Experiment reversal_table() {
   for (std::size_t k = 0; k < published_steps.size(); ++k) {
     experiment.lines.push_back({.key = "column_" + std::to_string(k),
                                 .label = "rate x dt = " + short_number(published_steps[k]),
-                                .measure = changes(k)});
+                                .measure = changes(k),
+                                .least = k < columns(Size::quick) ? Size::quick : Size::full});
   }
   return experiment;
 }

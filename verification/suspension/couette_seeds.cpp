@@ -73,16 +73,12 @@ double apart(const Estimate& a, const Estimate& b) {
   return std::abs(a.mean - b.mean) / std::hypot(a.interval, b.interval);
 }
 
-std::vector<unsigned> counts(Size size) {
-  return size == Size::full ? std::vector{4U, 6U, 8U, 16U, 32U} : std::vector{4U, 6U, 8U};
-}
-
 /// Measures a function of a number of starts.
 template <class Quantity>
 Measure over_counts(const Quantity& quantity) {
-  return [=](Size size) {
+  return [=](Size) {
     std::vector<Measurement> measurements;
-    for (const unsigned n : counts(size)) {
+    for (const unsigned n : {4U, 6U, 8U, 16U, 32U}) {
       measurements.push_back({.x = static_cast<double>(n), .error = quantity(n)});
     }
     return measurements;
@@ -153,13 +149,11 @@ constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
                                                         {1180.0, 890.0},
                                                         {unprinted, unprinted}}};
 
-/// Cells with random starts: the small one, and in the full size the published ones, as the sweep
-/// has them.
-const std::vector<Runs>& cells(Size size) {
-  static test::Once<Size, std::vector<Runs>> all;
-  return all(size, [&] {
+/// Cells with random starts: the small one, and the published ones, as the sweep has them.
+const std::vector<Runs>& cells() {
+  static test::Once<int, std::vector<Runs>> all;
+  return all(0, [] {
     std::vector<Runs> cells{small_runs({1, 8})};
-    if (size == Size::quick) return cells;
     const Sweep sweep = read_sweep(STOKESBOOK_SWEEPS "/couette_published.toml");
     cells.resize(1 + printed_of_cells.size());
     for (std::size_t k = 0; k < task_count(sweep); ++k) {
@@ -173,10 +167,10 @@ const std::vector<Runs>& cells(Size size) {
 /// Measures a function of a cell's number and runs, where there is one.
 template <class Quantity>
 Measure of_cells(const Quantity& quantity) {
-  return [=](Size size) {
+  return [=](Size) {
     std::vector<Measurement> measurements;
-    for (std::size_t k = 0; k < cells(size).size(); ++k) {
-      const double value = quantity(k, cells(size)[k]);
+    for (std::size_t k = 0; k < cells().size(); ++k) {
+      const double value = quantity(k, cells()[k]);
       if (!std::isnan(value)) measurements.push_back({.x = static_cast<double>(k), .error = value});
     }
     return measurements;
@@ -227,129 +221,129 @@ Line taken(const std::string& key, const std::string& label, Value CouetteSeries
 }  // namespace
 
 Experiment couette_interval() {
-  return {
-      .key = "couette_interval",
-      .title = "A small Couette cell, 13 ellipses 2:1 at 5 %: means over the second revolution",
-      .x = "random starts n",
-      .error = "in thousandths, or as said",
-      .axes = Axes::nominal,
-      .lines = {{.key = "viscosity", .label = "added viscosity", .measure = small_means(viscosity)},
-                {.key = "viscosity_interval",
-                 .label = "half of its 95 % interval",
-                 .measure = small_intervals(viscosity)},
-                {.key = "viscosity_halves",
-                 .label = "difference of the viscosities of its halves, over what it may be",
-                 .measure = halves(),
-                 .claim = Claim{.id = "12_49",
-                                .statement = "Two halves of random starts of a Couette cell have "
-                                             "the same mean viscosity, to what their 95 % "
-                                             "intervals leave open.",
-                                .law = Identity{1.0},
-                                .reason = "independent starts, and Student's intervals of both, "
-                                          "added as independent errors are",
-                                .api = {"stokesbook::estimate_mean"}},
-                 .control = Control{"torque over the area of the fluid instead of the cell's, in "
-                                    "one half",
-                                    halves(area_of_fluid)}},
-                {.key = "order", .label = "order parameter", .measure = small_means(order)},
-                {.key = "order_interval",
-                 .label = "half of its 95 % interval",
-                 .measure = small_intervals(order)},
-                {.key = "alone",
-                 .label = "order parameter of the same, each alone in the local shear",
-                 .measure = small_means(alone)}}};
+  return left_to_full(
+      {.key = "couette_interval",
+       .title = "A small Couette cell, 13 ellipses 2:1 at 5 %: means over the second revolution",
+       .x = "random starts n",
+       .error = "in thousandths, or as said",
+       .axes = Axes::nominal,
+       .lines = {
+           {.key = "viscosity", .label = "added viscosity", .measure = small_means(viscosity)},
+           {.key = "viscosity_interval",
+            .label = "half of its 95 % interval",
+            .measure = small_intervals(viscosity)},
+           {.key = "viscosity_halves",
+            .label = "difference of the viscosities of its halves, over what it may be",
+            .measure = halves(),
+            .claim = Claim{.id = "12_49",
+                           .statement = "Two halves of random starts of a Couette cell have "
+                                        "the same mean viscosity, to what their 95 % "
+                                        "intervals leave open.",
+                           .law = Identity{1.0},
+                           .reason = "independent starts, and Student's intervals of both, "
+                                     "added as independent errors are",
+                           .api = {"stokesbook::estimate_mean"}},
+            .control = Control{"torque over the area of the fluid instead of the cell's, in "
+                               "one half",
+                               halves(area_of_fluid)}},
+           {.key = "order", .label = "order parameter", .measure = small_means(order)},
+           {.key = "order_interval",
+            .label = "half of its 95 % interval",
+            .measure = small_intervals(order)},
+           {.key = "alone",
+            .label = "order parameter of the same, each alone in the local shear",
+            .measure = small_means(alone)}}});
 }
 
 Experiment couette_seeds() {
-  return {.key = "couette_seeds",
-          .title =
-              "Means over the second revolution from random starts, four of each published "
-              "cell and eight of the small one",
-          .x = "cell k: 0 the small one; full size: 1 to 3 of disks, 4 to 6 of 3:1, 7 to 9 of 6:1, "
-               "at 5, 10 and 15 %",
-          .error = "in thousandths, or as said",
-          .axes = Axes::nominal,
-          .lines = {of_random_runs("viscosity", "added viscosity", viscosity),
-                    interval("viscosity", viscosity), off("viscosity", viscosity),
-                    of_random_runs("order", "order parameter", order), interval("order", order),
-                    off("order", order)}};
+  return left_to_full(
+      {.key = "couette_seeds",
+       .title = "Means over the second revolution from random starts, four of each published "
+                "cell and eight of the small one",
+       .x = "cell k: 0 the small one, 1 to 3 of disks, 4 to 6 of 3:1, 7 to 9 of 6:1, at 5, 10 "
+            "and 15 %",
+       .error = "in thousandths, or as said",
+       .axes = Axes::nominal,
+       .lines = {of_random_runs("viscosity", "added viscosity", viscosity),
+                 interval("viscosity", viscosity), off("viscosity", viscosity),
+                 of_random_runs("order", "order parameter", order), interval("order", order),
+                 off("order", order)}});
 }
 
 Experiment couette_unattended() {
-  return {
-      .key = "couette_unattended",
-      .title =
-          "What the same runs took, each in the mean over its cell: two revolutions with "
-          "contact, on one thread, unattended",
-      .x = "cell k",
-      .error = "number, or as said",
-      .axes = Axes::nominal,
-      .lines = {
-          taken("seconds", "seconds", &CouetteSeries::seconds),
-          taken("steps", "steps", &CouetteSeries::steps),
-          taken("gmres", "iterations of GMRES", &CouetteSeries::gmres_iterations),
-          taken("contact", "contact iterations", &CouetteSeries::contact_iterations),
-          {.key = "gap",
-           .label = "least gap of all, in separations (2 and more count as 2)",
-           .measure = of_cells([](std::size_t, const Runs& runs) {
-             return std::ranges::min(runs, {}, &CouetteSeries::least_gap).least_gap;
-           })},
-          {.key = "estimate",
-           .label = "largest error estimate of all, in tolerances",
-           .measure = of_cells([](std::size_t, const Runs& runs) {
-             return std::ranges::max(runs, {}, &CouetteSeries::largest_estimate).largest_estimate;
-           })}}};
+  return left_to_full(
+      {.key = "couette_unattended",
+       .title = "What the same runs took, each in the mean over its cell: two revolutions with "
+                "contact, on one thread, unattended",
+       .x = "cell k",
+       .error = "number, or as said",
+       .axes = Axes::nominal,
+       .lines = {
+           taken("seconds", "seconds", &CouetteSeries::seconds),
+           taken("steps", "steps", &CouetteSeries::steps),
+           taken("gmres", "iterations of GMRES", &CouetteSeries::gmres_iterations),
+           taken("contact", "contact iterations", &CouetteSeries::contact_iterations),
+           {.key = "gap",
+            .label = "least gap of all, in separations (2 and more count as 2)",
+            .measure = of_cells([](std::size_t, const Runs& runs) {
+              return std::ranges::min(runs, {}, &CouetteSeries::least_gap).least_gap;
+            })},
+           {.key = "estimate",
+            .label = "largest error estimate of all, in tolerances",
+            .measure = of_cells([](std::size_t, const Runs& runs) {
+              return std::ranges::max(runs, {}, &CouetteSeries::largest_estimate).largest_estimate;
+            })}}});
 }
 
 Experiment couette_small() {
-  return {
-      .key = "couette_small",
-      .title = "The same cell from each of its starts",
-      .x = "random start k",
-      .error = "mean over the second revolution in thousandths, or as said",
-      .axes = Axes::nominal,
-      .lines = {{.key = "viscosity",
-                 .label = "added viscosity",
-                 .measure = second_revolutions(viscosity)},
-                {.key = "order", .label = "order parameter", .measure = second_revolutions(order)},
-                {.key = "alone",
-                 .label = "order parameter of the same, each alone in the local shear",
-                 .measure = second_revolutions(alone)}}};
+  return left_to_full(
+      {.key = "couette_small",
+       .title = "The same cell from each of its starts",
+       .x = "random start k",
+       .error = "mean over the second revolution in thousandths, or as said",
+       .axes = Axes::nominal,
+       .lines = {{.key = "viscosity",
+                  .label = "added viscosity",
+                  .measure = second_revolutions(viscosity)},
+                 {.key = "order", .label = "order parameter", .measure = second_revolutions(order)},
+                 {.key = "alone",
+                  .label = "order parameter of the same, each alone in the local shear",
+                  .measure = second_revolutions(alone)}}});
 }
 
 Experiment couette_care() {
-  return {
-      .key = "couette_care",
-      .title = "What errors do to these runs",
-      .x = "random start k",
-      .error = "as said",
-      .axes = Axes::nominal,
-      .lines = {
-          {.key = "care",
-           .label = "change of the viscosity by half the tolerance and half the step, over the "
-                    "interval of the mean",
-           .measure = changes(),
-           .claim = Claim{.id = "12_50",
-                          .statement = "Half the tolerance and half the step change a mean "
-                                       "viscosity by less than random starts leave open.",
-                          .law = Identity{1.0},
-                          .reason = "tolerances are of the worst velocity, and means are over "
-                                    "many; starts differ by the distances of bodies",
-                          .api = {"stokesbook::Rheometer"}},
-           .control = Control{"torque over the area of the fluid instead of the cell's",
-                              changes(area_of_fluid)}},
-          {.key = "lost",
-           .label = "part of the separation that the narrowest gap lacks",
-           .measure = lost_from_starts(1.0),
-           .claim = Claim{.id = "12_51",
-                          .statement = "From any start, two revolutions of the small Couette cell "
-                                       "keep the separation.",
-                          .law = Identity{1e-3},
-                          .reason = "each step resolves contact with the mobility of all bodies "
-                                    "together",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control =
-               Control{"a separation 1 % wider than what is kept", lost_from_starts(1.01)}}}};
+  return left_to_full(
+      {.key = "couette_care",
+       .title = "What errors do to these runs",
+       .x = "random start k",
+       .error = "as said",
+       .axes = Axes::nominal,
+       .lines = {
+           {.key = "care",
+            .label = "change of the viscosity by half the tolerance and half the step, over the "
+                     "interval of the mean",
+            .measure = changes(),
+            .claim = Claim{.id = "12_50",
+                           .statement = "Half the tolerance and half the step change a mean "
+                                        "viscosity by less than random starts leave open.",
+                           .law = Identity{1.0},
+                           .reason = "tolerances are of the worst velocity, and means are over "
+                                     "many; starts differ by the distances of bodies",
+                           .api = {"stokesbook::Rheometer"}},
+            .control = Control{"torque over the area of the fluid instead of the cell's",
+                               changes(area_of_fluid)}},
+           {.key = "lost",
+            .label = "part of the separation that the narrowest gap lacks",
+            .measure = lost_from_starts(1.0),
+            .claim = Claim{.id = "12_51",
+                           .statement = "From any start, two revolutions of the small Couette cell "
+                                        "keep the separation.",
+                           .law = Identity{1e-3},
+                           .reason = "each step resolves contact with the mobility of all bodies "
+                                     "together",
+                           .api = {"stokesbook::SuspensionContact"}},
+            .control =
+                Control{"a separation 1 % wider than what is kept", lost_from_starts(1.01)}}}});
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -54,7 +54,7 @@ double added_viscosity(const CellStart& cell, double tolerance, Bodies bodies) {
 
 std::vector<double> tolerances(Size size) {
   return size == Size::full ? std::vector{1e-6, 1e-5, 1e-4, 1e-3, 1e-2}
-                            : std::vector{1e-4, 1e-3, 1e-2};
+                            : std::vector{1e-3, 3e-3, 1e-2};
 }
 
 Measure added_viscosities(const CellStart& cell) {
@@ -130,10 +130,10 @@ double added_when_moved(Scene (*nodes)(Scene), unsigned seed, double most) {
 /// @param  expected  that bodies add, in thousandths; none: what they add without moves
 Measure when_moved(Scene (*nodes)(Scene), std::optional<double> expected,
                    double most = half_digit) {
-  return [=](Size size) {
+  return [=](Size) {
     const double reference = expected ? *expected : added_when_moved(nodes, 0, 0.0);
     std::vector<Measurement> measurements;
-    for (unsigned seed = 1; seed <= (size == Size::full ? 12U : 3U); ++seed) {
+    for (unsigned seed = 1; seed <= 12U; ++seed) {
       const double found = added_when_moved(nodes, seed, most);
       measurements.push_back(
           {.x = static_cast<double>(seed), .error = 100.0 * std::abs(found - reference)});
@@ -161,39 +161,40 @@ Experiment couette_starts() {
 
 Experiment couette_digits() {
   constexpr double recomputed = 296.94;
-  return {
-      .key = "couette_digits",
-      .title =
-          "320 ellipses 6:1 at their first instant, each moved and turned at random by up to "
-          "half a unit of the last digit that is known",
-      .x = "seed k",
-      .error = "difference of the viscosity, in hundred-thousandths",
-      .axes = Axes::nominal,
-      .lines = {
-          {.key = "moved",
-           .label = "from that without moves",
-           .measure = when_moved(on_automatic_nodes, {}),
-           .claim = Claim{.id = "12_38",
-                          .statement = "Positions known to four digits give the viscosity of the "
-                                       "first instant to a hundred-thousandth.",
-                          .law = Identity{1.0},
-                          .reason = "a mean over 320 bodies, whose errors are independent",
-                          .api = {"stokesbook::Rheometer"}},
-           .control = Control{"moves a hundred times as large",
-                              when_moved(on_automatic_nodes, {}, 100.0 * half_digit)}},
-          {.key = "published_nodes",
-           .label = "from 1.29694, on 32 nodes a body and 256 a wall",
-           .measure = when_moved(on_published_nodes, recomputed),
-           .claim = Claim{.id = "12_39",
-                          .statement = "On the published nodes, with the published near integrals, "
-                                       "the first instant is 1.29694, as was recomputed.",
-                          .law = Identity{1.0},
-                          .reason = "half a unit of its last digit, and as much for the positions",
-                          .api = {"stokesbook::Rheometer"}},
-           .control = Control{"nodes chosen for 1e-4", when_moved(on_automatic_nodes, recomputed)}},
-          {.key = "automatic_nodes",
-           .label = "from 1.29694, on nodes chosen for 1e-4",
-           .measure = when_moved(on_automatic_nodes, recomputed)}}};
+  return left_to_full(
+      {.key = "couette_digits",
+       .title = "320 ellipses 6:1 at their first instant, each moved and turned at random by up to "
+                "half a unit of the last digit that is known",
+       .x = "seed k",
+       .error = "difference of the viscosity, in hundred-thousandths",
+       .axes = Axes::nominal,
+       .lines = {
+           {.key = "moved",
+            .label = "from that without moves",
+            .measure = when_moved(on_automatic_nodes, {}),
+            .claim = Claim{.id = "12_38",
+                           .statement = "Positions known to four digits give the viscosity of the "
+                                        "first instant to a hundred-thousandth.",
+                           .law = Identity{1.0},
+                           .reason = "a mean over 320 bodies, whose errors are independent",
+                           .api = {"stokesbook::Rheometer"}},
+            .control = Control{"moves a hundred times as large",
+                               when_moved(on_automatic_nodes, {}, 100.0 * half_digit)}},
+           {.key = "published_nodes",
+            .label = "from 1.29694, on 32 nodes a body and 256 a wall",
+            .measure = when_moved(on_published_nodes, recomputed),
+            .claim =
+                Claim{.id = "12_39",
+                      .statement = "On the published nodes, with the published near integrals, "
+                                   "the first instant is 1.29694, as was recomputed.",
+                      .law = Identity{1.0},
+                      .reason = "half a unit of its last digit, and as much for the positions",
+                      .api = {"stokesbook::Rheometer"}},
+            .control =
+                Control{"nodes chosen for 1e-4", when_moved(on_automatic_nodes, recomputed)}},
+           {.key = "automatic_nodes",
+            .label = "from 1.29694, on nodes chosen for 1e-4",
+            .measure = when_moved(on_automatic_nodes, recomputed)}}});
 }
 
 }  // namespace stokesbook::verification::suspension

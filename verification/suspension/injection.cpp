@@ -1,6 +1,7 @@
 // Bodies that a flow carries out through a ring of held disks, and back when all is reversed.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "experiments.hpp"
 #include "scenes.hpp"
@@ -14,12 +15,11 @@ using namespace test;
 
 namespace {
 
-constexpr double reversal = 2.5;
-
 /// The scene that ships, with another time of reversal: eight disks are held, eight bodies free.
-RecordedRun run(double dt, SteppingMethod method) {
-  static Once<std::pair<double, SteppingMethod>, RecordedRun> runs;
-  return runs({dt, method}, [&] {
+const RecordedRun& run(Size size, double dt, SteppingMethod method) {
+  static Once<std::tuple<Size, double, SteppingMethod>, RecordedRun> runs;
+  return runs({size, dt, method}, [&] {
+    const double reversal = size == Size::full ? 2.5 : 1.25;
     Scene scene = shipped_scene("injection");
     scene.solver.tolerance = 1e-4;
     scene.time->dt = dt;
@@ -44,7 +44,7 @@ Measure distances(SteppingMethod method, std::size_t from, std::size_t to) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double steps = 4.0; steps <= (size == Size::full ? 32.0 : 16.0); steps *= 2.0) {
-      const RecordedRun found = run(1.0 / steps, method);
+      const RecordedRun& found = run(size, 1.0 / steps, method);
       measurements.push_back(
           {.x = steps, .error = largest_distance(found.frames[from], found.frames[to])});
     }

@@ -34,11 +34,11 @@ Scene by(Scene scene, SteppingMethod method, double dt, double tolerance) {
   return scene;
 }
 
-Scene extension(Size) {
+Scene extension() {
   return until(shipped_scene("extension"), 6.0);
 }
 
-Scene disks(Size) {
+Scene disks() {
   Scene scene;
   scene.flow = ShearFlow{1.0};
   scene.reverse_at = {20.0};
@@ -47,61 +47,57 @@ Scene disks(Size) {
   return until(scene, 40.0);
 }
 
-Scene lobed_row(Size) {
+Scene lobed_row() {
   return until(shipped_scene("lobed_row"), 6.0);
 }
 
 // Walls with as few nodes as do: what was published is not known.
-Scene injection_and_back(Size) {
+Scene injection_and_back() {
   Scene scene = shipped_scene("injection");
   scene.reverse_at = {2.5};
   return until(scene, 5.0, 64);
 }
 
 // Until shortly before the first contact.
-Scene vortices(Size) {
+Scene vortices() {
   return until(test::ellipses_in_vortices(), 2.0);
 }
 
-Scene a_third_of_the_vortices(Size size) {
-  Scene scene = vortices(size);
+Scene a_third_of_the_vortices() {
+  Scene scene = vortices();
   std::erase_if(scene.bodies,
                 [](const Body& body) { return std::abs(body.position.imag()) > 0.5; });
   return scene;
 }
 
 // Contact sets in early, and lasts.
-Scene crowd(Size) {
+Scene crowd() {
   return until(shipped_crowd(), 0.5);
 }
 
-Scene rotors(Size) {
+Scene rotors() {
   return until(shipped_scene("rotors"), 10.0);
 }
 
-Scene sedimentation(Size) {
+Scene sedimentation() {
   return until(shipped_scene("sedimentation"), 3.0, 128);
 }
 
-// A published cell, or in the quick study every so many of its bodies, kept apart and written at
-// five times.
-Scene couette(const std::string& name, std::size_t stride, double separation) {
+// A published cell, kept apart and written at five times.
+Scene couette(const std::string& name, double separation) {
   Scene scene = shipped_scene(name);
-  std::vector<Body> kept;
-  for (std::size_t k = 0; k < scene.bodies.size(); k += stride) kept.push_back(scene.bodies[k]);
-  scene.bodies = kept;
   scene.contact = ContactSettings{separation};
   scene = until(scene, 1.0);
   scene.output.dt_write = 0.25;
   return scene;
 }
 
-Scene dilute_couette(Size size) {
-  return couette("couette", size == Size::full ? 1 : 4, 0.03);
+Scene dilute_couette() {
+  return couette("couette", 0.03);
 }
 
-Scene dense_couette(Size size) {
-  return couette("couette_dense", size == Size::full ? 1 : 8, 0.002);
+Scene dense_couette() {
+  return couette("couette_dense", 0.002);
 }
 
 // Mean of cos 2 theta over the bodies at the end.
@@ -127,7 +123,8 @@ const Trial extension_trial{
     .adapted = SteppingMethod::heun,
     .steps = {0.05, 0.025, 0.0125},
     .tolerances = {0.3, 0.1, 0.03, 0.01},
-    .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.005, 1e-6); }};
+    .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.005, 1e-6); },
+    .least = Size::quick};
 
 const Trial disks_trial{.key = "disks",
                         .title = "Two disks that pass each other in shear, and come back",
@@ -135,7 +132,8 @@ const Trial disks_trial{.key = "disks",
                         .scene = disks,
                         .adapted = SteppingMethod::dormand_prince54,
                         .steps = {0.04, 0.02, 0.01, 0.005},
-                        .tolerances = {0.03, 1e-2, 1e-3, 1e-4}};
+                        .tolerances = {0.03, 1e-2, 1e-3, 1e-4},
+                        .least = Size::quick};
 
 const Trial lobed_trial{
     .key = "lobed",
@@ -155,7 +153,7 @@ const Trial injection_trial{.key = "injection",
                             .steps = {0.1, 0.05, 0.025},
                             .tolerances = {0.3, 0.1, 1e-2}};
 
-Trial in_vortices(const std::string& key, const std::string& bodies, Scene (*scene)(Size)) {
+Trial in_vortices(const std::string& key, const std::string& bodies, Scene (*scene)()) {
   return {.key = key,
           .title = bodies + " in Taylor-Green vortices at t = 2",
           .error = "largest error of a position or angle",
@@ -181,7 +179,7 @@ const Trial crowd_trial{
     .observed = alignment,
     .reference = [](Scene scene) { return by(scene, SteppingMethod::heun, 0.005, 1e-4); }};
 
-Trial by_runge_kutta(const std::string& key, const std::string& title, Scene (*scene)(Size)) {
+Trial by_runge_kutta(const std::string& key, const std::string& title, Scene (*scene)()) {
   return {.key = key,
           .title = title,
           .error = "largest error of a position or angle, radius 1/2",
@@ -189,14 +187,15 @@ Trial by_runge_kutta(const std::string& key, const std::string& title, Scene (*s
           .adapted = SteppingMethod::dormand_prince54,
           .steps = {0.1, 0.05, 0.025},
           .tolerances = {0.3, 0.1, 0.03, 0.01},
-          .reference = [](Scene all) { return by(all, SteppingMethod::rk4, 0.025, 1e-6); }};
+          .reference = [](Scene all) { return by(all, SteppingMethod::rk4, 0.025, 1e-6); },
+          .least = Size::quick};
 }
 
 const Trial rotors_trial = by_runge_kutta("rotors", "Four rotors at t = 10", rotors),
             sedimentation_trial = by_runge_kutta(
                 "sedimentation", "A sedimenting pair in a container at t = 3", sedimentation);
 
-Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)(Size),
+Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)(),
                 double longest_step) {
   return {.key = key,
           .title = title,
@@ -215,13 +214,11 @@ Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)
 // By Euler's method, steps of an eighth drive the slender bodies of the dense cell so hard against
 // the outer wall that contact cuts the steps after them to thousandths; those of a sixteenth take
 // less work than any of ours, for an error hundreds of times as large.
-const Trial couette_trial = viscosity(
-                "couette",
-                "Couette cell with 80 ellipses 3:1, in the quick study 20, over the first radian",
-                dilute_couette, 0.125),
+const Trial couette_trial =
+                viscosity("couette", "Couette cell with 80 ellipses 3:1, over the first radian",
+                          dilute_couette, 0.125),
             dense_couette_trial = viscosity(
-                "dense_couette",
-                "Couette cell with 320 ellipses 6:1, in the quick study 40, over the first radian",
+                "dense_couette", "Couette cell with 320 ellipses 6:1, over the first radian",
                 dense_couette, 0.03125);
 
 Measure points(const Trial& trial, Way way) {
@@ -245,13 +242,16 @@ Experiment figure(const Trial& trial) {
           .error = trial.error,
           .lines = {{.key = "published",
                      .label = "published: equal nodes, Euler",
-                     .measure = points(trial, Way::published)},
+                     .measure = points(trial, Way::published),
+                     .least = trial.least},
                     {.key = "steps",
                      .label = "equal nodes, adapted steps",
-                     .measure = points(trial, Way::steps)},
+                     .measure = points(trial, Way::steps),
+                     .least = trial.least},
                     {.key = "ours",
                      .label = "ours: automatic nodes, adapted steps",
-                     .measure = points(trial, Way::ours)}},
+                     .measure = points(trial, Way::ours),
+                     .least = trial.least}},
           .work_precision = true,
           .operation = "million node pairs"};
 }
@@ -296,11 +296,15 @@ Line share_of_work(const std::string& id, const std::string& label, const Trial&
                                    "they are needed",
                          .api = {"stokesbook::Simulation"}},
           .control = Control{"the published method in both places",
-                             shares(trial, &Outcome::pairs, Way::published)}};
+                             shares(trial, &Outcome::pairs, Way::published)},
+          .least = trial.least};
 }
 
 Line share_of_steps(const std::string& label, const Trial& trial) {
-  return {.key = trial.key, .label = label, .measure = shares(trial, &Outcome::steps, Way::ours)};
+  return {.key = trial.key,
+          .label = label,
+          .measure = shares(trial, &Outcome::steps, Way::ours),
+          .least = trial.least};
 }
 
 Experiment shares_of_work() {

@@ -55,17 +55,17 @@ std::vector<double> observed(const Trial& trial, const std::vector<Frame>& frame
 
 const std::vector<double>& expected(const Trial& trial, const Scene& scene,
                                     const test::RecordedRun& any) {
-  static test::Once<std::pair<std::string, std::size_t>, std::vector<double>> found;
-  return found({trial.key, scene.bodies.size()}, [&] {
+  static test::Once<std::string, std::vector<double>> found;
+  return found(trial.key, [&] {
     if (trial.reference == nullptr) return observed(trial, {any.frames.front()});
     return observed(trial, test::recorded_run(trial.reference(scene)).frames);
   });
 }
 
-Outcome outcome(const Trial& trial, Way way, Size size, double parameter) {
-  static test::Once<std::tuple<std::string, Way, Size, double>, Outcome> found;
-  return found({trial.key, way, size, parameter}, [&] {
-    const Scene scene = trial.scene(size);
+Outcome outcome(const Trial& trial, Way way, double parameter) {
+  static test::Once<std::tuple<std::string, Way, double>, Outcome> found;
+  return found({trial.key, way, parameter}, [&] {
+    const Scene scene = trial.scene();
     const std::clock_t start = std::clock();
     const test::RecordedRun done = test::recorded_run(stepped(scene, way, trial, parameter));
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -97,7 +97,7 @@ std::vector<Outcome> outcomes(const Trial& trial, Way way, Size size) {
     for (int k = 0; k < 2; ++k) parameters.push_back(parameters.back() / factor);
   }
   std::vector<Outcome> found;
-  for (const double parameter : parameters) found.push_back(outcome(trial, way, size, parameter));
+  for (const double parameter : parameters) found.push_back(outcome(trial, way, parameter));
   return found;
 }
 

@@ -22,7 +22,7 @@ struct Trial {
   std::string key;                      ///< of the figure
   std::string title;                    ///< of the figure
   std::string error;                    ///< of what is observed
-  Scene (*scene)(study::Size);          ///< with published nodes, time.t_final and output.dt_write
+  Scene (*scene)();                     ///< with published nodes, time.t_final and output.dt_write
   SteppingMethod adapted;               ///< that ours steps by
   std::vector<double> steps = {};       ///< of Euler's method, descending; the full study goes on
   std::vector<double> tolerances = {};  ///< of adapted steps, descending; the full study goes on
@@ -30,6 +30,7 @@ struct Trial {
   std::vector<double> (*observed)(const std::vector<Frame>& frames) = nullptr;
   /// What errors are seen against, from the scene; none: bodies end where they began.
   Scene (*reference)(Scene scene) = nullptr;
+  study::Size least = study::Size::full;  ///< least size of the study that has this trial
 };
 
 /// What a run has come to, and what it took.
