@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
+#include "support/dense.hpp"
 #include "support/once.hpp"
+#include "support/spectra.hpp"
 #include "support/touching.hpp"
 
 namespace stokesbook::verification::krylov {
@@ -60,20 +59,20 @@ MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   MatrixXd square = arnoldi.hessenberg.topRows(size);
   const double last = arnoldi.hessenberg(size, size - 1);
   const VectorXd unit = VectorXd::Unit(size, size - 1);
-  square += last * last * square.transpose().partialPivLu().solve(unit) * unit.transpose();
-  const Eigen::EigenSolver<MatrixXd> solver(square);
+  square += last * last * test::solve(square.transpose(), unit) * unit.transpose();
+  const test::Eigenpairs pairs = test::eigenpairs(square);
   std::vector<Index> order(static_cast<std::size_t>(size));
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](Index i) { return std::abs(solver.eigenvalues()[i]); });
+  std::ranges::sort(order, {}, [&](Index i) { return std::abs(pairs.values[i]); });
   MatrixXd chosen(size, 0);
   for (const Index i : order) {
-    const Complex value = solver.eigenvalues()[i];
+    const Complex value = pairs.values[i];
     if (value.imag() < 0.0) continue;  // its conjugate has the same two parts
     if (chosen.cols() >= count) break;
     const Index parts = value.imag() > 0.0 ? 2 : 1;
     chosen.conservativeResize(Eigen::NoChange, chosen.cols() + parts);
-    chosen.col(chosen.cols() - parts) = solver.eigenvectors().col(i).real();
-    if (parts == 2) chosen.rightCols(1) = solver.eigenvectors().col(i).imag();
+    chosen.col(chosen.cols() - parts) = pairs.vectors.col(i).real();
+    if (parts == 2) chosen.rightCols(1) = pairs.vectors.col(i).imag();
   }
   return arnoldi.basis.leftCols(size) * chosen;
 }
@@ -113,8 +112,7 @@ struct TwoSteps {
     const MatrixXd directions = softest_directions(arnoldi, recycled);
     MatrixXd images(directions.rows(), directions.cols());
     for (Index j = 0; j < images.cols(); ++j) images.col(j) = apply(directions.col(j));
-    const MatrixXd range = Eigen::HouseholderQR<MatrixXd>(images).householderQ() *
-                           MatrixXd::Identity(images.rows(), images.cols());
+    const MatrixXd range = test::orthogonal_factor(images);
     const auto outside = [&](const VectorXd& v) -> VectorXd {
       return v - range * (range.transpose() * v);
     };

@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
 #include "experiments.hpp"
+#include "support/dense.hpp"
 #include "variants.hpp"
 
 namespace stokesbook::verification::lcp {
@@ -179,8 +178,8 @@ double power_of_rods(Index n, unsigned seed) {
   const MatrixXd mobility = mobility_of(n, seed);
   const VectorXd free = normal_matrix(n, 1, seed);
   const VectorXd gap = VectorXd::Constant(n - 1, 0.1) + gradient * free;
-  const VectorXd force = gradient.transpose() *
-                         (gradient * mobility * gradient.transpose()).partialPivLu().solve(-gap);
+  const VectorXd force =
+      gradient.transpose() * test::solve(gradient * mobility * gradient.transpose(), -gap);
   const VectorXd velocity = free + mobility * force;
   return std::max(0.0, force.dot(velocity)) / (1.0 + force.norm() * velocity.norm());
 }

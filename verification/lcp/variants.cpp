@@ -1,7 +1,6 @@
 #include "variants.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "support/dense.hpp"
 
 namespace stokesbook::verification::lcp {
 
@@ -16,9 +15,7 @@ LcpResult try_all_sets(const LcpProblem& problem) {
       if (set >> i & 1u) active.push_back(i);
     }
     VectorXd z = VectorXd::Zero(m);
-    if (!active.empty()) {
-      z(active) = -matrix(active, active).partialPivLu().solve(offset(active));
-    }
+    if (!active.empty()) z(active) = -test::solve(matrix(active, active), offset(active));
     ++result.iterations;
     if (!z.allFinite() || z.minCoeff() < 0.0) continue;
     const double residual = lcp_residual(problem, z);
@@ -70,7 +67,7 @@ VectorXd bare_fischer(const LcpProblem& problem, VectorXd z, const Radius& radiu
       jacobian.row(i) *= w[i] / r - 1.0;
       jacobian(i, i) += z[i] / r - 1.0;
     }
-    z -= jacobian.partialPivLu().solve(phi);
+    z -= test::solve(jacobian, phi);
   }
   return z;
 }
@@ -81,7 +78,7 @@ VectorXd step_by_sign_of_z(const LcpProblem& problem, const VectorXd& z) {
     if (z[i] > 0.0) active.push_back(i);
   }
   VectorXd next = VectorXd::Zero(z.size());
-  next(active) = -problem.matrix(active, active).partialPivLu().solve(problem.offset(active));
+  next(active) = -test::solve(problem.matrix(active, active), problem.offset(active));
   return next;
 }
 

@@ -18,7 +18,8 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::Vector
 }
 
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& matrix) {
-  return matrix.householderQr().householderQ();
+  return matrix.householderQr().householderQ() *
+         Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
 }
 
 }  // namespace stokesbook::test

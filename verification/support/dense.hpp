@@ -14,7 +14,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 /// Argument of the least |matrix x - rhs|, for full column rank.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
-/// The orthogonal factor of matrix = Q R.
+/// The orthogonal factor of matrix = Q R, with as many columns as the matrix.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& matrix);
 
 }  // namespace stokesbook::test

@@ -24,6 +24,11 @@ Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix) {
   return matrix.eigenvalues();
 }
 
+Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
   return matrix.selfadjointView<Eigen::Lower>().eigenvalues();
 }

@@ -13,6 +13,14 @@ double condition_number(const Eigen::MatrixXd& matrix);
 
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 
+/// Eigenvalues, and the eigenvectors as columns in the same order.
+struct Eigenpairs {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+
+Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
+
 /// Of a symmetric matrix, of which only the lower half is read; smallest first.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
