@@ -1,6 +1,7 @@
 // What contact costs: steps of dense clusters with and without it, in counts and seconds.
+#include <iterator>
 #include <optional>
-#include <utility>
+#include <tuple>
 
 #include "experiments.hpp"
 #include "support/once.hpp"
@@ -15,27 +16,34 @@ using namespace test;
 namespace {
 
 // The first steps find out how exactly contact is to be solved.
-constexpr int first_steps = 6, all_steps = 12;
+struct Steps {
+  int first, all;
+};
+
+constexpr Steps steps_of(Size size) {
+  return size == Size::full ? Steps{6, 12} : Steps{4, 8};
+}
 
 struct ClusterRun {
+  Steps counts;
   std::vector<StepInfo> steps;
   RunTotals first, all;  // after the first steps, and at the end
 };
 
 /// A hexagon of disks that touch but for the separation, in shear.
-ClusterRun hexagon(int rings, bool in_contact) {
-  static Once<std::pair<int, bool>, ClusterRun> runs;
-  return runs({rings, in_contact}, [&] {
-    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * all_steps, 0.005);
+const ClusterRun& hexagon(Size size, int rings, bool in_contact) {
+  static Once<std::tuple<Size, int, bool>, ClusterRun> runs;
+  return runs({size, rings, in_contact}, [&] {
+    ClusterRun run{steps_of(size), {}, {}, {}};
+    Scene scene = over(disk_hexagon(rings, 0.1, 1e-2), 0.005 * run.counts.all, 0.005);
     scene.solver.gmres_max_iterations = 2000;
     if (in_contact) scene.contact = ContactSettings{0.1};
     const SuspensionSolver solver(scene);
-    ClusterRun run;
     std::optional<Simulation> simulation;
     Observer observer;
     observer.step = [&](const StepInfo& step) {
       run.steps.push_back(step);
-      if (run.steps.size() == first_steps) run.first = simulation->totals();
+      if (std::ssize(run.steps) == run.counts.first) run.first = simulation->totals();
     };
     simulation.emplace(solver, observer);
     simulation->run();
@@ -47,10 +55,10 @@ ClusterRun hexagon(int rings, bool in_contact) {
 /// Of a step after the first ones, on average.
 double in_a_step(const ClusterRun& run, double (*quantity)(const StepInfo& step)) {
   double sum = 0.0;
-  for (int k = first_steps; k < all_steps; ++k) {
+  for (int k = run.counts.first; k < run.counts.all; ++k) {
     sum += quantity(run.steps[static_cast<std::size_t>(k)]);
   }
-  return sum / (all_steps - first_steps);
+  return sum / (run.counts.all - run.counts.first);
 }
 
 double gmres_iterations(const StepInfo& step) {
@@ -67,64 +75,68 @@ double seconds(const StepInfo& step) {
 }
 
 /// Of a step after the first ones, on average.
-double in_a_step(int rings, double (*quantity)(const RunTotals& totals)) {
-  const ClusterRun run = hexagon(rings, true);
-  return (quantity(run.all) - quantity(run.first)) / (all_steps - first_steps);
+double in_a_step(const ClusterRun& run, double (*quantity)(const RunTotals& totals)) {
+  return (quantity(run.all) - quantity(run.first)) / (run.counts.all - run.counts.first);
 }
 
-double contact_solves(int rings) {
-  return in_a_step(
-      rings, [](const RunTotals& totals) { return static_cast<double>(totals.contact_solves); });
-}
+/// A cluster with contact and without.
+struct Cluster {
+  const ClusterRun &with, &without;
+};
 
-Measure over_rings(double (*quantity)(int rings)) {
+Measure over_rings(double (*quantity)(const Cluster& cluster)) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int rings = 1; rings <= (size == Size::full ? 5 : 3); ++rings) {
-      const double pairs = in_a_step(hexagon(rings, true), contacts);
-      measurements.push_back({.x = pairs, .error = quantity(rings)});
+      const Cluster cluster{hexagon(size, rings, true), hexagon(size, rings, false)};
+      const double pairs = in_a_step(cluster.with, contacts);
+      measurements.push_back({.x = pairs, .error = quantity(cluster)});
     }
     return measurements;
   };
 }
 
-double solves_for_a_pair(int rings) {
-  return contact_solves(rings) / in_a_step(hexagon(rings, true), contacts);
+double solves_for_a_pair(const Cluster& cluster) {
+  const auto solves = [](const RunTotals& totals) {
+    return static_cast<double>(totals.contact_solves);
+  };
+  return in_a_step(cluster.with, solves) / in_a_step(cluster.with, contacts);
 }
 
 // A solve for each pair in each step: a planted defect.
-double a_solve(int) {
+double a_solve(const Cluster&) {
   return 1.0;
 }
 
-double with_contact(int rings) {
-  return in_a_step(hexagon(rings, true), gmres_iterations);
+double with_contact(const Cluster& cluster) {
+  return in_a_step(cluster.with, gmres_iterations);
 }
-double without_contact(int rings) {
-  return in_a_step(hexagon(rings, false), gmres_iterations);
-}
-
-double contact_iterations(int rings) {
-  return in_a_step(hexagon(rings, true), iterations);
+double without_contact(const Cluster& cluster) {
+  return in_a_step(cluster.without, gmres_iterations);
 }
 
-double seconds_with(int rings) {
-  return in_a_step(hexagon(rings, true), seconds);
-}
-double seconds_without(int rings) {
-  return in_a_step(hexagon(rings, false), seconds);
+double contact_iterations(const Cluster& cluster) {
+  return in_a_step(cluster.with, iterations);
 }
 
-double first_seconds(int rings) {
-  return hexagon(rings, true).steps.front().seconds;
+double seconds_with(const Cluster& cluster) {
+  return in_a_step(cluster.with, seconds);
+}
+double seconds_without(const Cluster& cluster) {
+  return in_a_step(cluster.without, seconds);
 }
 
-double share_of_time(int rings) {
-  return in_a_step(rings, [](const RunTotals& totals) { return totals.contact_seconds; }) /
-         in_a_step(hexagon(rings, true), seconds);
+double first_seconds(const Cluster& cluster) {
+  return cluster.with.steps.front().seconds;
 }
 
-Line shown(const std::string& key, const std::string& label, double (*quantity)(int rings)) {
+double share_of_time(const Cluster& cluster) {
+  return in_a_step(cluster.with, [](const RunTotals& totals) { return totals.contact_seconds; }) /
+         seconds_with(cluster);
+}
+
+Line shown(const std::string& key, const std::string& label,
+           double (*quantity)(const Cluster& cluster)) {
   return {.key = key, .label = label, .measure = over_rings(quantity)};
 }
 

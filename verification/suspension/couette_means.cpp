@@ -28,8 +28,8 @@ const CouetteSeries& run_of(const Cell& cell, Size size) {
     Scene scene = shipped_scene(cell.scene);
     if (size == Size::quick) {
       scene.solver.tolerance = 1e-2;
-      scene.time->dt = 0.2;
-      scene.output.dt_write = 0.2;
+      scene.time->dt = 0.15;
+      scene.output.dt_write = 0.15;
     }
     return couette_series(scene);
   });

@@ -86,10 +86,10 @@ Measure lost_in_extension(double kept) {
 }
 
 /// Motions of a crowd at its start, with all distances longer.
-const std::vector<RigidMotion>& motions_apart(const Scene& crowd, Size size, double spread) {
+const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
   static Once<std::pair<Size, double>, std::vector<RigidMotion>> found;
   return found({size, spread}, [&] {
-    Scene scene = crowd;
+    Scene scene = shipped_crowd();
     scene.contact.reset();
     scene.solver.tolerance = size == Size::full ? 1e-9 : 1e-7;
     for (Body& body : scene.bodies) body.position *= spread;
@@ -102,8 +102,8 @@ const std::vector<RigidMotion>& motions_apart(const Scene& crowd, Size size, dou
 ///
 /// @param  factor  of Jeffery's answer; other than one is a planted defect
 double turned_by_others(Size size, double spread, double factor) {
-  const Scene crowd = shipped_crowd();
-  const std::vector<RigidMotion>& motions = motions_apart(crowd, size, spread);
+  const Scene& crowd = shipped_crowd();
+  const std::vector<RigidMotion>& motions = motions_apart(size, spread);
   double largest = 0.0;
   for (std::size_t k = 0; k < crowd.bodies.size(); ++k) {
     const double alone =

@@ -80,8 +80,9 @@ Scene shipped_scene(const std::string& name) {
   return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / (name + ".toml"));
 }
 
-Scene shipped_crowd() {
-  return with_fills_placed(shipped_scene("extension_crowd"));
+const Scene& shipped_crowd() {
+  static const Scene crowd = with_fills_placed(shipped_scene("extension_crowd"));
+  return crowd;
 }
 
 Scene with_nodes(Scene scene, int a_body, int a_wall) {

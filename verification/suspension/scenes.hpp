@@ -24,7 +24,7 @@ Scene shipped_scene(const std::string& name);
 
 /// The crowd in extension that is shipped, its ellipses in place: all alike, in a strain of rate 1
 /// along x.
-Scene shipped_crowd();
+const Scene& shipped_crowd();
 
 /// Gives all bodies and all walls so many nodes.
 Scene with_nodes(Scene scene, int a_body, int a_wall);

@@ -150,13 +150,13 @@ Experiment work_of_nine() {
 }
 
 Experiment work_of_cell() {
-  return {.key = "work_of_cell",
-          .title = "What an accuracy costs: six ellipses in a Couette cell",
-          .x = "solves E",
-          .error = "largest error of a position or angle at t = 1",
-          .lines = lines_of(couette_cell, 3),
-          .work_precision = true,
-          .operation = "solves"};
+  return left_to_full({.key = "work_of_cell",
+                       .title = "What an accuracy costs: six ellipses in a Couette cell",
+                       .x = "solves E",
+                       .error = "largest error of a position or angle at t = 1",
+                       .lines = lines_of(couette_cell, 3),
+                       .work_precision = true,
+                       .operation = "solves"});
 }
 
 }  // namespace stokesbook::verification::time_stepping
