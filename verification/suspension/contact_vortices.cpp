@@ -131,8 +131,9 @@ const Response& response(MakePull pull, double gap) {
 Measure ratios(MakePull pull, bool lagged = true) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
-    const double factor = size == Size::full ? 2.0 : 4.0;
-    for (double gap = 1.0 / 4096; gap <= 1.0 / 32; gap *= factor) {
+    const bool full = size == Size::full;
+    const double factor = full ? 2.0 : 4.0, least = full || pull == disks ? 1.0 / 4096 : 1.0 / 1024;
+    for (double gap = least; gap <= 1.0 / 32; gap *= factor) {
       const Response found = response(pull, gap);
       measurements.push_back(
           {.x = gap, .error = (lagged ? found.lagged : found.coupled) / found.coupled});
