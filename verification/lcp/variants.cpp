@@ -1,5 +1,7 @@
 #include "variants.hpp"
 
+#include <Eigen/QR>
+
 #include "support/dense.hpp"
 
 namespace stokesbook::verification::lcp {
