@@ -89,7 +89,8 @@ int main(int argc, char** argv) {
   app.add_option("name", methods, "methods to study [all]")->check(CLI::IsMember(known_methods));
   app.add_option("--experiment", experiments, "experiments of them to do, by their keys [all]")
       ->option_text("KEY ...");
-  app.add_option("--size", size, "quick: enough for every claim; full: more and harder points")
+  app.add_option("--size", size,
+                 "quick: enough for nearly every claim; full: all of them, more and harder points")
       ->transform(CLI::CheckedTransformer(std::map<std::string, study::Size>{
           {"quick", study::Size::quick}, {"full", study::Size::full}}));
   app.add_option("--out", directory, "directory of the results [out/study]");
