@@ -259,7 +259,8 @@ class SmallTree(unittest.TestCase):
             add_executable(test_room test.cpp)
             target_link_libraries(test_room room)
             add_test(NAME room COMMAND test_room)
-            add_test(NAME no_program COMMAND true)""",
+            add_test(NAME no_program COMMAND true)
+            set_tests_properties(room no_program PROPERTIES LABELS as_shipped)""",
         "CMakePresets.json": json.dumps({"version": 6, "configurePresets": [{
             "name": "mutants", "generator": "Ninja", "binaryDir": "${sourceDir}/build/mutants",
             "cacheVariables": {"BUILD_SHARED_LIBS": "ON", "CMAKE_LINK_DEPENDS_NO_SHARED": "ON"}}]}),
