@@ -37,6 +37,7 @@ REPLACEMENTS = {  # text of a token -> (kind, new texts)
     "&&": ("logic", ["||"]), "||": ("logic", ["&&"]),
     "++": ("increment", ["--"]), "--": ("increment", ["++"]),
     "true": ("truth", ["false"]), "false": ("truth", ["true"])}
+SYMMETRIC = {"min", "max", "minmax", "swap", "hypot", "dot"}  # exchanged arguments are no defect
 FUNCTIONS = {}  # function -> the one that is taken instead
 for pair in ("min max", "fmin fmax", "min_element max_element", "minCoeff maxCoeff",
              "cwiseMin cwiseMax", "sin cos", "real imag"):
@@ -295,7 +296,7 @@ class Source:
         called = token.text == "(" and self.is_operand(i - 1) and (
             self.kind(i - 1) == "name" or self.at(i - 1) == ">")
         listed = token.text == "{" and i not in self.blocks and self.at(i + 1) != "."
-        if not (called or listed) or not self.in_code(i):
+        if not (called or listed) or not self.in_code(i) or self.at(i - 1) in SYMMETRIC:
             return
         arguments = self._arguments(i)
         for (first, end_first), (second, end_second) in zip(arguments, arguments[1:]):

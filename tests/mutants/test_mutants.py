@@ -109,7 +109,7 @@ class Kinds(unittest.TestCase):
         self.check("return {a, b};", arguments=["return {b, a};"])
         self.check("T x{a, b};", arguments=["T x{b, a};"])
         self.check("return f(p<int, int>(x), y);", arguments=["return f(y, p<int, int>(x));"])
-        for code in ["f(a, a);", "return T{.a = 1, .b = 2};", "return [=](int i, int j) {};",
+        for code in ["f(a, a);", "std::min(a, b);", "return T{.a = 1, .b = 2};", "return [=](int i, int j) {};",
                      "for (i = 0, j = 1; i < j;) {}", 'f("a", "b");']:
             self.assertNotIn("arguments", planted(code), code)
 
