@@ -5,6 +5,7 @@ Usage: test_front_end.py SCRIPT [unittest arguments]
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -75,12 +76,44 @@ class FrontEnd(unittest.TestCase):
         for command in "test", "docs", "exercise", "check":
             self.assertIn("./stokes exercise [03] ", self.stokes(command, "--help").stdout)
 
-    def test_bad_usage(self):
+    def install_all(self):
         for tool in ("doxygen", "python3", "git", "chromium", "slurmctld", "parallel", "clang++",
                      "c++"):
             self.program(self.tools / tool, "exit 0")
         self.configure(self.root)
+
+    def test_bad_usage(self):
+        self.install_all()
         self.assertIn("needs a name", self.stokes("test", "--preset", code=1).stderr)
+
+    def test_tiers(self):
+        self.install_all()
+        self.program(self.tools / "ctest", f'echo "ctest $@" >>{self.root}/asked')
+        builds = self.root / "build"
+
+        def asked(*arguments):
+            (self.root / "asked").unlink(missing_ok=True)
+            report = self.stokes("test", *arguments).stderr
+            lines = (self.root / "asked").read_text().splitlines()
+            return report, [re.sub("^ctest .*-j [0-9]+ ?|( -- -n)$",
+                                   lambda part: "" if part[1] else "ctest ", line)
+                            for line in lines if line.startswith(("ctest", "--build"))]
+
+        report, commands = asked()
+        self.assertEqual(commands, [f"--build {builds}/release --target as_shipped",
+                                    "ctest -L as_shipped",
+                                    f"--build {builds}/asan --target sanitized",
+                                    "ctest -L sanitized"])
+        self.assertRegex(report, r"^(.*\n)*stokes: release, building: \d+ CPU seconds\n"
+                         r"stokes: release, testing: \d+ CPU seconds\n(.*\n)*"
+                         r"stokes: asan, building: \d+ CPU seconds\n"
+                         r"stokes: asan, testing: \d+ CPU seconds\n"
+                         r"stokes: in all: \d+ CPU seconds\n$")
+        self.assertEqual(asked("--full")[1], [f"--build {builds}/release --target all", "ctest ",
+                                              f"--build {builds}/asan --target all",
+                                              "ctest -LE full"])
+        self.assertEqual(asked("--preset", "debug", "-R", "fmm")[1],
+                         [f"--build {builds}/debug --target all", "ctest -R fmm"])
 
 
 if __name__ == "__main__":

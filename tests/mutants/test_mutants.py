@@ -109,8 +109,8 @@ class Kinds(unittest.TestCase):
         self.check("return {a, b};", arguments=["return {b, a};"])
         self.check("T x{a, b};", arguments=["T x{b, a};"])
         self.check("return f(p<int, int>(x), y);", arguments=["return f(y, p<int, int>(x));"])
-        for code in ["f(a, a);", "std::min(a, b);", "return T{.a = 1, .b = 2};", "return [=](int i, int j) {};",
-                     "for (i = 0, j = 1; i < j;) {}", 'f("a", "b");']:
+        for code in ["f(a, a);", "std::min(a, b);", "return T{.a = 1, .b = 2};", 'f("a", "b");',
+                     "return [=](int i, int j) {};", "for (i = 0, j = 1; i < j;) {}"]:
             self.assertNotIn("arguments", planted(code), code)
 
     def test_functions(self):
