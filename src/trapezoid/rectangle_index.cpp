@@ -10,6 +10,9 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#if __has_include(<boost/geometry/strategies/cartesian.hpp>)
+#include <boost/geometry/strategies/cartesian.hpp>  // which newer versions do not read themselves
+#endif
 #include <boost/iterator/function_output_iterator.hpp>
 
 namespace stokesbook {
