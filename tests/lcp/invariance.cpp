@@ -71,11 +71,11 @@ BOOST_AUTO_TEST_CASE(order_of_the_rows) {
 BOOST_AUTO_TEST_CASE(the_solution_of_a_symmetric_problem_is_a_minimum) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const PlantedLcp lcp = planted("rank 5", semidefinite_matrix(20, 5, seed), seed, false);
-    const auto& [matrix, offset] = lcp.problem;
-    const auto value = [&matrix = matrix, &offset = offset](const VectorXd& z) {
-      return 0.5 * z.dot(matrix * z) + offset.dot(z);
+    const LcpProblem& problem = lcp.problem;
+    const auto value = [&](const VectorXd& z) {
+      return 0.5 * z.dot(problem.matrix * z) + problem.offset.dot(z);
     };
-    const VectorXd z = lemke(lcp.problem).z;
+    const VectorXd z = lemke(problem).z;
     for (unsigned trial = 0; trial < 20; ++trial) {
       const VectorXd other = (z + 0.1 * normal_matrix(20, 1, 100 * seed + trial)).cwiseMax(0.0);
       BOOST_TEST(value(other) >= value(z) - 1e-12);
