@@ -32,7 +32,8 @@ bool named(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
-/// Keeps the experiments of these names, and the studies that have one of them.
+/// Keeps the experiments of these names, and the studies that have one of them. Of an experiment
+/// that is named, the quick size leaves out no line.
 void keep_named(std::vector<study::Study>& studies, const std::vector<std::string>& keys) {
   std::set<std::string> known;
   for (study::Study& study : studies) {
@@ -40,6 +41,10 @@ void keep_named(std::vector<study::Study>& studies, const std::vector<std::strin
     std::erase_if(study.experiments, [&](const study::Experiment& experiment) {
       return !named(keys, experiment.key);
     });
+    if (keys.empty()) continue;
+    for (study::Experiment& experiment : study.experiments) {
+      for (study::Line& line : experiment.lines) line.least = study::Size::quick;
+    }
   }
   std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
   const CLI::IsMember one_of_them(known);
@@ -87,7 +92,8 @@ int main(int argc, char** argv) {
   study::Size size = study::Size::quick;
   std::string directory = "out/study";
   app.add_option("name", methods, "methods to study [all]")->check(CLI::IsMember(known_methods));
-  app.add_option("--experiment", experiments, "experiments of them to do, by their keys [all]")
+  app.add_option("--experiment", experiments,
+                 "experiments of them to do, by their keys, with all of their lines [all]")
       ->option_text("KEY ...");
   app.add_option("--size", size,
                  "quick: enough for nearly every claim; full: all of them, more and harder points")

@@ -38,7 +38,8 @@ class BusyProcesses {
       const pid_t child = fork();
       if (child == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        for (std::atomic<unsigned> turns = 0;; ++turns) {}
+        for (std::atomic<unsigned> turns = 0;; ++turns) {
+        }
       }
       if (child > 0) children_.push_back(child);
     }

@@ -36,7 +36,7 @@ std::vector<Complex> lattice(int rings, double pitch) {
 
 Scene disk_chain(double gap) {
   std::vector<Complex> positions;
-  for (int k = -2; k <= 2; ++k) positions.push_back(std::polar(k * (2.0 + gap), 0.3));
+  for (int k = -2; k <= 2; ++k) positions.push_back(k * (2.0 + gap) * std::polar(1.0, 0.3));
   return disks(positions, 1e-6);
 }
 
