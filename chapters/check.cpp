@@ -1,5 +1,5 @@
-// What the checks of the exercises share, compiled once for all of them: comparisons of a reader's
-// results with exact values, and the report on every task.
+// Compares a reader's results with exact values, and reports on every task. All checks of the
+// exercises share this code, which is compiled once.
 
 #include "chapters/check.hpp"
 

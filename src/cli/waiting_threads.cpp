@@ -5,7 +5,7 @@
 // takes ten times as long. OpenMP reads the policy from the environment when a program is loaded,
 // and has no function that changes the policy later: the program sets the variable and starts
 // itself again, once. A policy that the user has set is left as it is. The benchmark measures what
-// the choice costs on a quiet machine and what it saves on a busy one (chapter "Performance").
+// the choice costs on a quiet machine and what it saves on a busy one (page "Speed").
 #include <array>
 #include <cstdlib>
 

@@ -1,3 +1,4 @@
+// Reads the shapes of a scene file: each kind of shape has a reader of its own.
 #include <algorithm>
 #include <cmath>
 #include <string>

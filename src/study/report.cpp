@@ -1,3 +1,5 @@
+// Writes what a study found: tables and figures for the pages, numbers that the texts quote, and the
+// index of all claims.
 #include "study/report.hpp"
 
 #include <algorithm>

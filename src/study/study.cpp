@@ -1,3 +1,4 @@
+// Runs a study: measures each line of each experiment, and checks the claims and their controls.
 #include "study/study.hpp"
 
 #include <algorithm>

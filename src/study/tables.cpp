@@ -1,3 +1,4 @@
+// Writes the tables of a study as HTML: convergence, work against error, and claims.
 #include "study/tables.hpp"
 
 #include <optional>
@@ -46,7 +47,7 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
-/// What was measured of a claim and of its control, and the verdict: three cells.
+/// Returns three cells: the measurement of a claim, that of its control, and the verdict.
 std::string evidence(const Line& line, const LineResult& found) {
   return cell(escaped(found.verdict->explanation)) +
          cell(escaped(line.control->defect) + ": " +

@@ -1,3 +1,4 @@
+// Finds rectangles that meet each other, by the R-tree of Boost.Geometry.
 #include "trapezoid/rectangle_index.hpp"
 
 #include <algorithm>

@@ -24,7 +24,7 @@ KEYWORDS = set("""alignas alignof asm auto break case catch class const consteva
     static_assert struct switch template this thread_local throw try typedef typename union using
     virtual volatile while""".split())
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<="}
-# What ends a term of a sum; among these are the operators that bind less than + and -.
+# These tokens end a term of a sum; operators that bind less than + and - are among them.
 ENDS_TERM = ASSIGNMENTS | set("< > <= >= == != <=> << && || & | ^ ? : , ; return".split())
 
 REPLACEMENTS = {  # text of a token -> (kind, new texts)

@@ -1,4 +1,4 @@
-// What it costs, and what it saves, that waiting threads sleep: see src/cli/waiting_threads.cpp.
+// Measures the cost and the gain of waiting threads that sleep: see src/cli/waiting_threads.cpp.
 #include "waiting.hpp"
 
 #include <atomic>
