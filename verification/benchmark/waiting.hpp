@@ -24,6 +24,7 @@ WorkTime solve_often(int solves);
 /// The policy holds for a whole process, so that each time comes from a process of its own.
 /// @param  program  path of this program, whose option --solves calls solve_often()
 /// @param  solves   how often to solve
-Table time_waiting(const std::string& program, int solves);
+/// @param  runs     of each kind; the one of the least wall time counts
+Table time_waiting(const std::string& program, int solves, int runs);
 
 }  // namespace stokesbook

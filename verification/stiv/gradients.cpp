@@ -48,9 +48,10 @@ double worst_difference(const Step& step, double h, PairWrench ContactRow::*form
   for (const Change& change : changes) {
     const auto before = events_after(step, change, -h), after = events_after(step, change, h);
     for (const auto& [vertex, event] : here) {
-      const auto touches_it = [&](const std::map<Index, VertexEvent>& moved) {
+      const auto touches_it = [&b, vertex = vertex,
+                               edge = event.edge](const std::map<Index, VertexEvent>& moved) {
         const auto found = moved.find(vertex);
-        return found != moved.end() && found->second.edge == event.edge &&
+        return found != moved.end() && found->second.edge == edge &&
                !touches_a_corner(b, found->second);
       };
       if (touches_a_corner(b, event) || !touches_it(before) || !touches_it(after)) continue;

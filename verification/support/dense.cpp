@@ -14,7 +14,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
 }
 
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs) {
-  return matrix.householderQr().solve(rhs);
+  return matrix.completeOrthogonalDecomposition().solve(rhs);
 }
 
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& matrix) {
