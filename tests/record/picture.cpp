@@ -2,7 +2,11 @@
 
 #include "record/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
+#include <string>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,6 +46,40 @@ BOOST_AUTO_TEST_CASE(colours_are_those_of_viridis) {
 BOOST_AUTO_TEST_CASE(colours_get_lighter) {
   for (int k = 0; k < 100; ++k) {
     BOOST_TEST(luminance(viridis_colour(k / 100.0)) < luminance(viridis_colour((k + 1) / 100.0)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
+  // The lightness of CIE is linear along viridis.
+  const auto lightness = [](double at) {
+    return 116.0 * std::cbrt(luminance(viridis_colour(at))) - 16.0;
+  };
+  for (int k = 0; k <= 10; ++k) {
+    const double even = lightness(0.0) + 0.1 * k * (lightness(1.0) - lightness(0.0));
+    BOOST_TEST(std::abs(lightness(0.1 * k) - even) < 3.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
+  const std::string picture = draw(sample_frame(0));
+  const std::regex path("<path fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" "
+                        "d=\"([^\"]*)\"");
+  std::smatch found;
+  BOOST_REQUIRE(std::regex_search(picture, found, path));
+  const std::string data = found[1].str();
+  std::vector<double> lengths;
+  const std::regex line("M([-0-9.]+) ([-0-9.]+)L([-0-9.]+) ([-0-9.]+)");
+  for (std::sregex_iterator it(data.begin(), data.end(), line), end; it != end; ++it) {
+    const std::smatch& ends = *it;
+    lengths.push_back(std::hypot(std::stod(ends[3]) - std::stod(ends[1]),
+                                 std::stod(ends[4]) - std::stod(ends[2])));
+  }
+  BOOST_REQUIRE(!lengths.empty());
+  BOOST_REQUIRE_EQUAL(lengths.size() % 3, 0U);
+  for (std::size_t k = 0; k < lengths.size(); k += 3) {
+    const double barb = std::min(0.35 * lengths[k], 6.0);
+    BOOST_TEST(std::abs(lengths[k + 1] - barb) < 0.05);
+    BOOST_TEST(std::abs(lengths[k + 2] - barb) < 0.05);
   }
 }
 

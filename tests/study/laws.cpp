@@ -65,6 +65,8 @@ BOOST_AUTO_TEST_CASE(window_leaves_out_what_is_not_asymptotic) {
 }
 
 BOOST_AUTO_TEST_CASE(two_points_are_inconclusive) {
+  const Verdict few = check(claim_of(Algebraic{2.0}), doubling(2, power(2.0)));
+  BOOST_TEST(few.explanation == "2 points in the window, 3 needed");
   BOOST_TEST(outcome(Algebraic{2.0}, doubling(2, power(2.0))) == Outcome::inconclusive);
   BOOST_TEST(outcome(Algebraic{2.0}, doubling(8, power(2.0)), {.floor = 1e-2}) ==
              Outcome::inconclusive);
@@ -158,6 +160,9 @@ BOOST_AUTO_TEST_CASE(local_slopes) {
   for (std::size_t i = 1; i < 4; ++i) {
     BOOST_TEST(orders[i] == 3.0, boost::test_tools::tolerance(1e-12));
   }
+  const std::vector<double> to_zero =
+      local_orders(std::vector<Measurement>{{.x = 8, .error = 1.0}, {.x = 16, .error = 0.0}});
+  BOOST_TEST(std::isnan(to_zero[1]));
   const std::vector<double> rates = local_rates(stepping(2, 3, 4, exponential(0.7)));
   for (std::size_t i = 1; i < 4; ++i) {
     BOOST_TEST(rates[i] == 0.7, boost::test_tools::tolerance(1e-12));

@@ -1,6 +1,9 @@
 // Figures: what is drawn where.
 
+#include <algorithm>
+#include <regex>
 #include <sstream>
+#include <string>
 
 #include <boost/test/unit_test.hpp>
 
@@ -37,6 +40,38 @@ BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
   BOOST_TEST(count(svg, "fill=\"none\" d=\"M") >= 1);
   BOOST_TEST(svg.starts_with("<svg"));
   BOOST_TEST(svg.ends_with("</svg>\n"));
+}
+
+// Corners of the first marker of a line: x, y, x, y, ...
+std::vector<double> corners_of_marker(const std::string& svg, int line) {
+  const std::regex path("class=\"line-" + std::to_string(line) +
+                        "\"[^]*?fill=\"currentColor\" d=\"M([^Z]*)Z");
+  std::smatch found;
+  BOOST_REQUIRE(std::regex_search(svg, found, path));
+  std::istringstream numbers(found[1].str());
+  std::vector<double> corners;
+  for (double number; numbers >> number;) corners.push_back(number);
+  return corners;
+}
+
+BOOST_AUTO_TEST_CASE(markers_of_the_first_lines_are_regular_polygons) {
+  Plot plot = decay({{8, 1e-1}, {16, 1e-2}, {32, 1e-3}});
+  for (const char* label : {"b", "c", "d"}) plot.lines.push_back({label, plot.lines[0].points});
+  const std::string svg = draw_plot(plot);
+  for (const auto& [line, sides] : {std::pair{1, 4}, std::pair{2, 3}, std::pair{3, 4}}) {
+    const std::vector<double> corners = corners_of_marker(svg, line);
+    BOOST_REQUIRE_EQUAL(corners.size(), static_cast<std::size_t>(2 * sides));
+    double shortest = 1e9, longest = 0.0;
+    for (std::size_t k = 0; k < corners.size(); k += 2) {
+      const std::size_t next = (k + 2) % corners.size();
+      const double side =
+          std::hypot(corners[next] - corners[k], corners[next + 1] - corners[k + 1]);
+      shortest = std::min(shortest, side);
+      longest = std::max(longest, side);
+    }
+    BOOST_TEST(shortest > 1.0);
+    BOOST_TEST(longest - shortest < 0.03);  // of coordinates with two decimals
+  }
 }
 
 BOOST_AUTO_TEST_CASE(long_labels_take_two_rows) {
@@ -95,6 +130,12 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   const std::string level = convergence_figure(study.experiments[0], steep.experiments[0]);
   BOOST_TEST(count(level, ">0</text>") == 0);
   BOOST_TEST(count(level, "stroke-dasharray=\"6 4\"") == 1);
+  const std::regex guide("<path[^>]*stroke-dasharray=\"6 4\"[^>]*>");
+  std::smatch drawn, ends;
+  BOOST_REQUIRE(std::regex_search(level, drawn, guide));
+  const std::string path = drawn[0].str();
+  BOOST_REQUIRE(std::regex_search(path, ends, std::regex("M([0-9.]+) [0-9.]+L([0-9.]+) ")));
+  BOOST_TEST(std::stod(ends[2]) - std::stod(ends[1]) > 100.0);
 
   line.claim->law = Geometric{0.1};
   line.claim->window.floor = 1e-9;

@@ -42,6 +42,15 @@ BOOST_AUTO_TEST_CASE(the_residual_follows_the_tolerance_until_rounding_limits_it
   BOOST_TEST(mentions(below, "rounding"));
 }
 
+BOOST_AUTO_TEST_CASE(a_fast_sum_that_the_scene_asks_for_is_said_to_be_asked_for) {
+  Scene asked = disk(1e-6);
+  asked.solver.summation = Summation::fmm;
+  const std::string line = told(asked, "summation").at(0);
+  BOOST_TEST(mentions(line, "fast multipole method"));
+  BOOST_TEST(mentions(line, "solver.summation"));
+  BOOST_TEST(!mentions(line, "break-even"));
+}
+
 BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
   Scene pair = disk(1e-6);
   pair.bodies[0].n_nodes = automatic_nodes;

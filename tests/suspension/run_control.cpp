@@ -114,6 +114,14 @@ BOOST_AUTO_TEST_CASE(events_that_differ_by_rounding_are_one) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(euler_solves_once_at_the_start_and_at_the_end_of_each_step) {
+  const SuspensionSolver solver(sheared_pair(SteppingMethod::euler));
+  Simulation simulation(solver, {});
+  simulation.run();
+  BOOST_TEST(simulation.totals().steps > 1);
+  BOOST_TEST(simulation.totals().solves == simulation.totals().steps + 1);
+}
+
 BOOST_AUTO_TEST_CASE(steps_with_an_interpolant_pass_written_times) {
   Scene scene = sheared_pair(SteppingMethod::dormand_prince54);
   scene.time->dt.reset();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include <boost/test/unit_test.hpp>
@@ -98,6 +100,42 @@ BOOST_AUTO_TEST_CASE(few_steps_are_rejected) {
       rejected += advance.rejected;
     }
     BOOST_TEST(10 * rejected <= steps);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(steps_to_an_event_are_even_and_the_last_hits_it) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int trial = 0; trial < 100; ++trial) {
+    const double t = uniform(random), event = t + uniform(random), longest = 0.3 * uniform(random);
+    BOOST_TEST(evened_end(t, event, event - t) == event);
+    BOOST_TEST(evened_end(t, event, 2.0) == event);
+    int steps = 1;
+    double now = evened_end(t, event, longest);
+    const double first = now - t;
+    BOOST_TEST(first <= longest * (1.0 + 1e-8));
+    for (; now < event; ++steps) {
+      const double next = evened_end(now, event, longest);
+      BOOST_TEST(std::abs(next - now - first) <= 1e-12);
+      now = next;
+    }
+    BOOST_TEST(now == event);
+    BOOST_TEST(steps - (event - t) / longest < 1.0 + 1e-8);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_next_step_follows_from_the_order_of_the_estimate) {
+  for (const auto& [method, power] : {std::pair{Method::bogacki_shampine32, 3},
+                                      std::pair{Method::dormand_prince54, 5},
+                                      std::pair{Method::prince_dormand87, 8}}) {
+    SteppingSettings settings = to_tolerance(method, 1e-5);
+    settings.dt = 0.02;
+    const Stepper stepper(settings, {problem_rate, problem_rate});
+    const Advance advance = stepper.advance(problem_at(0.0), {}, 10.0);
+    BOOST_REQUIRE_EQUAL(advance.rejected, 0);
+    const double factor = step_factor(advance.memory.error, 1.0, power);
+    BOOST_TEST(*advance.memory.dt == factor * advance.step.dt(),
+               boost::test_tools::tolerance(1e-12));
   }
 }
 
