@@ -1,5 +1,7 @@
 // Steps with contact: their order, control, reports, and how runs go on after an interruption.
 
+#include <algorithm>
+
 #include <boost/test/unit_test.hpp>
 
 #include "contact_checks.hpp"
@@ -103,6 +105,16 @@ BOOST_AUTO_TEST_CASE(steps_with_contact_keep_their_order) {
 
 BOOST_AUTO_TEST_CASE(short_steps_with_contact_keep_their_order, *boost::unit_test::label("full")) {
   check_orders(0.1, 0.025, 0.0025);
+}
+
+BOOST_AUTO_TEST_CASE(controlled_steps_are_no_longer_than_the_longest) {
+  Scene scene = over(passing_pair(), 1.5, 0.05, heun);
+  scene.time->tolerance = 0.1;  // would allow steps of several tenths
+  scene.time->dt_max = 0.12;
+  double longest = 0.0;
+  for (const StepInfo& step : recorded_run(scene).steps) longest = std::max(longest, step.dt);
+  BOOST_TEST(longest <= 0.12 * (1.0 + 1e-9));
+  BOOST_TEST(longest > 0.1);
 }
 
 // The first step takes both from a gap of 0.8 to one of 0.1, against the force; later ones hold it.

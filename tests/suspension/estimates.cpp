@@ -95,6 +95,21 @@ void check_estimates(int trials) {
 
 BOOST_AUTO_TEST_SUITE(estimates)
 
+BOOST_AUTO_TEST_CASE(what_a_gap_asks_for_does_not_depend_on_the_order_of_its_curves) {
+  const SuspensionSolver solver(scene(
+      {body(Ellipse{1, 0.4}, 64, {}, 0.3), body(Circle{0.5}, 64, {0.2, 1.1})}, ShearFlow{1}));
+  const Configuration places = solver.initial_configuration();
+  const Gap gap = find_gaps(places, solver.references(), 1e-3).front();
+  const ClosestPoints& p = gap.points;
+  const Gap turned{gap.b, gap.a, {p.gap, p.parameter_b, p.parameter_a, p.point_b, p.point_a}};
+  const GapResolution one = gap_resolution(gap, places, solver.references()),
+                      other = gap_resolution(turned, places, solver.references());
+  BOOST_TEST(one.decay.a == other.decay.b, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(one.decay.b == other.decay.a, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(one.error == other.error, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(std::abs(one.decay.a - one.decay.b) > 0.01);
+}
+
 BOOST_AUTO_TEST_CASE(are_honest) {
   check_estimates(9);
 }
