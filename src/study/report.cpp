@@ -115,8 +115,6 @@ struct Part {
   std::string html;
 };
 
-constexpr const char* full_size_measures = "The full size of the study measures this.";
-
 std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines) {
   // A line that this size leaves out is neither a column nor an entry of a legend.
   for (std::size_t k = lines.size(); k-- > 0;) {

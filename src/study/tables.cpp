@@ -171,7 +171,7 @@ std::string claims_table(const StudyResult& result) {
                        escaped(line.claim->reason) + "</small>") +
                   cell(escaped(law_text(line.claim->law, experiment.x))) +
                   (found.verdict ? evidence(line, found)
-                                 : cell("The full size of the study measures this.", span(3))));
+                                 : cell(full_size_measures, span(3))));
     }
   }
   return table(escaped(result.study.title),

@@ -35,6 +35,9 @@ std::string work_precision_table(const Experiment& experiment,
 /// @return         HTML
 std::string claims_table(const StudyResult& result);
 
+/// What stands in place of numbers that a size leaves out.
+inline constexpr const char* full_size_measures = "The full size of the study measures this.";
+
 /// @}
 
 }  // namespace stokesbook::study
