@@ -107,7 +107,8 @@ BOOST_AUTO_TEST_CASE(steps_to_an_event_are_even_and_the_last_hits_it) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int trial = 0; trial < 100; ++trial) {
-    const double t = uniform(random), event = t + uniform(random), longest = 0.3 * uniform(random);
+    const double t = 2.0 * uniform(random) - 1.0, event = t + uniform(random),
+                 longest = 0.3 * uniform(random);
     BOOST_TEST(evened_end(t, event, event - t) == event);
     BOOST_TEST(evened_end(t, event, 2.0) == event);
     int steps = 1;
