@@ -29,10 +29,8 @@ bool has_user_chosen() {
   std::array<char, PATH_MAX> program{};
   // A call that fails leaves the program as it is: it works, and its threads spin.
   // The short spin of GCC's library before they sleep, some microseconds, serves quiet machines.
-  if (has_user_chosen() ||
-      readlink("/proc/self/exe", program.data(), program.size() - 1) < 0 ||
-      setenv("OMP_WAIT_POLICY", "passive", 1) != 0 ||
-      setenv("GOMP_SPINCOUNT", "10000", 1) != 0) {
+  if (has_user_chosen() || readlink("/proc/self/exe", program.data(), program.size() - 1) < 0 ||
+      setenv("OMP_WAIT_POLICY", "passive", 1) != 0 || setenv("GOMP_SPINCOUNT", "10000", 1) != 0) {
     return;
   }
   execv(program.data(), arguments);

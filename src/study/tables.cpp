@@ -170,8 +170,7 @@ std::string claims_table(const StudyResult& result) {
                   cell(escaped(line.claim->statement) + "<br><small>" +
                        escaped(line.claim->reason) + "</small>") +
                   cell(escaped(law_text(line.claim->law, experiment.x))) +
-                  (found.verdict ? evidence(line, found)
-                                 : cell(full_size_measures, span(3))));
+                  (found.verdict ? evidence(line, found) : cell(full_size_measures, span(3))));
     }
   }
   return table(escaped(result.study.title),

@@ -35,7 +35,7 @@ std::string work_precision_table(const Experiment& experiment,
 /// @return         HTML
 std::string claims_table(const StudyResult& result);
 
-/// What stands in place of numbers that a size leaves out.
+/// Pages show this sentence in place of numbers that the size of a study leaves out.
 inline constexpr const char* full_size_measures = "The full size of the study measures this.";
 
 /// @}

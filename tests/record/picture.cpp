@@ -62,8 +62,9 @@ BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
 
 BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
   const std::string picture = draw(sample_frame(0));
-  const std::regex path("<path fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" "
-                        "d=\"([^\"]*)\"");
+  const std::regex path(
+      "<path fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" "
+      "d=\"([^\"]*)\"");
   std::smatch found;
   BOOST_REQUIRE(std::regex_search(picture, found, path));
   const std::string data = found[1].str();

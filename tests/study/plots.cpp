@@ -1,9 +1,12 @@
 // Figures: what is drawn where.
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
 
@@ -29,6 +32,18 @@ Plot decay(std::vector<PlotPoint> points) {
       .title = "decay", .x_label = "N", .y_label = "error", .lines = {{"a", std::move(points)}}};
 }
 
+// Returns the corners of the first marker of a line as x, y, x, y, ...
+std::vector<double> corners_of_marker(const std::string& svg, int line) {
+  const std::regex path("class=\"line-" + std::to_string(line) +
+                        "\"[^]*?fill=\"currentColor\" d=\"M([^Z]*)Z");
+  std::smatch found;
+  BOOST_REQUIRE(std::regex_search(svg, found, path));
+  std::istringstream numbers(found[1].str());
+  std::vector<double> corners;
+  for (double number; numbers >> number;) corners.push_back(number);
+  return corners;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(plots)
@@ -40,18 +55,6 @@ BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
   BOOST_TEST(count(svg, "fill=\"none\" d=\"M") >= 1);
   BOOST_TEST(svg.starts_with("<svg"));
   BOOST_TEST(svg.ends_with("</svg>\n"));
-}
-
-// Corners of the first marker of a line: x, y, x, y, ...
-std::vector<double> corners_of_marker(const std::string& svg, int line) {
-  const std::regex path("class=\"line-" + std::to_string(line) +
-                        "\"[^]*?fill=\"currentColor\" d=\"M([^Z]*)Z");
-  std::smatch found;
-  BOOST_REQUIRE(std::regex_search(svg, found, path));
-  std::istringstream numbers(found[1].str());
-  std::vector<double> corners;
-  for (double number; numbers >> number;) corners.push_back(number);
-  return corners;
 }
 
 BOOST_AUTO_TEST_CASE(markers_of_the_first_lines_are_regular_polygons) {

@@ -96,8 +96,8 @@ void check_estimates(int trials) {
 BOOST_AUTO_TEST_SUITE(estimates)
 
 BOOST_AUTO_TEST_CASE(what_a_gap_asks_for_does_not_depend_on_the_order_of_its_curves) {
-  const SuspensionSolver solver(scene(
-      {body(Ellipse{1, 0.4}, 64, {}, 0.3), body(Circle{0.5}, 64, {0.2, 1.1})}, ShearFlow{1}));
+  const SuspensionSolver solver(
+      scene({body(Ellipse{1, 0.4}, 64, {}, 0.3), body(Circle{0.5}, 64, {0.2, 1.1})}, ShearFlow{1}));
   const Configuration places = solver.initial_configuration();
   const Gap gap = find_gaps(places, solver.references(), 1e-3).front();
   const ClosestPoints& p = gap.points;

@@ -126,9 +126,9 @@ BOOST_AUTO_TEST_CASE(steps_to_an_event_are_even_and_the_last_hits_it) {
 }
 
 BOOST_AUTO_TEST_CASE(the_next_step_follows_from_the_order_of_the_estimate) {
-  for (const auto& [method, power] : {std::pair{Method::bogacki_shampine32, 3},
-                                      std::pair{Method::dormand_prince54, 5},
-                                      std::pair{Method::prince_dormand87, 8}}) {
+  for (const auto& [method, power] :
+       {std::pair{Method::bogacki_shampine32, 3}, std::pair{Method::dormand_prince54, 5},
+        std::pair{Method::prince_dormand87, 8}}) {
     SteppingSettings settings = to_tolerance(method, 1e-5);
     settings.dt = 0.02;
     const Stepper stepper(settings, {problem_rate, problem_rate});

@@ -57,7 +57,8 @@ class BusyProcesses {
   std::vector<pid_t> children_;
 };
 
-// The least wall time of some runs of a command, which prints wall and CPU seconds.
+// Runs a command, which prints wall and CPU seconds, some times, and returns the times of the run
+// with the least wall time.
 WorkTime least_of_runs(int runs, const std::string& command) {
   WorkTime least{};
   for (int k = 0; k < runs; ++k) {

@@ -11,7 +11,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs)
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
-/// Argument of the least |matrix x - rhs|; of several the shortest.
+/// Returns the x for which |matrix x - rhs| is least; if there are several, the shortest.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
 /// The orthogonal factor of matrix = Q R, with as many columns as the matrix.

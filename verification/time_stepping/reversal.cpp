@@ -46,9 +46,7 @@ ThereAndBack there_and_back(const Scene& scene, const Run& run) {
   const RunResult there = run({rate, start, reversal_time, zero, nothing});
   const Rate reversed = [=](double t, const VectorXd& q) -> VectorXd { return -rate(t, q); };
   const RunResult back = run({reversed, there.state, reversal_time, zero, nothing});
-  const auto centres = [](const VectorXd& q) {
-    return VectorXd{{q[0], q[1], q[3], q[4]}};
-  };
+  const auto centres = [](const VectorXd& q) { return VectorXd{{q[0], q[1], q[3], q[4]}}; };
   return {(centres(back.state) - centres(start)).norm() / centres(start).norm(),
           there.evaluations + back.evaluations};
 }
