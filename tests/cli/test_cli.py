@@ -190,6 +190,16 @@ class Records(Program):
         self.assertEqual(resolution["most_nodes"], [48, 48])
         self.assertGreaterEqual(resolution["error_estimate"], steps["error_estimate"].max())
 
+    def test_memory_is_that_which_the_system_counts(self):
+        with subprocess.Popen([PROGRAM, "run", self.scene(), "--out", "run"], cwd=self.folder,
+                              stdout=subprocess.DEVNULL) as run:
+            _, status, usage = os.wait4(run.pid, 0)
+            run.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(run.returncode, 0)
+        told = json.loads((self.folder / "run" / "run.json").read_text())["peak_memory"]
+        self.assertLessEqual(told, 1024 * usage.ru_maxrss)
+        self.assertGreater(told, 0.9 * 1024 * usage.ru_maxrss)
+
     def test_contact_is_recorded_where_the_scene_has_it(self):
         totals = {"ncp_iterations", "contact_solves", "contact_seconds", "halved_by_contact",
                   "largest_force_imbalance", "largest_torque_imbalance", "energy_injected"}

@@ -102,6 +102,12 @@ BOOST_AUTO_TEST_CASE(lines_end_at_the_grid_and_at_bodies) {
   BOOST_TEST(beside_the_disk);
 }
 
+BOOST_AUTO_TEST_CASE(lines_are_at_least_as_long_as_they_are_apart) {
+  const Field field = square([](Complex) { return Complex{1.0, 0.0}; });
+  BOOST_TEST(!streamlines(field, 1.3).empty());  // all lines have length 2
+  BOOST_TEST(streamlines(field, 2.2).empty());
+}
+
 BOOST_AUTO_TEST_CASE(nothing_flows) {
   BOOST_TEST(streamlines(square([](Complex) { return Complex{}; }), 0.1).empty());
   Field field = square([](Complex x) { return x; });

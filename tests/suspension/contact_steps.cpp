@@ -133,6 +133,16 @@ BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
   }
 }
 
+// Torques of forces along no axis balance up to rounding; a sum of exactly 0 was not computed.
+BOOST_AUTO_TEST_CASE(net_torques_are_reported) {
+  const RecordedRun run = recorded_run(over(head_on(0.05), 0.1, 0.1));
+  for (const double torque :
+       {run.steps.front().torque_imbalance, run.totals.largest_torque_imbalance}) {
+    BOOST_TEST(torque > 0.0);
+    BOOST_TEST(torque <= 1e-12);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {
   const RecordedRun run = recorded_run(over(head_on(0.0), 0.3, 0.1));
   long long iterations = 0, matvecs = 0;

@@ -5,6 +5,7 @@
 
 #include "support/known_motions.hpp"
 #include "suspension/numerics_refused.hpp"
+#include "suspension/step_counts.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -134,6 +135,29 @@ BOOST_AUTO_TEST_CASE(steps_by_effort_double_and_halve_within_their_limits) {
   const std::vector<double> shrinking{0.015, 0.01, 0.005, 0.005, 0.005, 0.005};
   BOOST_TEST(steps_of(approaching(time)).lengths == shrinking,
              boost::test_tools::tolerance(1e-9) << boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_rejected_try_counts_by_what_it_cost) {
+  const auto solved = [](int matvecs, double residual) {
+    Solution solution;
+    solution.cost.gmres_iterations = matvecs - 1;
+    solution.cost.matvecs = matvecs;
+    solution.gmres.residual = residual;
+    return solution;
+  };
+  const StepInfo begun = begun_step(solved(10, 1e-7), 0.5);
+  ContactOutcome outcome;
+  outcome.force_imbalance = 1e-16;
+  outcome.result.iterations = 3;
+  const StepInfo rejected = with_forces(
+      with_contact(with_solve(begun, solved(20, 1e-6), 0.25), outcome, {}, 0.125), outcome, 1.0);
+  const StepInfo step = with_costs_of(begun, rejected);
+  BOOST_TEST(step.gmres_iterations == 28);
+  BOOST_TEST(step.matvecs == 30);
+  BOOST_TEST(step.residual == 1e-6);  // the largest of all its solves
+  BOOST_TEST(step.seconds == 0.875);
+  BOOST_TEST(step.ncp_iterations == 0);
+  BOOST_TEST(step.force_imbalance == 0.0);
 }
 
 }  // namespace stokesbook::test
