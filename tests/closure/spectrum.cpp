@@ -23,22 +23,13 @@ Eigen::VectorXd eigenvalues(const Component& body) {
   return real;
 }
 
-// -1/2 + lambda with lambda = (+-c_k +- sqrt(c_k^2 + 4 m^2k)) / 4, c_k = (1 - m^2) k m^(k-1), m =
-// (a - b)/(a + b). For k = 1 these are the normal, -1, the turn, 0, and two more.
+// Those of -1/2 + D, with the three rigid motions moved from 0 to -1.
 Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
-  const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
-  std::vector<double> values{-1.0, -1.0};  // the translations, moved from 0
-  for (int k = 1; k <= enough_nodes / 2; ++k) {
-    const double c = (1 - m * m) * k * std::pow(m, k - 1);
-    const double root = std::sqrt(c * c + 4 * std::pow(m, 2 * k));
-    const bool turn = k == 1;
-    for (const double lambda : {c + root, c - root, -c + root, -c - root}) {
-      values.push_back(turn && lambda == c + root ? -1.0 : -0.5 + 0.25 * lambda);
-    }
-  }
-  values.resize(2 * enough_nodes, -0.5);
-  std::sort(values.begin(), values.end());
-  return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * enough_nodes);
+  Eigen::VectorXd values =
+      ellipse_spectrum(ellipse, Side::fluid_outside, enough_nodes).array() - 0.5;
+  values.tail(3).setConstant(-1.0);
+  std::ranges::sort(values);
+  return values;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The spectrum of the reduced system: on a circle nothing but -1 and -1/2, on an ellipse that of
 // the double layer with the rigid motions moved from 0 to -1.
-#include <algorithm>
+#include <cmath>
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
@@ -32,31 +32,21 @@ Eigen::MatrixXd with_integrals(const StokesProblem& problem) {
   return reduced(problem) + (1.0 - length) * projection_matrix(problem);
 }
 
-/// Largest distance of a computed eigenvalue from the nearer one of -1 and -1/2.
-double circle_error(const Eigen::MatrixXd& matrix) {
-  double error = 0.0;
-  for (const std::complex<double> value : eigenvalues(matrix)) {
-    error = std::max(error, std::min(std::abs(value + 1.0), std::abs(value + 0.5)));
-  }
-  return error;
+/// That of -1/2 + D, with the three rigid motions moved from 0 to -1.
+Eigen::VectorXd known_spectrum(const Ellipse& ellipse, double x) {
+  Eigen::VectorXd values = ellipse_spectrum(ellipse, Side::fluid_outside, count(x)).array() - 0.5;
+  values.tail(3).setConstant(-1.0);
+  return values;
 }
 
-/// Largest distance of a known eigenvalue of the modes 1 to 4 from the nearest computed one; -1 is
-/// there four times, for the rigid motions and the normal.
-double ellipse_error(const Eigen::MatrixXd& matrix, double m) {
-  const Eigen::VectorXcd computed = eigenvalues(matrix);
-  Eigen::VectorXd from_minus_one = (computed.array() + 1.0).abs();
-  std::ranges::nth_element(from_minus_one, from_minus_one.begin() + 3);
-  double error = from_minus_one[3];
-  for (int k = 1; k <= 4; ++k) {
-    const double c = (1.0 - m * m) * k * std::pow(m, k - 1);
-    const double root = std::hypot(c, 2.0 * std::pow(m, k));
-    for (const double four_lambda : {c + root, c - root, -c + root, -c - root}) {
-      if (k == 1 && four_lambda == c + root) continue;  // the turn, which P moves to -1
-      error = std::max(error, (computed.array() + 0.5 - 0.25 * four_lambda).abs().minCoeff());
-    }
-  }
-  return error;
+/// Largest error of all eigenvalues.
+double circle_error(const Eigen::MatrixXd& matrix, double x) {
+  return spectrum_distance(eigenvalues(matrix), known_spectrum({1.0, 1.0}, x));
+}
+
+/// Largest error of the nine least and the nine largest eigenvalues.
+double ellipse_error(const Eigen::MatrixXd& matrix, const Ellipse& ellipse, double x) {
+  return spectrum_distance(eigenvalues(matrix), known_spectrum(ellipse, x), 9);
 }
 
 }  // namespace
@@ -77,8 +67,8 @@ Experiment spectrum() {
           {.key = "circle",
            .label = "circle",
            .measure = at(
-               circle_nodes, [](double x) { return circle_error(reduced(body(Circle{0.7}, x))); },
-               2.0),
+               circle_nodes,
+               [](double x) { return circle_error(reduced(body(Circle{0.7}, x)), x); }, 2.0),
            .claim = Claim{.id = "03_13",
                           .statement = "On a circle the reduced system has the eigenvalues -1 and "
                                        "-1/2, and no others.",
@@ -89,12 +79,14 @@ Experiment spectrum() {
            .control = Control{"the projection added, not subtracted",
                               at(circle_nodes,
                                  [](double x) {
-                                   return circle_error(with_projection_added(body(Circle{0.7}, x)));
+                                   return circle_error(with_projection_added(body(Circle{0.7}, x)),
+                                                       x);
                                  })}},
           {.key = "ellipse",
            .label = "ellipse 3:1",
            .measure = at(
-               nodes, [=](double x) { return ellipse_error(reduced(body(ellipse, x)), m); }, 2.0),
+               nodes,
+               [=](double x) { return ellipse_error(reduced(body(ellipse, x)), ellipse, x); }, 2.0),
            .claim = Claim{.id = "03_14",
                           .statement = "On an ellipse the reduced system has the eigenvalues of "
                                        "-1/2 + D, those of the rigid motions moved to -1.",
@@ -104,7 +96,7 @@ Experiment spectrum() {
                           .api = {"stokesbook::Closure"}},
            .control =
                Control{"integrals instead of means in the projection", at(nodes, [=](double x) {
-                         return ellipse_error(with_integrals(body(ellipse, x)), m);
+                         return ellipse_error(with_integrals(body(ellipse, x)), ellipse, x);
                        })}}}};
 }
 

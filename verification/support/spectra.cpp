@@ -1,6 +1,9 @@
 #include "support/spectra.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -31,6 +34,40 @@ Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix) {
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
   return matrix.selfadjointView<Eigen::Lower>().eigenvalues();
+}
+
+double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known,
+                         Eigen::Index outer) {
+  if (values.size() != known.size() || outer > known.size()) {
+    throw std::invalid_argument("spectrum_distance: sizes differ");
+  }
+  Eigen::VectorXcd computed = values;
+  Eigen::VectorXd sorted = known;
+  std::ranges::sort(computed, {}, [](Complex value) { return value.real(); });
+  std::ranges::sort(sorted);
+  const Eigen::ArrayXd distances = (computed - sorted).cwiseAbs();
+  return std::max(distances.head(outer).maxCoeff(), distances.tail(outer).maxCoeff());
+}
+
+double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known) {
+  return spectrum_distance(values, known, known.size());
+}
+
+Eigen::VectorXd ellipse_spectrum(const Ellipse& ellipse, Side side, Eigen::Index nodes) {
+  const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
+  const double of_constants = side == Side::fluid_outside ? 0.5 : -0.5;
+  std::vector<double> values{of_constants, of_constants};
+  for (Eigen::Index n = 1; n < nodes / 2; ++n) {
+    const auto k = static_cast<double>(n);
+    const double c = (1.0 - m * m) * k * std::pow(m, k - 1.0);
+    const double root = std::hypot(c, 2.0 * std::pow(m, k));
+    for (const double sum : {c + root, c - root, -c + root, -c - root}) {
+      values.push_back(0.25 * sum);
+    }
+  }
+  values.resize(static_cast<std::size_t>(2 * nodes), 0.0);  // of the mode N / 2, below m^{N/2}
+  std::ranges::sort(values);
+  return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * nodes);
 }
 
 }  // namespace stokesbook::test

@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "trapezoid/curve.hpp"
+#include "trapezoid/shape.hpp"
+
 namespace stokesbook::test {
 
 /// Largest first; each to a few hundred rounding units of the largest.
@@ -23,5 +26,27 @@ Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
 
 /// Of a symmetric matrix, of which only the lower half is read; smallest first.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
+
+/// Compares the eigenvalues of a matrix with real numbers, each as often as it occurs: sorts both
+/// by their real parts, and takes the largest distance of two in the same place.
+///
+/// @param  values  n eigenvalues
+/// @param  known   n numbers
+/// @param  outer   how many at either end are compared, at most n
+/// @return         distance
+double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known,
+                         Eigen::Index outer);
+
+/// The same for all n of them.
+double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known);
+
+/// Eigenvalues of the double layer of an ellipse in closed form (01.10): of constants and of the
+/// modes that N nodes resolve.
+///
+/// @param  ellipse  major axis first
+/// @param  side     where the fluid is
+/// @param  nodes    N, even
+/// @return          2N eigenvalues, ascending
+Eigen::VectorXd ellipse_spectrum(const Ellipse& ellipse, Side side, Eigen::Index nodes);
 
 }  // namespace stokesbook::test
