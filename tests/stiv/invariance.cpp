@@ -1,6 +1,8 @@
 // What must not matter: the observer, where and how the scene lies, its unit, which component comes
 // first, and how many threads look.
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
@@ -113,10 +115,12 @@ BOOST_AUTO_TEST_CASE(the_order_of_components) {
     for (ContactRow& row : mirrored) {
       row.key = {n - 1 - row.key.vertex_of, n - 1 - row.key.polygon_of, row.key.vertex};
     }
-    BOOST_TEST(rows.size() == mirrored.size());
+    BOOST_REQUIRE(rows.size() == mirrored.size());
+    std::set<RowKey> keys;
     for (const ContactRow& row : rows) {
       const auto found = std::ranges::find(mirrored, row.key, &ContactRow::key);
       BOOST_REQUIRE((found != mirrored.end()));
+      BOOST_TEST(keys.insert(row.key).second);
       BOOST_TEST(row.gap == found->gap);
       BOOST_TEST(row.time == found->time);
       BOOST_TEST(row.normal == -found->normal);
