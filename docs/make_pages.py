@@ -2,8 +2,8 @@
 
 make_pages.py ROOT FOLDER
 
-Methods and what each adds are the table of the README; what builds on what is the rule of includes
-that tests/house checks. An exercise is there when its README.md is.
+Methods and what each adds are the table of the README; what a chapter builds on is what its first
+paragraph says. An exercise is there when its README.md is.
 """
 
 import html
@@ -13,11 +13,11 @@ import sys
 
 # Place of each method in the graph: column and row. Arrows point down.
 PLACES = {
-    "trapezoid": (1, 0), "double_layer": (1, 1), "stiv": (3, 1), "closure": (0, 2),
-    "near_singular": (1, 2), "fmm": (2, 2), "null_space": (0, 3), "stress": (1, 3),
-    "krylov": (0, 4), "time_stepping": (4, 4), "lcp": (5, 4), "suspension": (0, 5)}
-PITCH, WIDTH, HEIGHT, ROW = 64, 58, 40, 62
-LAST_ROW = 5  # of the chapter that uses all others: as wide as the graph
+    "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 2),
+    "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 3), "time_stepping": (0, 4),
+    "stress": (2, 4), "stiv": (0, 5), "lcp": (0, 6), "suspension": (0, 7)}
+PITCH, WIDTH, HEIGHT, ROW = 90, 78, 40, 62
+LAST_COLUMN, LAST_ROW = 3, 7  # the last chapter, which uses all others, is as wide as the graph
 
 
 def methods_of(root):
@@ -28,17 +28,25 @@ def methods_of(root):
     return rows
 
 
-def may_use(root):
-    sys.path.insert(0, str(root / "tests/house"))
-    import house
-    return house.MAY_USE
+def builds_on(root, methods):
+    """What each method's chapter builds on, directly or through other chapters: method -> set."""
+    names = {int(number): method for number, method, _ in methods}
+    found = {}
+    for number, method in sorted(names.items()):
+        text = (root / f"chapters/{number:02}_{method}/chapter.md").read_text()
+        said = re.search(r"\*\*Builds on:\*\*(.*?)\*\*Library", text, re.DOTALL)[1]
+        found[method] = set()
+        for first, last in re.findall(r"@ref\s+chapter_(\d+)(?:\s+to\s+@ref\s+chapter_(\d+))?", said):
+            for k in range(int(first), int(last or first) + 1):
+                found[method] |= {names[k]} | found[names[k]]
+    return found
 
 
 def direct_uses(uses, methods):
     """What each method uses and does not already get through another one."""
     direct = {}
     for method in methods:
-        used = uses[method] & set(methods)
+        used = uses[method]
         direct[method] = {u for u in used if not any(u in uses[other] for other in used)}
     return direct
 
@@ -46,7 +54,7 @@ def direct_uses(uses, methods):
 def box(method):
     """Left, top and width of a method's box."""
     column, row = PLACES[method]
-    width = 5 * PITCH + WIDTH if row == LAST_ROW else WIDTH
+    width = LAST_COLUMN * PITCH + WIDTH if row == LAST_ROW else WIDTH
     return column * PITCH + 2, row * ROW + 2, width
 
 
@@ -63,7 +71,7 @@ def arrow(used, user):
 def graph(methods, uses):
     names = [method for _, method, _ in methods]
     lines = ['<div class="chapter-graph">',
-             f'<svg viewBox="0 0 {5 * PITCH + WIDTH + 4} {LAST_ROW * ROW + HEIGHT + 4}" role="img" '
+             f'<svg viewBox="0 0 {LAST_COLUMN * PITCH + WIDTH + 4} {LAST_ROW * ROW + HEIGHT + 4}" role="img" '
              'aria-label="The chapters; arrows lead to those that build on them">',
              '<defs><marker id="tip" viewBox="0 0 6 6" refX="2" refY="3" markerWidth="6" '
              'markerHeight="6" orient="auto"><path d="M0 0 L6 3 L0 6 z"/></marker></defs>']
@@ -136,7 +144,7 @@ def main(root, folder):
         (folder / f"exercise_{chapter}_{exercise}.md").write_text(
             exercise_page(chapter, exercise, readme.read_text()))
     (folder / "chapters.md").write_text(chapters_page(methods))
-    (folder / "chapter_graph.html").write_text(graph(methods, may_use(root)))
+    (folder / "chapter_graph.html").write_text(graph(methods, builds_on(root, methods)))
     (folder / "exercises.md").write_text(exercises_page(methods, exercises))
 
 

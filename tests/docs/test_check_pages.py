@@ -182,10 +182,26 @@ class Html(unittest.TestCase):
 class Lists(unittest.TestCase):
     def test_every_method_has_its_place_in_the_graph(self):
         methods = make_pages.methods_of(ROOT)
-        graph = make_pages.graph(methods, make_pages.may_use(ROOT))
+        graph = make_pages.graph(methods, make_pages.builds_on(ROOT, methods))
         self.assertEqual(graph.count("<rect"), 12)
         for number in range(1, 13):
             self.assertIn(f'href="chapter_{number:02}.html"', graph)
+
+    def test_arrows_are_those_of_the_chapters(self):
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+            methods = [("01", "a", ""), ("02", "b", ""), ("03", "c", ""), ("04", "d", "")]
+            said = ["nothing.", "@ref\nchapter_01.", "@ref chapter_01; sums of @ref chapter_02.",
+                    "@ref chapter_01 to @ref chapter_03."]
+            for (number, method, _), text in zip(methods, said):
+                folder = root / f"chapters/{number}_{method}"
+                folder.mkdir(parents=True)
+                (folder / "chapter.md").write_text(
+                    f"# C\n**Builds on:** {text} **Library:** x. See @ref chapter_04.\n")
+            uses = make_pages.builds_on(root, methods)
+            self.assertEqual(uses, {"a": set(), "b": {"a"}, "c": {"a", "b"}, "d": {"a", "b", "c"}})
+            self.assertEqual(make_pages.direct_uses(uses, list("abcd")),
+                             {"a": set(), "b": {"a"}, "c": {"b"}, "d": {"c"}})
 
     def test_exercise_page(self):
         self.assertEqual(make_pages.exercise_page("03", 2, "# Two\nA $x$ and `$HOME`.\n"),

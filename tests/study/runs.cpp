@@ -75,6 +75,18 @@ BOOST_AUTO_TEST_CASE(mistakes_are_found_before_anything_runs) {
   refused([](Study& study) { study.experiments.push_back(study.experiments[0]); });
 }
 
+BOOST_AUTO_TEST_CASE(operations_that_are_counted_have_a_name) {
+  Study study = sample_study();
+  first_line(study).measure = [measure = first_line(study).measure](Size size) {
+    std::vector<Measurement> measurements = measure(size);
+    measurements[0].operations = 3.0;
+    return measurements;
+  };
+  BOOST_CHECK_THROW(run_quietly(study), std::logic_error);
+  study.experiments[0].operation = "products";
+  BOOST_TEST(run_quietly(study).holds());
+}
+
 BOOST_AUTO_TEST_CASE(costs_that_were_measured) {
   StudyResult result = run_quietly(sample_study());
   const Experiment& experiment = result.study.experiments[0];

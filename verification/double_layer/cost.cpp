@@ -72,7 +72,8 @@ Experiment cost() {
                                     .reason = "a kernel for each pair; none is zero",
                                     .api = {"stokesbook::StressletSum",
                                             "stokesbook::double_layer_matrix"}},
-                     .control = Control{"each body on itself only", counted(own_pairs)}}}};
+                     .control = Control{"each body on itself only", counted(own_pairs)}}},
+          .operation = "kernel evaluations"};
 }
 
 }  // namespace stokesbook::verification::double_layer

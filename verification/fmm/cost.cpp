@@ -208,7 +208,8 @@ Experiment cost() {
                                               "neighbours",
                                     .api = {"stokesbook::find_interactions"}},
                      .control = Control{"one number of boxes for all n", over_nodes(fixed_level)}},
-                    {.key = "direct", .label = "direct sum", .measure = over_nodes(all_pairs)}}};
+                    {.key = "direct", .label = "direct sum", .measure = over_nodes(all_pairs)}},
+          .operation = "operations in kernel evaluations"};
 }
 
 Experiment break_even() {

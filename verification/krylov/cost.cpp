@@ -53,31 +53,32 @@ Measure costs(const Count& count) {
 }  // namespace
 
 Experiment costs_of_a_solve() {
-  return {
-      .key = "cost",
-      .title = "Cost of a solve, nine circles",
-      .x = "nodes of a circle, N",
-      .error = "multiplications",
-      .lines = {
-          {.key = "gmres",
-           .label = "GMRES, reduced form",
-           .measure = costs([](Index nodes, double unknowns) {
-             return multiplications(unknowns, reduced_iterations(nodes));
-           }),
-           .claim = Claim{.id = "05_24",
-                          .statement = "A solve takes a number of multiplications in "
-                                       "proportion to the square of the number of nodes.",
-                          .law = Cost{2.0, 0.1},
-                          .reason = "a number of products that does not grow, N^2 each; "
-                                    "the orthogonalisation, linear in N, is small",
-                          .api = {"stokesbook::gmres"}},
-           .control = Control{"the draft's border and the plain trapezoid rule",
-                              costs([](Index nodes, double unknowns) {
-                                return multiplications(unknowns, draft_iterations(nodes));
-                              })}},
-          {.key = "lu", .label = "LU factorisation", .measure = costs([](Index, double unknowns) {
-                                                       return unknowns * unknowns * unknowns / 3.0;
-                                                     })}}};
+  return {.key = "cost",
+          .title = "Cost of a solve, nine circles",
+          .x = "nodes of a circle, N",
+          .error = "multiplications",
+          .lines = {{.key = "gmres",
+                     .label = "GMRES, reduced form",
+                     .measure = costs([](Index nodes, double unknowns) {
+                       return multiplications(unknowns, reduced_iterations(nodes));
+                     }),
+                     .claim = Claim{.id = "05_24",
+                                    .statement = "A solve takes a number of multiplications in "
+                                                 "proportion to the square of the number of nodes.",
+                                    .law = Cost{2.0, 0.1},
+                                    .reason = "a number of products that does not grow, N^2 each; "
+                                              "the orthogonalisation, linear in N, is small",
+                                    .api = {"stokesbook::gmres"}},
+                     .control = Control{"the draft's border and the plain trapezoid rule",
+                                        costs([](Index nodes, double unknowns) {
+                                          return multiplications(unknowns, draft_iterations(nodes));
+                                        })}},
+                    {.key = "lu",
+                     .label = "LU factorisation",
+                     .measure = costs([](Index, double unknowns) {
+                       return unknowns * unknowns * unknowns / 3.0;
+                     })}},
+          .operation = "multiplications"};
 }
 
 }  // namespace stokesbook::verification::krylov

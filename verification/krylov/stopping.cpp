@@ -206,7 +206,8 @@ Experiment tolerances() {
                                         true_residuals(&SolvableSystem::from_the_left)}},
                     {.key = "left",
                      .label = "preconditioned from the left",
-                     .measure = true_residuals(&SolvableSystem::from_the_left)}}};
+                     .measure = true_residuals(&SolvableSystem::from_the_left)}},
+          .operation = "iterations"};
 }
 
 Experiment solvers() {

@@ -383,18 +383,20 @@ Experiment turns() {
           .title = "A rod laid on a floor: ends that take turns at being the deeper one",
           .x = "rotation of the free motion r",
           .error = "largest velocity left",
-          .lines = {
-              {.key = "kept",
-               .label = "earlier rows come back",
-               .measure = over_rotations(ContactLoopOptions{}.cuts_after),
-               .claim = Claim{.id = "11_19",
-                              .statement = "With rows that come back the rod is at rest.",
-                              .law = Identity{1e-12},
-                              .reason = "both ends together leave U = 0 alone, and gaps are "
-                                        "linear here",
-                              .api = {"stokesbook::resolve_contact"}},
-               .control = Control{"the deeper end alone, always", over_rotations(never)}},
-              {.key = "alone", .label = "the deeper end alone", .measure = over_rotations(never)}}};
+          .lines = {{.key = "kept",
+                     .label = "earlier rows come back",
+                     .measure = over_rotations(ContactLoopOptions{}.cuts_after),
+                     .claim = Claim{.id = "11_19",
+                                    .statement = "With rows that come back the rod is at rest.",
+                                    .law = Identity{1e-12},
+                                    .reason = "both ends together leave U = 0 alone, and gaps are "
+                                              "linear here",
+                                    .api = {"stokesbook::resolve_contact"}},
+                     .control = Control{"the deeper end alone, always", over_rotations(never)}},
+                    {.key = "alone",
+                     .label = "the deeper end alone",
+                     .measure = over_rotations(never)}},
+          .operation = "linear problems"};
 }
 
 Experiment clips() {

@@ -91,29 +91,31 @@ Experiment pivots() {
       .x = "rows m",
       .error = "how far the pivots are from their number",
       .axes = Axes::semi_log,
-      .lines = {
-          {.key = "murty",
-           .label = "Murty's matrix, 2^m",
-           .measure = miscount(murty, two_to_the),
-           .claim = Claim{.id = "11_1",
-                          .statement = "On Murty's matrix Lemke takes exactly 2^m pivots.",
-                          .law = Identity{0.0},
-                          .reason = "an additional row doubles the path: by induction on m in the "
-                                    "chapter; the pivots' numbers are integers, so that there is "
-                                    "no rounding",
-                          .api = {"stokesbook::lemke"}},
-           .control = Control{"Murty's matrix transposed", miscount(transposed_murty, two_to_the)}},
-          {.key = "chain",
-           .label = "a chain, m + 1",
-           .measure = miscount(chain, one_more),
-           .claim =
-               Claim{.id = "11_2",
-                     .statement = "On a chain that is pushed together Lemke takes m + 1 pivots.",
-                     .law = Identity{0.0},
-                     .reason = "t enters, then each of the m multipliers; where no entry off the "
-                               "diagonal is positive, none leaves again",
-                     .api = {"stokesbook::lemke"}},
-           .control = Control{"random definite matrices", miscount(random_definite, one_more)}}}};
+      .lines =
+          {{.key = "murty",
+            .label = "Murty's matrix, 2^m",
+            .measure = miscount(murty, two_to_the),
+            .claim = Claim{.id = "11_1",
+                           .statement = "On Murty's matrix Lemke takes exactly 2^m pivots.",
+                           .law = Identity{0.0},
+                           .reason = "an additional row doubles the path: by induction on m in the "
+                                     "chapter; the pivots' numbers are integers, so that there is "
+                                     "no rounding",
+                           .api = {"stokesbook::lemke"}},
+            .control =
+                Control{"Murty's matrix transposed", miscount(transposed_murty, two_to_the)}},
+           {.key = "chain",
+            .label = "a chain, m + 1",
+            .measure = miscount(chain, one_more),
+            .claim =
+                Claim{.id = "11_2",
+                      .statement = "On a chain that is pushed together Lemke takes m + 1 pivots.",
+                      .law = Identity{0.0},
+                      .reason = "t enters, then each of the m multipliers; where no entry off the "
+                                "diagonal is positive, none leaves again",
+                      .api = {"stokesbook::lemke"}},
+            .control = Control{"random definite matrices", miscount(random_definite, one_more)}}},
+      .operation = "pivots"};
 }
 
 Experiment rays() {

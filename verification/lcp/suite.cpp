@@ -149,7 +149,8 @@ Experiment suite_residuals() {
                         .x = "problem p",
                         .error = "residual, at least 1e-17",
                         .axes = Axes::nominal,
-                        .lines = {}};
+                        .lines = {},
+                        .operation = "products with the matrix"};
   for (const Method& method : methods()) {
     experiment.lines.push_back(
         {.key = method.key, .label = method.label, .measure = residuals(method)});

@@ -70,7 +70,7 @@ Measure counts(PreconditionerKind preconditioner) {
       [=](Size size, int nodes) { return products(size, nodes, preconditioner, Residual::given); });
 }
 
-/// By how much the count differs from that on 32 nodes, in parts of it.
+/// Difference of the count from that on 32 nodes, relative to that.
 Measure growth(Residual residual) {
   return over_nodes([=](Size size, int nodes) {
     const auto count = [=](int n) {
@@ -89,7 +89,7 @@ Experiment lobed_run() {
           "Eight lobed bodies in shear, 21 states of a run until t = 2, in the quick study 5: "
           "iterations to 1e-6 in all, without guesses",
       .x = "nodes a body N",
-      .error = "iterations, or part of them",
+      .error = "iterations, or their relative difference",
       .axes = Axes::nominal,
       .lines = {
           {.key = "none",
@@ -100,7 +100,7 @@ Experiment lobed_run() {
            .measure = counts(PreconditionerKind::block_diagonal)},
           {.key = "clusters", .label = "clusters", .measure = counts(PreconditionerKind::clusters)},
           {.key = "growth",
-           .label = "block diagonal: difference from 32 nodes, in parts",
+           .label = "block diagonal: relative difference from 32 nodes",
            .measure = growth(Residual::given),
            .claim = Claim{.id = "12_53",
                           .statement = "The iterations of a run of lobed bodies do not "

@@ -82,7 +82,8 @@ Experiment drift() {
                                Method::dormand_prince54, 1e-8, "09_24"),
                     {.key = "prince_dormand87",
                      .label = "Prince-Dormand 8(7), tolerance 1e-8",
-                     .measure = errors(Method::prince_dormand87, 1e-8)}}};
+                     .measure = errors(Method::prince_dormand87, 1e-8)}},
+          .operation = "evaluations of the rate"};
 }
 
 }  // namespace stokesbook::verification::time_stepping

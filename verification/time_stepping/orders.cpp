@@ -89,7 +89,8 @@ Experiment orders_in_shear() {
                     order_line(motion, scheme(Method::rk4, 80), "09_4", 1e-14),
                     order_line(motion, scheme(Method::bogacki_shampine32, 100), "09_5", 1e-14),
                     order_line(motion, scheme(Method::dormand_prince54, 80), "09_6", 1e-14),
-                    order_line(at_end, scheme(Method::prince_dormand87, 20), "09_7", 1e-14)}};
+                    order_line(at_end, scheme(Method::prince_dormand87, 20), "09_7", 1e-14)},
+          .operation = "evaluations of the rate"};
 }
 
 Experiment orders_in_extension() {
@@ -100,7 +101,8 @@ Experiment orders_in_extension() {
           .error = "largest error of the angle at the ends of steps",
           .lines = {order_line(motion, scheme(Method::heun, 80), "09_8", 1e-14),
                     order_line(motion, scheme(Method::rk4, 40), "09_9", 1e-14),
-                    order_line(motion, scheme(Method::dormand_prince54, 40), "09_10", 1e-14)}};
+                    order_line(motion, scheme(Method::dormand_prince54, 40), "09_10", 1e-14)},
+          .operation = "evaluations of the rate"};
 }
 
 Experiment orders_of_circles() {
@@ -111,7 +113,8 @@ Experiment orders_of_circles() {
           .error = "largest error of the distance at the ends of steps, in radii",
           .lines = {order_line(motion, scheme(Method::rk4, 10), "09_11", 1e-11),
                     order_line(motion, scheme(Method::bogacki_shampine32, 20), "09_12", 1e-11),
-                    order_line(motion, scheme(Method::dormand_prince54, 8), "09_13", 1e-11)}};
+                    order_line(motion, scheme(Method::dormand_prince54, 8), "09_13", 1e-11)},
+          .operation = "solves"};
 }
 
 Experiment orders_of_passing() {
@@ -127,7 +130,8 @@ Experiment orders_of_passing() {
                      .measure = errors(motion, scheme(Method::heun, 120), same_rates)},
                     {.key = "rk4",
                      .label = "Runge-Kutta 4",
-                     .measure = errors(motion, scheme(Method::rk4, 60), same_rates)}}};
+                     .measure = errors(motion, scheme(Method::rk4, 60), same_rates)}},
+          .operation = "solves"};
 }
 
 }  // namespace stokesbook::verification::time_stepping
