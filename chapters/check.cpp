@@ -4,6 +4,7 @@
 #include "chapters/check.hpp"
 
 #include <iostream>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -47,16 +48,38 @@ std::string difference(const Value& got, const Value& expected) {
   return line("got", text(x[worst]) + entry) + line("expected", text(y[worst]));
 }
 
+namespace {
+
+/// What the comparisons of a task have found.
+struct Findings {
+  std::string first_wrong;              ///< report on the first wrong result; empty without one
+  std::vector<std::string> candidates;  ///< sentences of mistakes that give it
+  std::set<std::string> refuted;        ///< of mistakes that do not give some wrong result
+
+  std::string report() const {
+    for (const std::string& sentence : candidates) {
+      if (!refuted.contains(sentence)) return first_wrong + line("mistake", sentence);
+    }
+    return first_wrong + (candidates.empty() ? "" : line("perhaps", candidates.front()));
+  }
+};
+
+Findings findings;  // of the task that is being checked
+
+}  // namespace
+
 void expect(const Comparison& comparison) {
   const auto& [what, got, expected, tolerance, mistakes] = comparison;
   if (agree(got, expected, tolerance)) return;
-  std::string report = line("for", what) + difference(got, expected);
+  const bool is_first = findings.first_wrong.empty();
+  if (is_first) findings.first_wrong = line("for", what) + difference(got, expected);
   for (const Mistake& mistake : mistakes) {
-    if (agree(got, mistake.gives, tolerance)) {
-      throw Rejection{report + line("mistake", mistake.sentence)};
+    if (!agree(got, mistake.gives, tolerance)) {
+      findings.refuted.insert(mistake.sentence);
+    } else if (is_first) {
+      findings.candidates.push_back(mistake.sentence);
     }
   }
-  throw Rejection{report};
 }
 
 namespace {
@@ -64,18 +87,21 @@ namespace {
 /// Runs one check; returns its outcome, and what follows it in the report.
 std::pair<std::string, std::string> outcome(const Task& task) {
   const std::string help = line("formula", task.formula) + line("hint", task.hint);
+  findings = {};
+  std::pair<std::string, std::string> end{"passed", ""};
   try {
     task.check();
-    return {"passed", ""};
   } catch (const NotDone&) {
     return {"not done", ""};
   } catch (const Rejection& rejection) {
-    return {"wrong", rejection.text + help};
+    end = {"wrong", rejection.text + help};
   } catch (const std::exception& error) {
-    return {"stopped by an exception", line("message", error.what()) + help};
+    end = {"stopped by an exception", line("message", error.what()) + help};
   } catch (...) {
-    return {"stopped by an exception", help};
+    end = {"stopped by an exception", help};
   }
+  if (findings.first_wrong.empty()) return end;
+  return {"wrong", findings.report() + help};
 }
 
 }  // namespace

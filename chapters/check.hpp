@@ -50,7 +50,7 @@ struct Task {
   std::function<void()> check;  ///< calls expect()
 };
 
-/// Thrown by expect(): what the reader is told about a wrong result.
+/// Thrown where a check cannot go on: what the reader is told about a wrong result.
 struct Rejection {
   std::string text;
 };
@@ -67,7 +67,9 @@ std::string line(const std::string& name, const std::string& content);
 /// Returns the two lines "got" and "expected"; of vectors, the entries that differ most.
 std::string difference(const Value& got, const Value& expected);
 
-/// Throws a Rejection unless the result is within the tolerance of its exact value.
+/// Compares a result with its exact value. The first wrong result of a task is reported when its
+/// check has ended. A mistake that gives this result is named; several may, by coincidence, so that
+/// one is preferred that fits all wrong results of the task, and "perhaps" is said where none does.
 void expect(const Comparison& comparison);
 
 /// Checks all tasks, whose numbers are those of the exercise's README, and reports on each.

@@ -64,5 +64,7 @@ int nodes_needed(double a, double tolerance) {
   return static_cast<int>(std::ceil(std::log(tolerance / (2.0 + tolerance)) / std::log(decay(a))));
   //@ wrong twice_the_rate: this takes r^(2N) for the error
   return static_cast<int>(std::ceil(0.5 * std::log(tolerance / 2.0) / std::log(decay(a))));
+  //@ wrong rounded: rounded down
+  return static_cast<int>(std::lround(std::log(tolerance / 2.0) / std::log(decay(a))));
   //@ end
 }

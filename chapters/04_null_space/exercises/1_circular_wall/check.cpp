@@ -80,22 +80,20 @@ void check_condition(double radius, double factor) {
 }
 
 void check_largest(double radius, double bound) {
-  const double got = largest_factor(radius, bound);
-  expect({.what =
-              "the condition number with the factor returned, " + arguments(radius, "bound", bound),
-          .got = exact_condition(radius, got),
-          .expected = bound,
-          .tolerance = 1e-11,
-          .mistakes = {{2.0 * bound, "the least singular value is 1/2, not 1"},
-                       {0.5 * bound, "this factor could be twice as large"},
-                       {2.0, "larger factors still keep the bound"}}});
-  expect({.what = "the factor, " + arguments(radius, "bound", bound),
-          .got = got,
-          .expected = 0.5 * bound / perimeter(circular_wall(radius)),
-          .tolerance = 1e-11,
-          .mistakes = {{-got, "of two factors with this condition number, it is the negative one"},
-                       {1.0 / (bound * 2.0 * pi * radius),
-                        "this is the least one: factors near 0 have a bound as well"}}});
+  const double exact = 0.5 * bound / perimeter(circular_wall(radius));
+  expect(
+      {.what = arguments(radius, "bound", bound),
+       .got = largest_factor(radius, bound),
+       .expected = exact,
+       .tolerance = 1e-11,
+       .mistakes = {{2.0 * exact, "the least singular value is 1/2, not 1"},
+                    {-exact, "of two factors with this condition number, it is the negative one"},
+                    {1.0 / (2.0 * pi * radius * bound),
+                     "this is the least one: factors near 0 have a bound as well"},
+                    {0.5 / (2.0 * pi * radius * bound),
+                     "this is near the least one, not the largest: the moved eigenvalue is to be "
+                     "the largest in modulus"},
+                    {exact / radius, "the eigenvalue has the length of the wall in it"}}});
 }
 
 void check_density(double radius) {

@@ -51,6 +51,8 @@ double largest_factor(double radius, double bound) {
   return bound / (2.0 * pi * radius);
   //@ wrong least_factor: this is the least one
   return 1.0 / (bound * 2.0 * pi * radius);
+  //@ wrong small_root: this is near the least one
+  return 0.5 / (bound * 2.0 * pi * radius);
   //@ end
 }
 

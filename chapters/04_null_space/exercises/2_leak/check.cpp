@@ -209,8 +209,27 @@ void check_mended(Order order) {
                        {ComplexVector(g + flux / length * n), "this doubles the leak"}}});
 }
 
+// What the experiment needs of tasks 1 and 3. With a wrong sign in both, it would agree with itself.
+void check_parts() {
+  const StokesProblem leaky = bearing(0.05);
+  expect({.what = "the net flux of the mended data, over that of the data",
+          .got = net_flux(mended(leaky)) / net_flux(leaky),
+          .expected = 0.0,
+          .tolerance = 1e-11,
+          .mistakes = {{1.0, "mended() leaves the flux as it is: see task 3"},
+                       {2.0, "mended() doubles the leak: see task 3"}}});
+  Eigen::MatrixXd matrix = matrix_without(leaky);
+  const Curve& wall = leaky.components[1].curve;
+  matrix.bottomRightCorner(2 * wall.size(), 2 * wall.size()) += null_space_matrix(wall);
+  expect({.what = "the load of the shaft, a leak of 0.05",
+          .got = load_of_shaft(leaky, with_n0(leaky)),
+          .expected = load_of_shaft(leaky, matrix),
+          .tolerance = 1e-10});
+}
+
 // Errors of the load over the leak; writes leak.csv and leak.svg.
 void check_experiment() {
+  check_parts();
   std::ofstream table("leak.csv");
   table << "leak,with_n0,without,against_mended\n";
   const Eigen::Vector3d tight = tight_load();

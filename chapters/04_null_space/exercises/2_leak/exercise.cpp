@@ -44,6 +44,16 @@ Eigen::MatrixXd with_n0(const StokesProblem& problem) {
     matrix.block(2 * offsets[k], 2 * offsets[k], size, size) += null_space_matrix(curve);
   }
   return matrix;
+  //@ wrong other_sign: the sign is the other one
+  Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
+  const std::vector<Index> offsets = node_offsets(problem);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    if (component.kind != ComponentKind::enclosing_wall) continue;
+    const Index size = 2 * component.curve.size();
+    matrix.block(2 * offsets[k], 2 * offsets[k], size, size) -= null_space_matrix(component.curve);
+  }
+  return matrix;
   //@ wrong as_it_comes: N_0 is missing
   return assemble(problem, ClosureForm::reduced).matrix;
   //@ end
@@ -97,6 +107,13 @@ StokesProblem mended(StokesProblem problem) {
     const double flux =
         n.conjugate().cwiseProduct(component.velocity).real().dot(weights(component.curve));
     component.velocity -= flux / perimeter(component.curve) * n;
+  }
+  return problem;
+  //@ wrong doubled: this doubles the leak
+  const double flux = flux_of_data(problem);
+  for (Component& component : problem.components) {
+    if (component.kind != ComponentKind::enclosing_wall) continue;
+    component.velocity += flux / perimeter(component.curve) * normals(component.curve);
   }
   return problem;
   //@ wrong tight: this takes off all that passes through the wall

@@ -153,6 +153,6 @@ int main() {
         .formula = "|M^-1 (b - x)| <= reported |M^-1 b|, |b - x| >= |b|/2",
         .hint = "M^-1 is nearly blind to one direction",
         .check = [] {
-          for (const double reported : {1e-3, 1e-10}) check_misleading(reported);
+          for (const double reported : {1e-3, 1e-10, 0.3, 0.9}) check_misleading(reported);
         }}});
 }

@@ -95,7 +95,9 @@ Eigen::Vector2d misleading(double reported) {
   //@ starter
   not_done(reported);  // your code instead of this line
   //@ solution
-  return {1.0, 0.5 * reported};
+  return {1.0, std::min(0.5 * reported, 0.1)};
+  //@ wrong mild_where_much_is_allowed: the solution is right
+  return {std::min(reported, 0.9), 1.0};
   //@ wrong harmless: the solution is right
   return {0.5 * reported, 0.5 * reported};
   //@ wrong too_mild: GMRES does not stop after one iteration

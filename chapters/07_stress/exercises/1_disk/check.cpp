@@ -118,15 +118,18 @@ void check_stresslet(const Shape& shape, const std::string& name) {
   problem.background = 0.5 * strain * curve.x.conjugate();
   const ComplexVector density = test::solve_flow(problem).density();
   const Complex exact = body_stresslet(curve, density, viscosity);
+  const Complex conjugate = -viscosity * density.dot(normals(curve).cwiseProduct(weights(curve)));
   expect({.what = name,
           .got = stresslet(curve, density, viscosity),
           .expected = exact,
           .tolerance = 1e-11,
-          .mistakes = {
-              {0.0, "the product is complex: the scalar one integrates to the flux, which is zero"},
-              {0.5 * exact, "twice as much: n eta + eta n counts both orders"},
-              {-exact, "the sign is the other one: n points into the body"},
-              {exact / viscosity, "the viscosity is missing"}}});
+          .mistakes = {{0.0,
+                        "n eta is the product of complex numbers: the scalar one integrates to the "
+                        "flux, which is zero"},
+                       {conjugate, "n eta is the product of complex numbers, without a conjugate"},
+                       {0.5 * exact, "twice as much: n eta + eta n counts both orders"},
+                       {-exact, "the sign is the other one: n points into the body"},
+                       {exact / viscosity, "the viscosity is missing"}}});
 }
 
 std::function<void()> for_radii(void (*check)(double)) {

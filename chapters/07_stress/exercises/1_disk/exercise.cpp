@@ -70,8 +70,11 @@ Complex stresslet(const Curve& curve, const ComplexVector& density, double visco
   not_done(curve, density, viscosity);  // your code instead of this line
   //@ solution
   return -viscosity * normals(curve).cwiseProduct(weights(curve)).cwiseProduct(density).sum();
-  //@ wrong scalar: the product is complex
-  return -viscosity * normals(curve).cwiseProduct(weights(curve)).dot(density);
+  //@ wrong scalar: n eta is the product of complex numbers
+  return -viscosity * normals(curve).cwiseProduct(weights(curve)).dot(density).real();
+  //@ wrong conjugate: n eta is the product of complex numbers, without
+  return -viscosity *
+         normals(curve).cwiseProduct(weights(curve)).cwiseProduct(density.conjugate()).sum();
   //@ wrong half: twice as much
   return -0.5 * viscosity * normals(curve).cwiseProduct(weights(curve)).cwiseProduct(density).sum();
   //@ end
