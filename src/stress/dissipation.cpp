@@ -1,5 +1,7 @@
 #include "stress/dissipation.hpp"
 
+#include <optional>
+
 #include "stress/stress.hpp"
 #include "stress/traction.hpp"
 
@@ -11,6 +13,18 @@ namespace {
 
 double power(const Curve& curve, const ComplexVector& velocity, const ComplexVector& traction) {
   return weights(curve).dot(velocity.conjugate().cwiseProduct(traction).real());
+}
+
+/// What is left of a velocity given at the nodes of a wall without its rigid motion; nothing where
+/// the nodes' places, rounded in proportion to their distance from the origin, account for it.
+std::optional<ComplexVector> deformation(const Curve& curve, const RigidModes& modes,
+                                         const RigidMotion& rigid, const ComplexVector& velocity) {
+  ComplexVector rest = velocity - modes.at_nodes(rigid);
+  constexpr double rounding = 1e-13;
+  const double places = curve.x.cwiseAbs().maxCoeff() / modes.gyration_radius();
+  const double largest = velocity.cwiseAbs().maxCoeff();
+  if (rest.cwiseAbs().maxCoeff() <= rounding * (1.0 + places) * largest) return {};
+  return rest;
 }
 
 }  // namespace
@@ -29,23 +43,24 @@ std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& 
 }
 
 std::vector<double> power_of_loads(const SolvedFlow& flow) {
-  const ComplexVector velocity = flow.boundary_velocity();
-  const std::vector<Component>& components = flow.problem().components;
+  const StokesProblem& problem = flow.problem();
   std::vector<double> powers;
-  Index first = 0;
-  for (std::size_t k = 0; k < components.size(); ++k) {
-    const Curve& curve = components[k].curve;
-    const ComplexVector own = velocity.segment(first, curve.size());
-    first += curve.size();
-    const RigidModes modes(curve, components[k].centre);
-    const RigidMotion rigid = modes.project(own);
-    const ComplexVector rest = own - modes.at_nodes(rigid);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
     const Load& load = flow.completion().loads[k];
-    double sum = dot(rigid.velocity, load.force) + rigid.omega * load.torque;
-    constexpr double rounding = 1e-13;
-    if (rest.cwiseAbs().maxCoeff() > rounding * own.cwiseAbs().maxCoeff()) {
-      const double mu = flow.problem().viscosity;
-      sum += power(curve, rest, traction_on(curve, flow.derivatives(curve.x), mu));
+    const auto power_of = [&](const RigidMotion& motion) {
+      return dot(motion.velocity, load.force) + motion.omega * load.torque;
+    };
+    if (component.kind == ComponentKind::free_body) {
+      powers.push_back(power_of(flow.completion().motions[k]));
+      continue;
+    }
+    const Curve& curve = component.curve;
+    const RigidModes modes(curve, component.centre);
+    const RigidMotion rigid = modes.project(component.velocity);
+    double sum = power_of(rigid);
+    if (const auto rest = deformation(curve, modes, rigid, component.velocity)) {
+      sum += power(curve, *rest, traction_on(curve, flow.derivatives(curve.x), problem.viscosity));
     }
     powers.push_back(sum);
   }
