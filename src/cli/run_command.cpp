@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
@@ -151,6 +152,12 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
       totals.steps, totals.rejected_steps, totals.solves, totals.gmres_iterations,
       short_number(info.resolution.error_estimate).c_str(), info.wall_seconds,
       info.peak_memory / 1'000'000, out.c_str());
+  if (const auto& uniform = info.uniform_velocity) {
+    std::printf(
+        "the fluid at infinity has the velocity (%s, %s) beside [flow], for zero net force: "
+        "flow.gauge_length would prescribe it\n",
+        short_number(uniform->real()).c_str(), short_number(uniform->imag()).c_str());
+  }
   if (!info.has_contact) return;
   std::printf(
       "contact: %lld solves of %lld iterations in %.1f s, %lld steps halved; imbalance of forces "
@@ -211,8 +218,12 @@ int run_scene(const RunOptions& options) {
 
   Progress progress(checkpoint ? checkpoint->t : 0.0, scene.time ? scene.time->t_final : 0.0,
                     options.quiet || options.once);
+  RunInfo info = run_info(plan);
+  info.has_contact = scene.contact.has_value();
   Simulation simulation(solver, {[&](const Frame& frame) {
                                    directory.write_frame(frame);
+                                   const Complex uniform = frame.rheology.uniform_velocity;
+                                   if (!std::isnan(uniform.real())) info.uniform_velocity = uniform;
                                    if (options.once && !options.quiet) print_motions(frame);
                                  },
                                  [&](const StepInfo& step) {
@@ -222,8 +233,6 @@ int run_scene(const RunOptions& options) {
                                  [&](const Checkpoint& reached) { directory.save(reached); }});
   if (checkpoint) go_on_from(*checkpoint, simulation, out);
 
-  RunInfo info = run_info(plan);
-  info.has_contact = scene.contact.has_value();
   const auto finish = [&](int status, const std::string& message) {
     progress.finish();
     info.totals = simulation.totals();

@@ -1,5 +1,6 @@
 #include "closure/closure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -10,6 +11,14 @@
 namespace stokesbook {
 
 using Eigen::Index;
+
+namespace {
+
+bool is_prescribed(const Component& component) {
+  return component.kind == ComponentKind::prescribed;
+}
+
+}  // namespace
 
 std::vector<Index> node_offsets(const StokesProblem& problem) {
   std::vector<Index> offsets{0};
@@ -47,6 +56,11 @@ bool has_net_force(const StokesProblem& problem) {
   return std::abs(total_given_force(problem)) > 1e-12 * scale;
 }
 
+bool has_free_uniform_velocity(const StokesProblem& problem) {
+  return !is_bounded(problem) && !problem.gauge_length &&
+         std::ranges::any_of(problem.components, is_prescribed);
+}
+
 Completion with_balance(const StokesProblem& problem, Completion completion) {
   std::vector<Load>& loads = completion.loads;
   for (std::size_t wall = 0; wall < loads.size(); ++wall) {
@@ -61,14 +75,6 @@ Completion with_balance(const StokesProblem& problem, Completion completion) {
   }
   return completion;
 }
-
-namespace {
-
-bool is_prescribed(const Component& component) {
-  return component.kind == ComponentKind::prescribed;
-}
-
-}  // namespace
 
 std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
   const std::vector<Component>& components = problem.components;
@@ -89,7 +95,6 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
 
 Closure::Closure(const StokesProblem& problem)
     : problem_(problem), offsets_(node_offsets(problem)), gauges_(stokeslet_gauges(problem)) {
-  const bool bounded = is_bounded(problem);
   nodes_.resize(offsets_.back());
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
@@ -99,8 +104,9 @@ Closure::Closure(const StokesProblem& problem)
     modes_.back().emplace(component.curve, component.centre);
     prescribed_count_ += is_prescribed(component) ? 1 : 0;
   }
-  free_uniform_velocity_ = !bounded && !problem.gauge_length && prescribed_count_ > 0;
-  if (!bounded && !problem.gauge_length && prescribed_count_ == 0 && has_net_force(problem)) {
+  free_uniform_velocity_ = has_free_uniform_velocity(problem);
+  if (!is_bounded(problem) && !problem.gauge_length && prescribed_count_ == 0 &&
+      has_net_force(problem)) {
     throw std::invalid_argument("a net force in unbounded flow needs a gauge length");
   }
 }

@@ -67,6 +67,14 @@ Complex total_given_force(const StokesProblem& problem);
 ///                  rounding leaves of forces that balance
 bool has_net_force(const StokesProblem& problem);
 
+/// Tells whether the velocity of the fluid at infinity is an unknown: that is so in an unbounded
+/// fluid without a gauge length where a velocity is prescribed. It takes the value for which the
+/// net force is zero, and cancels any uniform velocity of the background.
+///
+/// @param  problem  its components
+/// @return          true when Completion::uniform_velocity is solved for
+bool has_free_uniform_velocity(const StokesProblem& problem);
+
 /// @}
 
 }  // namespace stokesbook

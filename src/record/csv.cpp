@@ -44,10 +44,10 @@ std::string wall_rows(const Frame& frame) {
 }
 
 std::string rheology_row(const Frame& frame) {
-  const auto& [dissipation, torque_ratio, order_parameter, stresslet] = frame.rheology;
+  const auto& [dissipation, torque_ratio, order_parameter, stresslet, uniform] = frame.rheology;
   std::string row;
   append_row(row, frame.t, dissipation, torque_ratio, order_parameter, stresslet.real(),
-             stresslet.imag());
+             stresslet.imag(), uniform.real(), uniform.imag());
   return row;
 }
 

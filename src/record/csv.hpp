@@ -19,7 +19,7 @@ inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,om
 inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
 /// Header of `rheology.csv`.
 inline constexpr std::string_view rheology_header =
-    "t,dissipation,torque_ratio,order_parameter,s11,s12\n";
+    "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n";
 /// Header of `contacts.csv`.
 inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
 /// Header of `steps.csv`.

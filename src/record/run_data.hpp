@@ -39,6 +39,8 @@ struct Rheology {
   double torque_ratio = undefined;          ///< of a Couette cell, with bodies over without
   double order_parameter = undefined;       ///< 1 for long axes along the flow, -1 across it
   Complex stresslet{undefined, undefined};  ///< S_11 + i S_12 of all that is in the fluid, force
+  Complex uniform_velocity{undefined, undefined};  ///< of the fluid at infinity beside the
+                                                   ///< background, where none is given
 };
 
 /// One of two components that are in contact.

@@ -33,7 +33,7 @@ nlohmann::ordered_json totals_of(const RunInfo& info) {
 }  // namespace
 
 std::string to_json(const RunInfo& info) {
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"version", info.version},
       {"git_hash", info.git_hash},
       {"compiler", info.compiler},
@@ -51,6 +51,9 @@ std::string to_json(const RunInfo& info) {
       {"exit_status", info.exit_status},
       {"message", info.message},
   };
+  if (const auto& uniform = info.uniform_velocity) {
+    json["uniform_velocity"] = {uniform->real(), uniform->imag()};
+  }
   // A path in a message need not be UTF-8; losing a letter of it beats losing the file.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "trapezoid/plane.hpp"
+
 namespace stokesbook {
 
 /// @addtogroup record
@@ -46,10 +48,12 @@ struct RunInfo {
   bool has_contact = false;       ///< whether contact is resolved: its totals are written then
   RunTotals totals;               ///< what it has cost
   RunResolution resolution;       ///< how well it was resolved
-  double wall_seconds = 0.0;      ///< how long it took since the last start
-  long long peak_memory = 0;      ///< largest resident set since the last start, bytes
-  int exit_status = 0;            ///< of the program
-  std::string message;            ///< how the run ended, for people
+  std::optional<Complex> uniform_velocity;  ///< of the fluid at infinity at the end, where it is
+                                            ///< solved for, length / time
+  double wall_seconds = 0.0;                ///< how long it took since the last start
+  long long peak_memory = 0;                ///< largest resident set since the last start, bytes
+  int exit_status = 0;                      ///< of the program
+  std::string message;                      ///< how the run ended, for people
 };
 
 /// Returns the text of `run.json`, keys in the order of the struct.

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <variant>
 
+#include "closure/bordered_system.hpp"
+#include "krylov/block_diagonal.hpp"
 #include "near_singular/near_test.hpp"
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
@@ -26,6 +30,31 @@ double prescribed_extent(const StokesProblem& problem) {
   }
   const Eigen::Map<const ComplexVector> x(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
   return nodes.empty() ? 0.0 : (x.array() - x.mean()).abs().maxCoeff();
+}
+
+// The smaller eigenvalue of 4 pi mu M, U = M F, of a body that is alone in a fluid at rest.
+double least_mobility(Component body, const StokesProblem& problem) {
+  const auto velocity = [&](Complex force) {
+    body.force = force;
+    body.torque = 0.0;
+    const StokesProblem alone{{body}, problem.viscosity, {}, problem.gauge_length};
+    const DenseSystem system = assemble(alone, ClosureForm::reduced);
+    const Eigen::VectorXd density = invert_block(system.matrix) * system.rhs;
+    return complete_dense(alone, ClosureForm::reduced, density).motions[0].velocity;
+  };
+  const Complex first = velocity(1.0), second = velocity(imaginary);
+  const double mean = 0.5 * (first.real() + second.imag());
+  const double deviation = std::hypot(0.5 * (first.real() - second.imag()), first.imag());
+  return 4.0 * std::numbers::pi * problem.viscosity * (mean - deviation);
+}
+
+// Whether a body that has a force would move against it if it were alone. Within the gauge length
+// none does.
+bool moves_against_its_force(const Component& body, const StokesProblem& problem) {
+  if (body.kind != ComponentKind::free_body || body.force == 0.0) return false;
+  constexpr double rounding = 1e-9;
+  return outer_radius(body.curve, body.centre) > *problem.gauge_length &&
+         least_mobility(body, problem) < -rounding;
 }
 
 // Curves that are apart by no more than rounding of their positions touch.
@@ -123,6 +152,12 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
     return "the walls' velocities drive a net flux of " + short_number(flux) +
            " out of the enclosed fluid, which is incompressible: make them balance";
   }
+  const auto* uniform = std::get_if<UniformFlow>(&scene.flow);
+  if (uniform != nullptr && uniform->velocity != 0.0 && has_free_uniform_velocity(problem)) {
+    return "flow.kind = \"uniform\" has no effect beside a held body or inner wall without "
+           "flow.gauge_length: the fluid moves at infinity as it must for zero net force, "
+           "whatever the stream; give flow.gauge_length, the distance at which the stream is felt";
+  }
   const double extent = prescribed_extent(problem);
   if (scene.gauge_length && extent > 0.5 * *scene.gauge_length) {
     return "flow.gauge_length = " + short_number(*scene.gauge_length) +
@@ -130,6 +165,14 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
            " from their centre: near that size the problem is singular (Stokes' paradox); give at "
            "least " +
            short_number(2.0 * extent) + ", or leave it out for zero net force";
+  }
+  for (std::size_t k = 0; scene.gauge_length && k < problem.components.size(); ++k) {
+    if (!moves_against_its_force(problem.components[k], problem)) continue;
+    return component_name(scene, k) + " would move against its force with flow.gauge_length = " +
+           short_number(*scene.gauge_length) +
+           ", which is to be large against bodies (Stokes' paradox); give at least " +
+           short_number(2.0 *
+                        outer_radius(problem.components[k].curve, problem.components[k].centre));
   }
   if (extent == 0.0 && !scene.gauge_length && has_net_force(problem)) {
     const Complex force = total_given_force(problem);

@@ -176,6 +176,9 @@ Rheology Rheometer::operator()(const Configuration& configuration, const Solutio
       rheology.dissipation = excess_dissipation(configuration, solution, stresslets, drive);
     }
   }
+  if (has_free_uniform_velocity(flow.problem())) {
+    rheology.uniform_velocity = solution.uniform_velocity;
+  }
   if (empty_torque_) {
     const std::size_t inner = component_of(scene, *only_wall(scene, WallRole::inner));
     rheology.torque_ratio = solution.loads[inner].torque / (drive * *empty_torque_);

@@ -190,6 +190,19 @@ class Records(Program):
         self.assertEqual(resolution["most_nodes"], [48, 48])
         self.assertGreaterEqual(resolution["error_estimate"], steps["error_estimate"].max())
 
+    def test_a_free_velocity_at_infinity_is_told(self):
+        held = PAIR.replace('semi_axes = [1.0, 0.6] }', 'semi_axes = [1.0, 0.6] }\nheld = true')
+        arguments = ("--set", "time.t_final=0.1")
+        result = self.run_scene("--out", "free", *arguments, text=held)
+        told = json.loads((self.folder / "free" / "run.json").read_text())["uniform_velocity"]
+        table = numpy.genfromtxt(self.folder / "free" / "rheology.csv", names=True, delimiter=",")
+        self.assertEqual(told, [table["uniform_x"][-1], table["uniform_y"][-1]])
+        self.assertIn("the fluid at infinity has the velocity (0.", result.stdout)
+        result = self.run_scene("--out", "given", *arguments, "--set", "flow.gauge_length=50",
+                                text=held)
+        self.assertNotIn("uniform_velocity", (self.folder / "given" / "run.json").read_text())
+        self.assertNotIn("infinity", result.stdout)
+
     def test_memory_is_that_which_the_system_counts(self):
         with subprocess.Popen([PROGRAM, "run", self.scene(), "--out", "run"], cwd=self.folder,
                               stdout=subprocess.DEVNULL) as run:

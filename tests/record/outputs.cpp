@@ -46,6 +46,7 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                           .has_contact = true,
                           .totals = {1, 5, 2, 3, 4000000000, 6, 7, 0.5, 8, 1e-16, 2e-16, -0.25},
                           .resolution = {{32, 64}, {48, 64}, 2.5e-9},
+                          .uniform_velocity = Complex{0.25, -3.0},
                           .wall_seconds = 1.5,
                           .peak_memory = 5000000000,
                           .exit_status = 2,

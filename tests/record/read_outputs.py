@@ -58,10 +58,12 @@ def check_tables(directory):
     assert names == ("t", "wall", "fx", "fy", "torque")
     assert np.array_equal(rows, [(t, j, *wall(t, j)) for t in times for j in range(2)])
     names, rows = read_table(directory / "rheology.csv")
-    assert names == ("t", "dissipation", "torque_ratio", "order_parameter", "s11", "s12")
+    assert names == ("t", "dissipation", "torque_ratio", "order_parameter", "s11", "s12",
+                     "uniform_x", "uniform_y")
     nan = np.full(N_FRAMES, np.nan)
-    expected = np.column_stack([times, times / 3, nan, -times, nan, times])
+    expected = np.column_stack([times, times / 3, nan, -times, nan, times, -times / 5, nan])
     expected[:, 4] = 1 / 7
+    expected[:, 7] = 1 / 3
     assert np.array_equal(rows, expected, equal_nan=True)
     table = np.genfromtxt(directory / "contacts.csv", names=True, delimiter=",", dtype=None,
                           encoding="ascii")
@@ -261,7 +263,7 @@ def check_run_info(path):
                    "largest_force_imbalance": 1e-16, "largest_torque_imbalance": 2e-16,
                    "energy_injected": -0.25},
         "resolution": {"first_nodes": [32, 64], "most_nodes": [48, 64], "error_estimate": 2.5e-9},
-        "wall_seconds": 1.5, "peak_memory": 5000000000, "exit_status": 2,
+        "uniform_velocity": [0.25, -3.0], "wall_seconds": 1.5, "peak_memory": 5000000000, "exit_status": 2,
         "message": "overlap in caf\ufffd"}
 
 

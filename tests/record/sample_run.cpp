@@ -94,7 +94,7 @@ Frame sample_frame(int k) {
   Frame frame{.t = t,
               .bodies = {},
               .walls = {},
-              .rheology = {t / 3.0, Rheology::undefined, -t, {1.0 / 7.0, t}},
+              .rheology = {t / 3.0, Rheology::undefined, -t, {1.0 / 7.0, t}, {-t / 5.0, 1.0 / 3.0}},
               .field = sample_field(t)};
   for (int j = 0; j < 2; ++j) {
     frame.bodies.push_back({.position = {3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0},

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(unresolved_gaps_shapes_and_densities) {
                 {"body 0", "16 nodes", "shape", "n_nodes"});
   // The shape alone is resolved, the Stokeslet inside a slender loaded body is not.
   Scene slender = scene({body(Ellipse{3.0, 0.5}, 112, 0.0, 0.0, {1.0, 0.0})});
-  slender.gauge_length = 1.0;
+  slender.gauge_length = 100.0;
   check_refused(slender, {"density on body 0", "n_nodes"});
   Scene plain = pair(0.5, 48);
   plain.solver.near_singular = NearSingular::off;
@@ -64,8 +64,12 @@ BOOST_AUTO_TEST_CASE(impossible_data) {
   check_refused(scene({body(Circle{1.0}, 32, 0.0, 0.0, {{0.0, -2.0}, 0.0})}),
                 {"net force", "(0, -2)", "gauge_length"});
   Scene held = scene({held_body(Circle{1.0}, 32, 0.0, 0.0, {})}, UniformFlow{1.0});
+  check_refused(held, {"uniform", "no effect", "gauge_length"});
   held.gauge_length = 1.0;
   check_refused(held, {"gauge_length", "2"});
+  Scene pushed = scene({body(Circle{1.0}, 32, 3.0, 0.0, {{1.0, 0.0}, 0.0})});
+  pushed.gauge_length = 0.5;
+  check_refused(pushed, {"body 0", "against its force", "gauge_length = 0.5", "give at least 2"});
 }
 
 BOOST_AUTO_TEST_CASE(separations_that_polygons_and_positions_carry) {

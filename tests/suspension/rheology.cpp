@@ -210,6 +210,19 @@ BOOST_AUTO_TEST_CASE(what_is_not_defined) {
   BOOST_TEST(undefined_dissipation(source));
 }
 
+// Without net force the fluid at infinity goes along with a single held disk.
+BOOST_AUTO_TEST_CASE(velocity_at_infinity) {
+  const double rate = 0.7;
+  const Body held = held_body(Circle{1.0}, 64, {0.3, 2.0}, 0.0, {{0.4, -0.2}, 0.0});
+  const Rheology free = rheology_of(scene({held}, ShearFlow{rate}));
+  BOOST_TEST(std::abs(free.uniform_velocity - (held.velocity - rate * 2.0)) < 1e-12);
+  for (const Scene& known :
+       {with_gauge(scene({held}, ShearFlow{rate}), 10.0), pair(0.5, ShearFlow{rate}),
+        scene({held}, {}, {outer_wall(Circle{5.0}, 96)})}) {
+    BOOST_TEST(std::isnan(rheology_of(known).uniform_velocity.real()));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stokesbook::test
