@@ -184,6 +184,9 @@ class Records(Program):
         numpy.testing.assert_allclose(rheology["order_parameter"], numpy.cos(2 * theta), atol=1e-12)
         information = json.loads((folder / "run.json").read_text())
         self.assertEqual(information["exit_status"], 0)
+        for origin in ("version", "compiler", "flags", "machine"):
+            self.assertTrue(information[origin], origin)
+        self.assertIn(information["machine"], pathlib.Path("/proc/cpuinfo").read_text())
         self.assertTrue(any("preconditioner" in line for line in information["plan"]))
         resolution = information["resolution"]
         self.assertEqual(resolution["first_nodes"], [48, 48])

@@ -84,6 +84,26 @@ BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
   }
 }
 
+// The arrow of the fastest body is as long as the mean diameter of bodies, and seen however small
+// they are beside the picture.
+BOOST_AUTO_TEST_CASE(arrows_fit_bodies_and_picture) {
+  Frame frame = sample_frame(0);
+  for (BodyState& body : frame.bodies) body.velocity = {1.0, 0.0};
+  RunContents sample = sample_contents();
+  const auto longest = [&] {
+    const std::string picture =
+        draw_configuration(frame, sample.bodies, sample.walls, {.title = "", .width = 1000.0});
+    const std::regex arrow("stroke-linecap=\"round\" d=\"M([-0-9.]+) [-0-9.]+L([-0-9.]+) ");
+    std::smatch found;
+    BOOST_REQUIRE(std::regex_search(picture, found, arrow));
+    return std::stod(found[2]) - std::stod(found[1]);
+  };
+  // The outer wall has the diameter 20 and fills the width, but for margins.
+  BOOST_TEST(longest() == 100.0, boost::test_tools::tolerance(0.15));
+  for (Outline& body : sample.bodies) body.points *= 0.01;
+  BOOST_TEST(longest() == 0.03 * std::sqrt(2.0) * 1000.0, boost::test_tools::tolerance(0.15));
+}
+
 BOOST_AUTO_TEST_CASE(fastest_body_has_the_top_colour) {
   Frame frame = sample_frame(0);
   frame.bodies[0].velocity = 0.0;

@@ -32,6 +32,17 @@ Plot decay(std::vector<PlotPoint> points) {
       .title = "decay", .x_label = "N", .y_label = "error", .lines = {{"a", std::move(points)}}};
 }
 
+// Returns where labels of an anchor stand, those of ticks: x for "middle", y for "end".
+std::vector<double> places_of_ticks(const std::string& svg, const std::string& anchor) {
+  const std::regex label("<text x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"[^>]*text-anchor=\"" + anchor +
+                         "\"[^>]*>[0-9]");
+  std::vector<double> places;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at) {
+    places.push_back(std::stod((*at)[anchor == "middle" ? 1 : 2]));
+  }
+  return places;
+}
+
 // Returns the corners of the first marker of a line as x, y, x, y, ...
 std::vector<double> corners_of_marker(const std::string& svg, int line) {
   const std::regex path("class=\"line-" + std::to_string(line) +
@@ -112,6 +123,38 @@ BOOST_AUTO_TEST_CASE(axes_have_round_numbers) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(powers_are_equally_far_apart) {
+  const std::string svg = draw_plot(decay({{8, 1e-1}, {128, 1e-9}}));
+  for (const auto& [anchor, direction] : {std::pair{"middle", 1.0}, std::pair{"end", -1.0}}) {
+    const std::vector<double> places = places_of_ticks(svg, anchor);
+    BOOST_REQUIRE(places.size() >= 4u);
+    const double step = places[1] - places[0];
+    BOOST_TEST(direction * step > 10.0);
+    for (std::size_t k = 2; k < places.size(); ++k) {
+      BOOST_TEST(std::abs(places[k] - places[k - 1] - step) < 0.03);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(points_stay_clear_of_the_frame) {
+  for (const bool logarithmic : {true, false}) {
+    Plot plot = decay({{8, 1e-1}, {16, 1e-2}, {32, 1e-4}});
+    plot.log_x = logarithmic;
+    const std::string svg = draw_plot(plot);
+    std::smatch edges;
+    BOOST_REQUIRE(
+        std::regex_search(svg, edges, std::regex("M([-0-9.]+) ([-0-9.]+)L([-0-9.]+) \\2")));
+    std::vector<double> centres;
+    const std::regex marker("M([-0-9.]+) [-0-9.]+a3.6 3.6");
+    for (std::sregex_iterator at(svg.begin(), svg.end(), marker), end; at != end; ++at) {
+      centres.push_back(std::stod((*at)[1]) + 3.6);
+    }
+    BOOST_REQUIRE(centres.size() == 4u);  // one in the legend
+    BOOST_TEST(centres[0] > std::stod(edges[1]) + 5.0);
+    BOOST_TEST(centres[2] < std::stod(edges[3]) - 5.0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(zeros_lie_on_the_lower_edge_and_nothing_is_not_drawn) {
   BOOST_TEST(count(draw_plot(decay({{8, 1e-1}, {16, 0.0}, {32, 1e-3}})), "nan") == 0);
   BOOST_TEST(draw_plot(decay({{8, 0.0}})).find("Nothing to plot") != std::string::npos);
@@ -125,6 +168,13 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   const std::string triangle = convergence_figure(study.experiments[0], algebraic.experiments[0]);
   BOOST_TEST(count(triangle, ">2</text>") == 1);
   BOOST_TEST(count(triangle, "stroke-dasharray=\"6 4\"") == 0);
+  std::smatch corners;
+  const std::regex right_angle(
+      "stroke-width=\"1\"[^>]*d=\"M([-0-9.]+) ([-0-9.]+) ([-0-9.]+) ([-0-9.]+) ([-0-9.]+) "
+      "([-0-9.]+)Z");
+  BOOST_REQUIRE(std::regex_search(triangle, corners, right_angle));
+  BOOST_TEST(corners[5].str() == corners[1].str());
+  BOOST_TEST(corners[6].str() == corners[4].str());
 
   // Order 0 is a level, not a slope.
   Line& line = study.experiments[0].lines[0];

@@ -1,5 +1,7 @@
 // What a study writes: tables, CSV, JSON and the numbers of the chapters.
 
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include <boost/test/unit_test.hpp>
@@ -62,6 +64,23 @@ BOOST_AUTO_TEST_CASE(aliases_carry_the_numbers) {
   BOOST_TEST(contains(aliases, "ALIASES += \"val_99_orders_method_16=0.0117\"\n"));
   BOOST_TEST(contains(aliases, "ALIASES += \"val_claim_99_1=2\"\n"));
   BOOST_TEST(contains(aliases, "ALIASES += \"val_claim_99_1_claimed=2\"\n"));
+  StudyResult thirds = sample_result();
+  thirds.experiments[0][0].measurements[0].x = 1.0 / 3.0;
+  BOOST_TEST(contains(to_aliases(thirds), "ALIASES += \"val_99_orders_method_0p333333="));
+}
+
+BOOST_AUTO_TEST_CASE(claims_have_a_cell_for_every_column) {
+  const StudyResult result = sample_result();
+  BOOST_TEST(contains(convergence_table(result.study.experiments[0], result.experiments[0]),
+                      ".</caption>"));
+  const std::string table = claims_table(result);
+  std::set<std::ptrdiff_t> widths;
+  const std::regex row("<tr>([^]*?)</tr>"), cell("<t[hd]");
+  for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at) {
+    const std::string cells = (*at)[1].str();
+    widths.insert(std::distance(std::sregex_iterator(cells.begin(), cells.end(), cell), end));
+  }
+  BOOST_TEST((widths == std::set<std::ptrdiff_t>{6}));
 }
 
 BOOST_AUTO_TEST_CASE(numbers_for_people) {

@@ -244,6 +244,16 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
 }
 
 // The same scene ten times larger, and a thousand times smaller.
+BOOST_AUTO_TEST_CASE(separations_in_spacings_are_those_of_all_bodies) {
+  Scene scene = in_contact(QuiescentFlow{},
+                           {body_at(Circle{1.0}, 0.0, 64), body_at(Circle{0.5}, 5.0, 32)}, 0.2);
+  BOOST_TEST(SuspensionSolver(scene).separation() == 0.2);
+  scene.contact->in_spacings = true;
+  const double spacing = 2.0 * std::numbers::pi * 1.5 / 96.0;
+  BOOST_TEST(SuspensionSolver(scene).separation() == 0.2 * spacing,
+             boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(lengths_have_no_meaning) {
   const auto end = [](double unit) {
     const Scene scene =

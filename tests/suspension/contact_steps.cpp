@@ -151,6 +151,7 @@ BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {
     matvecs += step.matvecs;
   }
   BOOST_TEST(run.totals.contact_solves > 0);
+  BOOST_TEST(run.totals.contact_seconds > 0.0);
   BOOST_TEST(run.totals.gmres_iterations >= iterations);
   BOOST_TEST(run.totals.matvecs >= matvecs);
 }

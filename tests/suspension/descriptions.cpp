@@ -51,6 +51,17 @@ BOOST_AUTO_TEST_CASE(a_fast_sum_that_the_scene_asks_for_is_said_to_be_asked_for)
   BOOST_TEST(!mentions(line, "break-even"));
 }
 
+BOOST_AUTO_TEST_CASE(what_decided_on_the_preconditioner_is_said) {
+  Scene pair = disk(1e-6);
+  pair.bodies.push_back(body(Circle{1.0}, 32, {4.0, 0.0}));
+  BOOST_TEST(!mentions(told(pair, "preconditioner").at(0), "solver."));
+  pair.solver.preconditioner = PreconditionerKind::none;
+  BOOST_TEST(mentions(told(pair, "preconditioner").at(0), "solver.preconditioner"));
+  pair.solver.preconditioner = PreconditionerKind::automatic;
+  pair.solver.coupling = Coupling::local;
+  BOOST_TEST(mentions(told(pair, "preconditioner").at(0), "solver.coupling = \"local\""));
+}
+
 BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
   Scene pair = disk(1e-6);
   pair.bodies[0].n_nodes = automatic_nodes;

@@ -118,6 +118,18 @@ BOOST_AUTO_TEST_CASE(are_honest_in_many_scenes, *boost::unit_test::label("full")
   check_estimates(48);
 }
 
+// Without bodies there are no motions to compare: the density itself is.
+BOOST_AUTO_TEST_CASE(a_container_without_bodies_has_one) {
+  const LinearWall strained{Eigen::Matrix2d{{0.0, 1.0}, {1.0, 0.0}}};
+  Scene empty = scene({}, {}, {outer_wall(Ellipse{4.0, 1.0}, 48, strained)});
+  empty.solver.tolerance = 1e-2;
+  const double coarse = Solved(empty).solution.error_estimate;
+  empty.walls[0].n_nodes = 96;
+  const double fine = Solved(empty).solution.error_estimate;
+  BOOST_TEST(coarse > 1e-14);
+  BOOST_TEST(fine < 0.01 * coarse);
+}
+
 // A component without density of its own has nothing to resolve, whatever rounding leaves there.
 BOOST_AUTO_TEST_CASE(rounding_errors_have_no_tail) {
   std::mt19937_64 random(62);

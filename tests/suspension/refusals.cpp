@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "suspension/random_scenes.hpp"
+#include "suspension/refusal.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -103,6 +104,20 @@ BOOST_AUTO_TEST_CASE(separations_that_polygons_and_positions_carry) {
   check_kept(1.01e-6, 1e4);
   check_refused(pressed(0.99e-6, 1e4),
                 {"minimum_separation", "9.9e-07", "1e+04", "at least 1e-06"});
+}
+
+BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
+  for (const double unit : {1e-6, 1.0, 1e6}) {
+    const Scene disks =
+        scene({body(Circle{unit}, 32, {}), body(Circle{unit}, 32, {3.0 * unit, 0.0})});
+    const SuspensionSolver solver(disks);
+    const auto refusal = [&](double separation) {
+      return separation_refusal(separation * unit, solver.initial_configuration(),
+                                solver.references());
+    };
+    BOOST_TEST(refusal(1.01e-8).empty());
+    BOOST_TEST(!refusal(0.99e-8).empty());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(failed_iterations) {

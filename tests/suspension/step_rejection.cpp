@@ -149,11 +149,13 @@ BOOST_AUTO_TEST_CASE(a_rejected_try_counts_by_what_it_cost) {
   ContactOutcome outcome;
   outcome.force_imbalance = 1e-16;
   outcome.result.iterations = 3;
-  const StepInfo rejected = with_forces(
-      with_contact(with_solve(begun, solved(20, 1e-6), 0.25), outcome, {}, 0.125), outcome, 1.0);
+  const StepInfo tried = with_solve(begun, solved(20, 1e-6), 0.25);
+  const SolveCost responses{.gmres_iterations = 5, .matvecs = 7};
+  const StepInfo rejected =
+      with_forces(with_contact(tried, outcome, responses, 0.125), outcome, 1.0);
   const StepInfo step = with_costs_of(begun, rejected);
-  BOOST_TEST(step.gmres_iterations == 28);
-  BOOST_TEST(step.matvecs == 30);
+  BOOST_TEST(step.gmres_iterations == 33);
+  BOOST_TEST(step.matvecs == 37);
   BOOST_TEST(step.residual == 1e-6);  // the largest of all its solves
   BOOST_TEST(step.seconds == 0.875);
   BOOST_TEST(step.ncp_iterations == 0);
