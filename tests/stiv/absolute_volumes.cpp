@@ -57,6 +57,10 @@ BOOST_AUTO_TEST_CASE(one_relative_motion_seen_by_three_observers) {
   BOOST_TEST(chase.volume < 1.5 * hit.volume);
 }
 
+BOOST_AUTO_TEST_CASE(without_contact_there_is_no_volume) {
+  BOOST_TEST(absolute(-0.2, 0.2).volume == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_relative_volume_does_not_see_them) {
   const Contact together = relative(0.2, -0.2);
   for (const Contact& other : {relative(0.4, 0.0), relative(0.8, 0.4), relative(-7.0, -7.4)}) {

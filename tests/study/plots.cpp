@@ -167,6 +167,9 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   const StudyResult algebraic = run(study, Size::quick, progress);
   const std::string triangle = convergence_figure(study.experiments[0], algebraic.experiments[0]);
   BOOST_TEST(count(triangle, ">2</text>") == 1);
+  for (const Line& line : study.experiments[0].lines) {
+    BOOST_TEST(count(triangle, ">" + line.label + "<") == 1);
+  }
   BOOST_TEST(count(triangle, "stroke-dasharray=\"6 4\"") == 0);
   std::smatch corners;
   const std::regex right_angle(

@@ -98,6 +98,20 @@ BOOST_AUTO_TEST_CASE(starts_with_one_within_the_other_are_refused) {
   }
 }
 
+// A gap of the separation to three digits is wide enough.
+BOOST_AUTO_TEST_CASE(starts_may_lack_a_thousandth_of_the_separation) {
+  const auto with_gap = [](double gap) {
+    Scene scene = over(head_on(0.0), 0.1, 0.1);
+    scene.bodies[0].position = {-1.0 - 0.5 * gap, 0.0};
+    scene.bodies[1].position = {1.0 + 0.5 * gap, 0.0};
+    return scene;
+  };
+  const double lacking = 0.1 * (1.0 - 1.1e-3);
+  check_start_refused(with_gap(lacking), "allow_close", {{"body 0 and body 1 are ", lacking}});
+  const SuspensionSolver solver(with_gap(0.1 * (1.0 - 0.9e-3)));
+  SuspensionContact(solver).admit_start(solver.initial_configuration());
+}
+
 // Across the wall, and beyond it.
 BOOST_AUTO_TEST_CASE(starts_outside_of_the_container_are_refused) {
   for (const double x : {1.8, 5.0}) {

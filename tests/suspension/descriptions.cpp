@@ -62,6 +62,15 @@ BOOST_AUTO_TEST_CASE(what_decided_on_the_preconditioner_is_said) {
   BOOST_TEST(mentions(told(pair, "preconditioner").at(0), "solver.coupling = \"local\""));
 }
 
+BOOST_AUTO_TEST_CASE(the_problem_is_named_with_what_is_in_it) {
+  Scene enclosed = disk(1e-6);
+  BOOST_TEST(mentions(told(enclosed, "problem").at(0), "no enclosing wall"));
+  enclosed.flow = QuiescentFlow{};
+  enclosed.walls = {outer_wall(Circle{4.0}, 64)};
+  BOOST_TEST(mentions(told(enclosed, "problem").at(0), "1 free body"));
+  BOOST_TEST(mentions(told(enclosed, "problem").at(0), "one enclosing wall"));
+}
+
 BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
   Scene pair = disk(1e-6);
   pair.bodies[0].n_nodes = automatic_nodes;
