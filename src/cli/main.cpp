@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "cli/build_info.hpp"
 #include "cli/run_command.hpp"
@@ -66,7 +68,16 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
+// Where standard input, output or error is closed, the next file that is opened takes its number,
+// and gets what is meant for people.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDWR);
+  }
+}
+
 int run_program(int argc, char** argv) {
+  open_standard_streams();
   // A limit on file sizes then shows as an error of the write, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{"Rigid bodies and walls in two-dimensional Stokes flow"};

@@ -27,7 +27,8 @@ class AppendFile {
   /// @param  path  where
   /// @param  size  length to keep, bytes
   /// @return       the file, open at its new end
-  /// @throws RecordError when it is missing, shorter or cannot be cut back
+  /// @throws RecordError when it is missing, shorter, a symbolic link or no regular file, or cannot
+  /// be cut back
   static AppendFile reopen(const std::filesystem::path& path, std::uintmax_t size);
 
   /// Takes over an open file.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 
 #include "record/animation.hpp"
 #include "record/atomic_file.hpp"
@@ -95,6 +96,21 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
                                    " or another directory");
 }
 
+/// Refuses a checkpoint with names of other files than those that the run writes: each is opened
+/// and cut back, wherever the name leads.
+void require_own_tables(const fs::path& directory, const SavedRun& saved,
+                        const RunContents& contents) {
+  std::map<std::string, std::string> own = headers(contents);
+  own.emplace(steps_name, steps_header);
+  const auto names = [](const auto& files) {
+    std::set<std::string> result;
+    for (const auto& file : files) result.insert(file.first);
+    return result;
+  };
+  if (names(saved.table_sizes) == names(own)) return;
+  throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
+}
+
 /// Removes the files of a run. A kill leaves no checkpoint that tells of files that are gone, and
 /// steps.csv, by which it is known as a run, as long as there are others.
 void remove_run(const fs::path& directory) {
@@ -143,6 +159,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
     throw RecordError(path / checkpoint_name, "was written by a run of another scene");
   }
   RunDirectory directory(std::move(lock), path, std::move(contents));
+  require_own_tables(path, saved, directory.contents_);
   for (const auto& [name, size] : saved.table_sizes) {
     directory.tables_.try_emplace(name, path / name, size);
   }

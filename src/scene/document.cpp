@@ -83,6 +83,23 @@ Node convert(const toml::node& source, const std::string& path, const Locate& lo
   return node;
 }
 
+/// Refuses keys of very many parts: TOML's parser calls itself once for each part, and would
+/// exhaust its stack. Counts the dots between characters that end a key.
+void bound_keys(std::string_view text, const Locate& locate) {
+  constexpr std::string_view ends = "\n,=[]{}";
+  int dots = 0;
+  toml::source_position at{1, 1};
+  for (const char c : text) {
+    if (ends.find(c) != std::string_view::npos) dots = 0;
+    if (c == '.' && ++dots >= most_key_parts) {
+      throw SceneError(locate(at) + ": a key must have at most " + std::to_string(most_key_parts) +
+                       " parts");
+    }
+    at.column = c == '\n' ? 1 : at.column + 1;
+    if (c == '\n') ++at.line;
+  }
+}
+
 }  // namespace
 
 Node parse_document(std::string_view text, std::string_view file_name) {
@@ -90,6 +107,7 @@ Node parse_document(std::string_view text, std::string_view file_name) {
     return std::string(file_name) + ":" + std::to_string(position.line) + ":" +
            std::to_string(position.column);
   };
+  bound_keys(text, locate);
   try {
     return convert(toml::parse(text), {}, locate);
   } catch (const toml::parse_error& error) {
@@ -101,6 +119,7 @@ Node parse_value(std::string_view text, const std::string& path, const std::stri
   const Locate locate = [&](const toml::source_position&) { return where; };
   const std::string problem = where + ": " + path + " = " + std::string(text) +
                               ": must be a TOML value (text stands in double quotes)";
+  bound_keys(text, locate);
   try {
     const toml::table document = toml::parse("value = " + std::string(text));
     if (document.size() != 1) throw SceneError(problem);

@@ -33,6 +33,9 @@ struct Node {
   std::variant<bool, std::int64_t, double, std::string, DateTime, Array, Table> value;
 };
 
+/// Parts of a key at most, as in a.b.c: parser and tables use the stack for each part.
+inline constexpr int most_key_parts = 1000;
+
 /// Parses a TOML document.
 ///
 /// @param  text       TOML

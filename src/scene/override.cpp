@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -46,6 +47,21 @@ Node& child(Node& parent, std::string_view name, const std::string& where) {
                    std::string(name) + "' in it");
 }
 
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// Whether a value is a word that would be text in quotation marks, as fmm in solver.summation=fmm:
+/// letters, digits, _ and -, with a letter first. Those words that are TOML values are none.
+bool is_word(std::string_view text) {
+  constexpr std::string_view values[] = {"true", "false", "inf", "nan"};
+  const auto is_of_word = [](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, is_of_word) &&
+         std::ranges::find(values, text) == std::end(values);
+}
+
 }  // namespace
 
 Node with_override(Node document, std::string_view setting) {
@@ -57,9 +73,14 @@ Node with_override(Node document, std::string_view setting) {
     throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");
   }
   const std::string dotted = with_dots(path);
+  if (std::ranges::count(dotted, '.') >= most_key_parts) {
+    throw SceneError("--set: a key must have at most " + std::to_string(most_key_parts) + " parts");
+  }
   Node* target = &document;
   for (const std::string_view name : split(dotted, '.')) target = &child(*target, name, where);
-  Node value = parse_value(setting.substr(equals + 1), target->path, where);
+  std::string text(setting.substr(equals + 1));
+  if (is_word(text)) text = '"' + text + '"';
+  Node value = parse_value(text, target->path, where);
   value.key = target->key;
   *target = std::move(value);
   return document;

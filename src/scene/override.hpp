@@ -10,7 +10,8 @@ namespace stokesbook::scene_text {
 ///
 /// @param  document  before
 /// @param  setting   `time.dt=0.01`, `bodies.0.n_nodes=64` or `bodies[0].n_nodes=64`: path, `=`,
-///                   value in TOML's syntax; tables that are missing on the way are added
+///                   value in TOML's syntax, or a word without quotation marks; tables that are
+///                   missing on the way are added
 /// @return           after
 /// @throws SceneError when the setting has another form or its path leads nowhere
 Node with_override(Node document, std::string_view setting);

@@ -206,6 +206,17 @@ class Records(Program):
         self.assertNotIn("uniform_velocity", (self.folder / "given" / "run.json").read_text())
         self.assertNotIn("infinity", result.stdout)
 
+    def test_closed_standard_streams_leave_the_files_alone(self):
+        def close_streams():
+            for stream in range(3):
+                os.close(stream)
+        self.run_scene("--out", "told")
+        run = subprocess.run([PROGRAM, "run", self.scene(), "--out", "closed"], cwd=self.folder,
+                             preexec_fn=close_streams)
+        self.assertEqual(run.returncode, 0)
+        self.assertEqual(self.files("closed"), self.files("told"))
+        self.assertNotIn(b"GMRES iterations", (self.folder / "closed" / "steps.csv").read_bytes())
+
     def test_memory_is_that_which_the_system_counts(self):
         with subprocess.Popen([PROGRAM, "run", self.scene(), "--out", "run"], cwd=self.folder,
                               stdout=subprocess.DEVNULL) as run:

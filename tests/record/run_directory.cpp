@@ -5,8 +5,12 @@
 #include <algorithm>
 
 #include <boost/test/unit_test.hpp>
+#include <sys/stat.h>
 
 #include "folder.hpp"
+#include "record/append_file.hpp"
+#include "record/atomic_file.hpp"
+#include "record/checkpoint.hpp"
 #include "record/frame_files.hpp"
 #include "record/record_error.hpp"
 #include "sample_run.hpp"
@@ -254,6 +258,50 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_resumed) {
   write(folder.at("trajectory.csv"), "");
   BOOST_CHECK_EXCEPTION(RunDirectory::resume(folder.path(), sample_contents()), RecordError,
                         mentions("trajectory.csv", "has 0 bytes"));
+}
+
+// The checkpoint of somebody else may name any file; its checksum can be made anew.
+BOOST_AUTO_TEST_CASE(files_of_others_are_left_alone) {
+  const Folder folder, other;
+  write_atomically(other.at("precious"), "text", SafeFrom::kill);
+  {
+    RunDirectory run = create(folder);
+    run.write_frame(sample_frame(0));
+    run.save({});
+  }
+  const SavedRun saved = read_saved_run(folder.at("checkpoint"));
+  const auto resume = [&](const SavedRun& changed) {
+    write_atomically(folder.at("checkpoint"), to_text(changed), SafeFrom::kill);
+    RunDirectory::resume(folder.path(), sample_contents());
+  };
+  BOOST_CHECK_NO_THROW(resume(saved));
+  for (const std::string& name :
+       {other.at("precious").string(), "../" + other.at("precious").filename().string(),
+        std::string("precious"), std::string("run.json")}) {
+    SavedRun more = saved;
+    more.table_sizes[name] = 0;
+    BOOST_CHECK_EXCEPTION(resume(more), RecordError, mentions("checkpoint", "other files"));
+  }
+  SavedRun fewer = saved;
+  fewer.table_sizes.erase("trajectory.csv");
+  BOOST_CHECK_EXCEPTION(resume(fewer), RecordError, mentions("checkpoint", "other files"));
+  std::filesystem::remove(folder.at("trajectory.csv"));
+  std::filesystem::create_symlink(other.at("precious"), folder.at("trajectory.csv"));
+  SavedRun cut = saved;
+  cut.table_sizes["trajectory.csv"] = 0;
+  BOOST_CHECK_EXCEPTION(resume(cut), RecordError, mentions("trajectory.csv", "symbolic link"));
+  BOOST_TEST(read_text(other.at("precious")) == "text");
+}
+
+BOOST_AUTO_TEST_CASE(pipes_and_folders_are_no_files_of_a_run) {
+  const Folder folder;
+  BOOST_REQUIRE(::mkfifo(folder.at("pipe").c_str(), 0600) == 0);
+  std::filesystem::create_directory(folder.at("folder"));
+  BOOST_CHECK_EXCEPTION(AppendFile::reopen(folder.at("pipe"), 0), RecordError,
+                        mentions("pipe", "no regular file"));
+  BOOST_CHECK_THROW(AppendFile::reopen(folder.at("folder"), 0), RecordError);
+  BOOST_CHECK_THROW(read_text(folder.at("pipe")), RecordError);
+  BOOST_CHECK_THROW(read_text(folder.at("folder")), RecordError);
 }
 
 BOOST_AUTO_TEST_CASE(places_that_cannot_be_written) {

@@ -23,6 +23,24 @@ BOOST_AUTO_TEST_CASE(no_toml) {
   BOOST_TEST(place("[time]\ndt = 1e999\n") == "s.toml:2:11");
 }
 
+BOOST_AUTO_TEST_CASE(keys_without_end) {
+  const auto key_of = [](int parts) {
+    std::string key = "a";
+    for (int k = 1; k < parts; ++k) key += ".a";
+    return key;
+  };
+  const std::string refused = ": a key must have at most 1000 parts";
+  for (const std::string& text : {key_of(50000) + " = 1\n", "[" + key_of(50000) + "]\n",
+                                  "x = {" + key_of(50000) + " = 1}\n"}) {
+    const std::string message = error_of("seed = 1\n" + text);
+    BOOST_TEST(message.starts_with("s.toml:2:"));
+    BOOST_TEST(message.ends_with(refused));
+  }
+  BOOST_TEST(error_of(disk(), {key_of(50000) + "=1"}) == "--set" + refused);
+  BOOST_TEST(error_of(disk(), {"x={" + key_of(50000) + "=1}"}) == "--set x" + refused);
+  BOOST_TEST(error_of(key_of(900) + " = 1\n").find("unknown key") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(top_level) {
   check({
       {"",

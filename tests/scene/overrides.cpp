@@ -48,6 +48,18 @@ BOOST_AUTO_TEST_CASE(replace_whole_tables) {
   BOOST_TEST(parse("", {"bodies=[{shape={kind='circle',radius=1},n_nodes=8}]"}).bodies.size() == 1);
 }
 
+BOOST_AUTO_TEST_CASE(words_need_no_quotation_marks) {
+  BOOST_TEST((parse(two_disks, {"solver.summation=fmm"}).solver.summation == Summation::fmm));
+  BOOST_TEST((parse(two_disks, {"solver.preconditioner=block_diagonal"}).solver.preconditioner ==
+              PreconditionerKind::block_diagonal));
+  BOOST_TEST(parse(two_disks, {"title=x-1_b"}).title == "x-1_b");
+  BOOST_TEST(error_of(two_disks, {"time.dt=fast"}) ==
+             "--set time.dt: time.dt = \"fast\": must be a number > 0, not a string");
+  BOOST_TEST(parse(two_disks, {"bodies.0.held=true"}).bodies[0].held);
+  BOOST_TEST(error_of(two_disks, {"time.dt=inf"}).find("inf") != std::string::npos);
+  BOOST_TEST(error_of(two_disks, {"time.dt=inf"}).find('"') == std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(the_last_one_counts) {
   BOOST_TEST(parse(two_disks, {"time.dt=0.2", "time.dt=0.4"}).time->dt.value() == 0.4);
 }
@@ -82,7 +94,7 @@ BOOST_AUTO_TEST_CASE(errors_of_form) {
   BOOST_TEST(message("=1") == "--set : " + form);
   BOOST_TEST(message("") == "--set : " + form);
   const std::string value = "must be a TOML value (text stands in double quotes)";
-  BOOST_TEST(message("time.method=rk4") == "--set time.method: time.method = rk4: " + value);
+  BOOST_TEST(message("time.method=rk 4") == "--set time.method: time.method = rk 4: " + value);
   BOOST_TEST(message("time.dt=") == "--set time.dt: time.dt = : " + value);
   BOOST_TEST(message("time.dt=1\nseed=2") == "--set time.dt: time.dt = 1\nseed=2: " + value);
 }
