@@ -7,6 +7,7 @@
 
 #include "scene/error.hpp"
 #include "scene/joined.hpp"
+#include "scene/rules.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -27,9 +28,10 @@ double parse_number(std::string_view field, std::string_view column, const std::
   if (status == std::errc::result_out_of_range) {
     value = std::strtod(std::string(digits).c_str(), nullptr);  // 0, or infinite
   }
-  if (status == std::errc::invalid_argument || stop != end || !std::isfinite(value)) {
+  if (status == std::errc::invalid_argument || stop != end ||
+      !(std::abs(value) <= largest_number)) {
     throw SceneError(where + ": " + std::string(column) + " = " + std::string(field) +
-                     ": must be a finite number");
+                     ": must be a number of at most 1e100 in size");
   }
   return value;
 }

@@ -77,6 +77,14 @@ std::vector<double> value_as(const Node& node, std::string_view expected);
 /// @throws SceneError when the value is no array
 const Array& elements_of(const Node& node, std::string_view expected);
 
+/// @name Size of numbers
+/// A solver squares and multiplies what a scene gives; of numbers beyond these the products are zero
+/// or infinite.
+/// @{
+inline constexpr double smallest_number = 1e-100;  ///< but for zero
+inline constexpr double largest_number = 1e100;    ///< in magnitude
+/// @}
+
 /// @name Rules
 /// What a value must be, said once: `read(node, rule)` converts and checks it or throws a
 /// SceneError, `describe(rule)` completes "must be ...".

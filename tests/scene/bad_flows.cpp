@@ -33,6 +33,9 @@ BOOST_AUTO_TEST_CASE(flow) {
        "s.toml:3:16: flow.velocity[1] = true: must be a number, not a boolean"},
       {"[flow]\nkind = 'uniform'\nvelocity = [1, inf]\n",
        "s.toml:3:16: flow.velocity[1] = inf: must be a number, and finite"},
+      {"[flow]\nkind = 'shear'\nrate = 1e-200\n" + disk(),
+       "s.toml:3:8: flow.rate = 1e-200: must be 0, or of a size from 1e-100 to 1e100: choose units "
+       "in which it is"},
       {"[flow]\nrate = 1\n",
        "s.toml:2:1: flow.rate = 1: unknown key; known here: kind, gauge_length, reverse_at"},
       {"[flow]\nkind = 'shear'\nrate = 1\nvelocity = [1, 0]\n",

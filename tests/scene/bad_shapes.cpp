@@ -68,15 +68,18 @@ BOOST_AUTO_TEST_CASE(shapes) {
       {body_with_shape("{ kind = 'star', radius = 1, amplitude = 0.2 }"),
        "s.toml:2:9: bodies[0].shape.arms is missing: must be an integer >= 1"},
       {body_with_shape("{ kind = 'superellipse', semi_axes = [1, 1], power = 3 }"),
-       "s.toml:2:62: bodies[0].shape.power = 3: must be an even integer >= 2, for which the curve "
+       "s.toml:2:62: bodies[0].shape.power = 3: must be an even integer from 2 to 1000, for which "
+       "the curve "
        "is analytic"},
       {body_with_shape("{ kind = 'superellipse', semi_axes = [1, 1], power = 0 }"),
-       "s.toml:2:62: bodies[0].shape.power = 0: must be an even integer >= 2, for which the curve "
+       "s.toml:2:62: bodies[0].shape.power = 0: must be an even integer from 2 to 1000, for which "
+       "the curve "
        "is analytic"},
       {body_with_shape("{ kind = 'superellipse', semi_axes = [0, 1], power = 4 }"),
        "s.toml:2:46: bodies[0].shape.semi_axes = [0, 1]: must be two numbers > 0"},
       {body_with_shape("{ kind = 'superellipse', semi_axes = [1, 1] }"),
-       "s.toml:2:9: bodies[0].shape.power is missing: must be an even integer >= 2, for which the "
+       "s.toml:2:9: bodies[0].shape.power is missing: must be an even integer from 2 to 1000, for "
+       "which the "
        "curve is analytic"},
       {body_with_shape("{ kind = 'nodes' }"),
        "s.toml:2:9: bodies[0].shape.file is missing: must be the name of a CSV file, or points = "

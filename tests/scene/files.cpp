@@ -150,19 +150,20 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
   BOOST_TEST(error_with_csv(list, one + "4,5,6,7\n") ==
              "a.csv:3: must hold 3 values (x,y,theta), not 4");
   BOOST_TEST(error_with_csv(list, one + "4,five,6\n") ==
-             "a.csv:3: y = five: must be a finite number");
+             "a.csv:3: y = five: must be a number of at most 1e100 in size");
   BOOST_TEST(error_with_csv(list, one + "4,5 5,6\n") ==
-             "a.csv:3: y = 5 5: must be a finite number");
-  BOOST_TEST(error_with_csv(list, one + "4,5,\n") == "a.csv:3: theta = : must be a finite number");
+             "a.csv:3: y = 5 5: must be a number of at most 1e100 in size");
+  BOOST_TEST(error_with_csv(list, one + "4,5,\n") ==
+             "a.csv:3: theta = : must be a number of at most 1e100 in size");
   BOOST_TEST(error_with_csv(list, one + "nan,5,6\n") ==
-             "a.csv:3: x = nan: must be a finite number");
+             "a.csv:3: x = nan: must be a number of at most 1e100 in size");
   BOOST_TEST(error_with_csv(list, one + "4,5,inf\n") ==
-             "a.csv:3: theta = inf: must be a finite number");
+             "a.csv:3: theta = inf: must be a number of at most 1e100 in size");
   BOOST_TEST(error_with_csv(list, one + "4,5,1e999\n") ==
-             "a.csv:3: theta = 1e999: must be a finite number");
+             "a.csv:3: theta = 1e999: must be a number of at most 1e100 in size");
   for (const std::string number : {"+-1", "++1", "+", "-", "1e400", "-1e400", "1e-400x"}) {
     BOOST_TEST(error_with_csv(list, one + "4," + number + ",6\n") ==
-               "a.csv:3: y = " + number + ": must be a finite number");
+               "a.csv:3: y = " + number + ": must be a number of at most 1e100 in size");
   }
   BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,0,4,5\n") ==
              "a.csv:3: semi_a = 0.0: must be a number > 0");
@@ -203,7 +204,7 @@ BOOST_AUTO_TEST_CASE(bad_nodal_curves) {
              "s.toml:2:34: bodies[0].shape.file = \"a.csv\": the curve must go around the origin: "
              "loads act there");
   BOOST_TEST(error_with_csv(nodal_body, "x,y\n1,0\n0,x\n") ==
-             "a.csv:3: y = x: must be a finite number");
+             "a.csv:3: y = x: must be a number of at most 1e100 in size");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
