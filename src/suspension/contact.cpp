@@ -22,23 +22,6 @@ constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
 // Starts are written down by others: a gap of the separation to three digits is wide enough.
 constexpr double relative_slack_of_starts = 1e-3;
 
-// Components of one shape and side share their polygon.
-ContactShapes shapes_of(const References& references, double sag_limit) {
-  ContactShapes shapes;
-  for (const auto& reference : references) {
-    const auto is_equal = [&](const std::shared_ptr<const Reference>& earlier) {
-      return earlier->shape == reference->shape && earlier->curve.side == reference->curve.side;
-    };
-    const auto known =
-        static_cast<std::size_t>(std::ranges::find_if(references, is_equal) - references.begin());
-    shapes.push_back(known < shapes.size()
-                         ? shapes[known]
-                         : std::make_shared<const ContactShape>(
-                               contact_shape(reference->shape, reference->curve.side, sag_limit)));
-  }
-  return shapes;
-}
-
 std::vector<Pose> poses_of(const Configuration& configuration) {
   std::vector<Pose> poses;
   for (const auto& [position, orientation] : configuration) {
@@ -109,10 +92,26 @@ CloserPairs to_pairs(const VectorXd& numbers) {
   return pairs;
 }
 
+ContactShapes contact_shapes(const References& references, double sag_limit) {
+  ContactShapes shapes;
+  for (const auto& reference : references) {
+    const auto is_equal = [&](const std::shared_ptr<const Reference>& earlier) {
+      return earlier->shape == reference->shape && earlier->curve.side == reference->curve.side;
+    };
+    const auto known =
+        static_cast<std::size_t>(std::ranges::find_if(references, is_equal) - references.begin());
+    shapes.push_back(known < shapes.size()
+                         ? shapes[known]
+                         : std::make_shared<const ContactShape>(
+                               contact_shape(reference->shape, reference->curve.side, sag_limit)));
+  }
+  return shapes;
+}
+
 SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
     : solver_(solver),
       separation_(solver.separation()),
-      shapes_(shapes_of(solver.references(), relative_sag * separation_)) {
+      shapes_(contact_shapes(solver.references(), relative_sag * separation_)) {
   double sag = 0.0;
   for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
   polygon_separation_ = separation_ + 2.0 * sag;

@@ -26,6 +26,13 @@ Eigen::VectorXd to_numbers(const CloserPairs& pairs);
 /// @return          pairs
 CloserPairs to_pairs(const Eigen::VectorXd& numbers);
 
+/// Makes the polygons of components. Those of one shape and side share theirs.
+///
+/// @param  references  of all components
+/// @param  sag_limit   largest distance of a polygon from its curve, length
+/// @return             one a component
+ContactShapes contact_shapes(const References& references, double sag_limit);
+
 /// What forces that components exert on each other leave over.
 struct Imbalance {
   double force,  ///< net force over the largest

@@ -84,7 +84,11 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
       begun_(latest_) {
   latest_.gmres_tolerance = solver.plan().gmres_tolerance;
-  if (solver.scene().contact) contact_.emplace(solver);
+  if (solver.scene().contact) {
+    contact_.emplace(solver);
+  } else {
+    passing_.emplace(solver);
+  }
 }
 
 void Simulation::run() {
@@ -250,6 +254,7 @@ Advance Simulation::take_step(const Rates& rates) const {
 
 Simulation::Solved Simulation::advance(const Solved& first) {
   StepInfo info = begun_step(first.solution, first.seconds);
+  const double closest = info.min_gap;
   std::optional<Solved> last;
   const auto within = [&](double t, const VectorXd& state) {
     const Solved stage = solve(t, state, Role::stage);
@@ -258,6 +263,11 @@ Simulation::Solved Simulation::advance(const Solved& first) {
   };
   const auto at_end = [&](double t, const VectorXd& state) {
     if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
+    dated(t, [&] {
+      const Configuration start = to_configuration(now_.state);
+      const std::string passing = passing_->refusal(start, to_configuration(state), closest);
+      if (!passing.empty()) throw ConfigurationRefused(passing);
+    });
     last = solve(t, state, Role::step);
     return to_rate(last->solution);
   };

@@ -9,6 +9,7 @@
 #include "record/run_info.hpp"
 #include "suspension/contact.hpp"
 #include "suspension/density_history.hpp"
+#include "suspension/passing.hpp"
 #include "suspension/rheology.hpp"
 #include "suspension/stepping.hpp"
 
@@ -193,6 +194,7 @@ class Simulation {
   SolveMemory begun_;                         // before the solve at now_
   double written_ = -1.0;                     // the last time on record
   std::optional<SuspensionContact> contact_;  // of scenes with [contact]
+  std::optional<PassingTest> passing_;        // of others
   CloserPairs closer_;                        // pairs that began closer than allowed
   std::optional<Rheometer> rheometer_;        // made for the first frame
   RunTotals totals_;

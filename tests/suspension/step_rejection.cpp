@@ -5,6 +5,7 @@
 
 #include "support/known_motions.hpp"
 #include "suspension/numerics_refused.hpp"
+#include "suspension/passing.hpp"
 #include "suspension/step_counts.hpp"
 #include "suspension/trajectories.hpp"
 
@@ -100,6 +101,60 @@ BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
     };
     BOOST_CHECK_EXCEPTION(steps_of(scene), NumericsRefused, says_when_and_what);
   }
+}
+
+// Pressed together, two disks never meet: steps that would put them on each other's sides are
+// halved, and the run stops where the least step still does.
+BOOST_AUTO_TEST_CASE(bodies_do_not_pass_through_each_other_within_a_step) {
+  for (const SteppingMethod method : {euler, heun, rk4, dormand_prince54}) {
+    Scene scene;
+    scene.gauge_length = 100.0;
+    scene.bodies = {body_at(Circle{0.5}, -1.5, automatic_nodes),
+                    body_at(Circle{0.5}, 1.5, automatic_nodes)};
+    scene.bodies[0].force = 100.0;
+    scene.bodies[1].force = -100.0;
+    scene.solver.tolerance = 1e-4;
+    scene.time = {.t_final = 1.0, .dt = 0.5, .method = method, .dt_min = 0.4};
+    scene.output.dt_write = 0.5;
+    if (method == dormand_prince54) {
+      scene.time->dt.reset();
+      scene.time->tolerance = 0.1;
+    }
+    double nearest = 0.0;
+    std::string stopped;
+    try {
+      Observer observer;
+      observer.frame = [&](const Frame& frame) {
+        const double side = (frame.bodies[1].position - frame.bodies[0].position).real();
+        BOOST_TEST(side > 1.0);
+        nearest = side;
+      };
+      const SuspensionSolver solver(scene);
+      Simulation(solver, observer).run();
+    } catch (const NumericsRefused& refusal) {
+      stopped = refusal.what();
+    }
+    if (method != dormand_prince54)
+      BOOST_TEST(stopped.find("body 0 and body 1") != std::string::npos, stopped);
+  }
+}
+
+// Without an overlap on the way, the test sees none: disks that pass each other, and one that rolls
+// along a wall.
+BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
+  Scene scene;
+  scene.bodies = {body_at(Circle{0.5}, {-2.0, 0.501}, 64), body_at(Circle{0.5}, {2.0, -0.501}, 64)};
+  const SuspensionSolver solver(scene);
+  const PassingTest test(solver);
+  const Configuration start = solver.initial_configuration();
+  Configuration end = start;
+  std::swap(end[0].position, end[1].position);
+  for (Placement& placement : end) placement.position = std::conj(placement.position);
+  BOOST_TEST(test.refusal(start, end, 3.0) == "");
+  for (Placement& placement : end) placement.position = placement.position.real();
+  BOOST_TEST(
+      test.refusal(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
+  BOOST_TEST(test.refusal(start, end, 9.0) == "");  // as long as it is told that they are far apart
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
