@@ -235,7 +235,7 @@ enum class FieldQuantity {
 
 /// How one instant is solved.
 struct SolverSettings {
-  double tolerance = 1e-8;  ///< accuracy asked of velocities, relative to the scene's largest
+  double tolerance = 1e-8;  ///< accuracy asked of velocities, see Solution::velocity_scale
   std::optional<double> gmres_tol{};           ///< relative residual; none: follows from tolerance
   int gmres_max_iterations = 500;              ///< the solve is refused if they do not do
   Summation summation = Summation::automatic;  ///< of the double layer

@@ -54,6 +54,14 @@ ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVecto
   return velocity;
 }
 
+ComplexVector background_about(const BackgroundFlow& flow, Complex centre,
+                               const ComplexVector& offsets) {
+  if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
+  if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
+  const Complex at_centre = background_velocity(flow, ComplexVector::Constant(1, centre))[0];
+  return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
+}
+
 std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
                                                     const ComplexVector& points) {
   std::vector<FlowDerivatives> derivatives;

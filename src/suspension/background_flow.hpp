@@ -18,6 +18,16 @@ namespace stokesbook {
 /// @return         m velocities, length / time
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
 
+/// Evaluates how an undisturbed flow differs around a point from its velocity there. For flows that
+/// are linear no digit is lost, however fast the flow is at the point.
+///
+/// @param  flow     kind and strength
+/// @param  centre   the point, length
+/// @param  offsets  from it, m vectors, length
+/// @return          m differences of velocity, length / time
+ComplexVector background_about(const BackgroundFlow& flow, Complex centre,
+                               const ComplexVector& offsets);
+
 /// Evaluates vorticity and strain of an undisturbed flow. Its pressure is zero: the linear flows
 /// have none, and the Taylor-Green flow is driven by the force 2 mu u on every area of the fluid.
 ///

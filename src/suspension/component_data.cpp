@@ -1,5 +1,7 @@
 #include "suspension/component_data.hpp"
 
+#include <utility>
+
 #include "suspension/background_flow.hpp"
 
 namespace stokesbook {
@@ -41,6 +43,19 @@ Side side_of(ComponentKind kind) {
 
 ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Complex position) {
   return std::visit(WallVelocity{curve, position}, motion);
+}
+
+BackgroundOnBody background_on_body(const BackgroundFlow& flow, const Component& body) {
+  const ComplexVector centre = ComplexVector::Constant(1, body.centre);
+  const ComplexVector offsets = body.curve.x.array() - body.centre;
+  const RigidMotion carried{background_velocity(flow, centre)[0],
+                            0.5 * background_derivatives(flow, centre)[0].vorticity};
+  const ComplexVector about = background_about(flow, body.centre, offsets);
+  ComplexVector strain = about - imaginary * carried.omega * offsets;
+  // What rounding leaves of a flow that is rigid there, such as a rotation, is no strain.
+  constexpr double rounding = 1e-14;
+  if (strain.cwiseAbs().maxCoeff() <= rounding * about.cwiseAbs().maxCoeff()) strain.setZero();
+  return {carried, std::move(strain)};
 }
 
 RigidMotion rigid_motion(const WallMotion& motion) {

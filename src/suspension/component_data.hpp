@@ -42,6 +42,20 @@ ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Comple
 ///                 leave the curve in place
 RigidMotion rigid_motion(const WallMotion& motion);
 
+/// An undisturbed flow on the curve of a free body, in two parts.
+struct BackgroundOnBody {
+  RigidMotion carried;   ///< as the fluid moves and turns at the body's centre
+  ComplexVector strain;  ///< the rest, which disturbs the flow, at the N nodes, length / time
+};
+
+/// Splits an undisturbed flow. What a solver solves for depends on the strain only, so that its
+/// accuracy does not depend on the velocity at which the flow carries the body.
+///
+/// @param  flow  kind and strength
+/// @param  body  its curve of N nodes and its centre
+/// @return       both parts
+BackgroundOnBody background_on_body(const BackgroundFlow& flow, const Component& body);
+
 /// @}
 
 }  // namespace stokesbook

@@ -50,7 +50,8 @@ struct Solution {
   std::vector<Load> loads;      ///< of every component on the fluid, about its position
   Complex uniform_velocity;     ///< of the fluid at infinity beside the background
   GmresResult gmres;            ///< of the linear system, converged
-  double velocity_scale = 0.0;  ///< largest velocity in the data, length / time
+  double velocity_scale = 0.0;  ///< largest velocity in the data, without those that carry a body
+                                ///< as a whole, see background_on_body(); length / time
   double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; not
                                 ///< a number where none was asked for
   std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
@@ -286,6 +287,7 @@ class SuspensionSolver {
                    const Effort& effort, double drive) const;
   ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
                          const Solution& solution, double drive) const;
+  Complex frame_velocity(double drive) const;
   StokesProblem loaded_problem(const Configuration& configuration, const References& references,
                                const Solution& solution, double drive) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;

@@ -54,8 +54,8 @@ ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
   ComplexVector velocity =
       SolvedFlow(problem, near_curves, solution.density, {plan_.near_tolerance, planned_sum(plan_)})
           .velocity(points);
-  if (!is_bounded(problem)) velocity += drive * background_velocity(scene_.flow, points);
-  return velocity;
+  if (is_bounded(problem)) return velocity.array() + frame_velocity(drive);
+  return velocity + drive * background_velocity(scene_.flow, points);
 }
 
 SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,

@@ -1,4 +1,7 @@
 // The linear system of a configuration, and what its solution means.
+#include <algorithm>
+#include <variant>
+
 #include "double_layer/double_layer.hpp"
 #include "krylov/direct.hpp"
 #include "suspension/background_flow.hpp"
@@ -11,6 +14,8 @@
 #include "suspension/solver.hpp"
 
 namespace stokesbook {
+
+using Eigen::Index;
 
 namespace {
 
@@ -57,12 +62,30 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration,
       component.force = drive * body.force;
       component.torque = drive * body.torque;
     }
+    if (component.kind != ComponentKind::free_body) {
+      component.velocity.array() -= frame_velocity(drive);
+    }
     problem.components.push_back(std::move(component));
   }
-  if (!is_bounded(problem)) {
-    problem.background = drive * background_velocity(scene_.flow, all_nodes(curves_of(problem)));
+  if (is_bounded(problem)) return problem;
+  const std::vector<Index> offsets = node_offsets(problem);
+  problem.background.resize(offsets.back());
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    problem.background.segment(offsets[k], component.curve.size()) =
+        drive * (component.kind == ComponentKind::free_body
+                     ? background_on_body(scene_.flow, component).strain
+                     : background_velocity(scene_.flow, component.curve.x));
   }
   return problem;
+}
+
+// In a container that is moved as a whole, problems are those that it sees.
+Complex SuspensionSolver::frame_velocity(double drive) const {
+  const auto outer = std::ranges::find(scene_.walls, WallRole::outer, &Wall::role);
+  if (outer == scene_.walls.end()) return 0.0;
+  const auto* translating = std::get_if<TranslatingWall>(&outer->motion);
+  return translating == nullptr ? 0.0 : drive * translating->velocity;
 }
 
 // Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
@@ -149,6 +172,15 @@ Solution SuspensionSolver::completed(const System& system, GmresResult gmres, do
       solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
     } else if (const Body& body = scene_.bodies[k]; body.held) {
       solution.motions[k] = {drive * body.velocity, drive * body.omega};
+    } else {
+      const StokesProblem& problem = system.discrete->problem;
+      RigidMotion carried{frame_velocity(drive), 0.0};
+      if (!is_bounded(problem)) {
+        carried = background_on_body(scene_.flow, problem.components[k]).carried;
+        carried = {drive * carried.velocity, drive * carried.omega};
+      }
+      solution.motions[k].velocity += carried.velocity;
+      solution.motions[k].omega += carried.omega;
     }
   }
   return solution;

@@ -99,6 +99,56 @@ BOOST_AUTO_TEST_CASE(translation_and_boost) {
   check(mixed, expected_from(solved, boosted), 1e-11);
 }
 
+// How fast the flow carries all bodies has no effect on their relative motion, at any tolerance.
+BOOST_AUTO_TEST_CASE(relative_motion_in_a_fast_flow) {
+  std::mt19937_64 random(47);
+  Scene crowd = scene(random_bodies(random), ShearFlow{1.0});
+  for (Body& body : crowd.bodies) body.n_nodes = automatic_nodes;
+  crowd.solver.tolerance = 1e-3;
+  const Solved here(crowd);
+  for (const double height : {1e2, 1e4, 1e6}) {
+    Scene there = crowd;
+    for (Body& body : there.bodies) body.position += height * imaginary;
+    const Solved solved(there);
+    const double rounding = 1e-15 * height;
+    for (std::size_t k = 0; k < crowd.bodies.size(); ++k) {
+      const auto of_first = [&](const Solved& s) {
+        return s.motion(k).velocity - s.motion(0).velocity;
+      };
+      BOOST_TEST(std::abs(of_first(solved) - of_first(here)) < 1e-12 + 10.0 * rounding);
+      BOOST_TEST(std::abs(solved.motion(k).omega - here.motion(k).omega) < 1e-12 + 10.0 * rounding);
+    }
+    BOOST_TEST(solved.solution.error_estimate == here.solution.error_estimate,
+               boost::test_tools::tolerance(1e-3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(relative_motion_in_a_fast_container) {
+  std::mt19937_64 random(48);
+  std::vector<Body> bodies = random_bodies(random);
+  for (Body& body : bodies) {
+    body.n_nodes = automatic_nodes;
+    body.force = {0.3, -1.0};
+  }
+  const auto within = [&](Complex velocity) {
+    Scene result =
+        scene(bodies, {}, {outer_wall(Circle{4.0}, automatic_nodes, TranslatingWall{velocity})});
+    result.solver.tolerance = 1e-3;
+    return result;
+  };
+  const Solved still(within(0.0));
+  const Complex fast{1e6, -3e5};
+  const Solved moved(within(fast));
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    BOOST_TEST(std::abs(moved.motion(k).velocity - fast - still.motion(k).velocity) < 1e-9);
+    BOOST_TEST(moved.motion(k).omega == still.motion(k).omega);
+  }
+  const ComplexVector points{{Complex{0.0, 3.8}, Complex{-3.7, 0.0}}};
+  BOOST_TEST((moved.velocity(points) - still.velocity(points)).cwiseAbs().maxCoeff() > 1e6);
+  BOOST_TEST(((moved.velocity(points) - still.velocity(points)).array() - fast).abs().maxCoeff() <
+             1e-9);
+}
+
 // A uniform stream carries loaded free bodies along, whatever they do otherwise.
 BOOST_AUTO_TEST_CASE(uniform_stream) {
   Scene still = mixed_scene(45);

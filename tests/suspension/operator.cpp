@@ -75,7 +75,8 @@ BOOST_AUTO_TEST_CASE(iterations_of_nine_unresolved_circles) {
   for (const BackgroundFlow& flow :
        {BackgroundFlow{ShearFlow{1}}, BackgroundFlow{ExtensionalFlow{1}}}) {
     const SuspensionSolver solver(nine_circles(16, flow));
-    BOOST_TEST(iterations(solver, false) == 17);
+    const SuspensionSolver resolved(nine_circles(64, flow));
+    BOOST_TEST(std::abs(iterations(solver, false) - iterations(resolved, false)) <= 1);
     BOOST_TEST(iterations(solver, true) == 16);
   }
 }

@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(quantities) {
        "trajectory.csv, walls.csv"},
       {quantity("table = 'rheology.csv'\ncolumn = 'torque'\n"),
        "5:10: collect[0].column = \"torque\": is no column of rheology.csv, whose are "
-       "t,dissipation,torque_ratio,order_parameter,s11,s12"},
+       "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y"},
       {quantity("table = 'rheology.csv'\ncolumn = 's21'\ntake = 'last'\n"),
        "5:10: collect[0].column = \"s21\": is no column of rheology.csv, did you mean 's11'?"},
       {quantity("table = 'rheology.csv'\n"),

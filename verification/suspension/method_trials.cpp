@@ -313,7 +313,7 @@ Experiment shares_of_work() {
           .x = "error of the published run e",
           .error = "node pairs of ours over those of the published run",
           .lines = {share_of_work("12_40", "two disks in extension", extension_trial, 0.6),
-                    share_of_work("12_41", "two disks in shear, reversed", disks_trial, 0.5),
+                    share_of_work("12_41", "two disks in shear, reversed", disks_trial, 0.6),
                     share_of_work("12_42", "eight lobed bodies in shear", lobed_trial, 0.6),
                     share_of_work("12_43", "injection, reversed", injection_trial, 0.6),
                     share_of_work("12_44", "16 ellipses in vortices", vortices_trial, 0.6),
