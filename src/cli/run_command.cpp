@@ -244,6 +244,8 @@ int run_scene(const RunOptions& options) {
     info.peak_memory = peak_memory();
     directory.write_text("run.json", to_json(info));
   };
+  info.message = "under way, or killed";
+  directory.write_text("run.json", to_json(info));
   try {
     options.once ? simulation.solve_once() : simulation.run();
   } catch (const NumericsRefused& refusal) {

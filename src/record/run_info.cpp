@@ -48,9 +48,10 @@ std::string to_json(const RunInfo& info) {
         {"error_estimate", info.resolution.error_estimate}}},
       {"wall_seconds", info.wall_seconds},
       {"peak_memory", info.peak_memory},
-      {"exit_status", info.exit_status},
+      {"exit_status", nullptr},
       {"message", info.message},
   };
+  if (info.exit_status) json["exit_status"] = *info.exit_status;
   if (const auto& uniform = info.uniform_velocity) {
     json["uniform_velocity"] = {uniform->real(), uniform->imag()};
   }
@@ -63,7 +64,8 @@ std::optional<int> exit_status_of(const std::filesystem::path& run) {
   std::error_code unreadable;
   if (!std::filesystem::exists(path, unreadable)) return std::nullopt;
   try {
-    return nlohmann::json::parse(read_text(path)).at("exit_status").get<int>();
+    const nlohmann::json status = nlohmann::json::parse(read_text(path)).at("exit_status");
+    return status.is_null() ? std::nullopt : std::optional(status.get<int>());
   } catch (const nlohmann::json::exception& damage) {
     throw RecordError(path, "is damaged: " + std::string(damage.what()));
   }

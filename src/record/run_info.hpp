@@ -52,7 +52,7 @@ struct RunInfo {
                                             ///< solved for, length / time
   double wall_seconds = 0.0;                ///< how long it took since the last start
   long long peak_memory = 0;                ///< largest resident set since the last start, bytes
-  int exit_status = 0;                      ///< of the program
+  std::optional<int> exit_status;           ///< of the program; none while it runs
   std::string message;                      ///< how the run ended, for people
 };
 

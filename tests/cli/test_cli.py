@@ -369,6 +369,9 @@ class Records(Program):
             time.sleep(0.02)
             process.send_signal(signal.SIGKILL)
             process.wait()
+            information = json.loads((self.folder / killed / "run.json").read_text())
+            self.assertIsNone(information["exit_status"])
+            self.assertTrue(information["plan"])
             self.run_scene("--out", killed, "--resume", text=text)
             self.assertEqual(self.files(whole), self.files(killed))
             columns = [0, 1, 2, 3, 6, 7, 8]  # all of steps.csv that is not a wall time

@@ -33,6 +33,8 @@ BOOST_AUTO_TEST_CASE(states) {
   task.remove_failure();
   BOOST_CHECK(task.state() == TaskState::unfinished);
   BOOST_TEST(task.failure() == "");
+  folder.write("runs/0003/run.json", "{\"exit_status\": null}");
+  BOOST_CHECK(task.state() == TaskState::unfinished);
   folder.write("runs/0003/run.json", "{\"exit_status\": 2}");
   BOOST_CHECK(task.state() == TaskState::unfinished);
   folder.write("runs/0003/run.json", "{\"exit_status\": 0}");

@@ -54,6 +54,11 @@ take = "least"
 TASKS = 20
 
 
+def has_ended(information):
+    """Whether a run.json is there and tells how its run ended."""
+    return information.exists() and json.loads(information.read_text())["exit_status"] is not None
+
+
 class Sweeping(unittest.TestCase):
     """A folder with a scene and a sweep of it; what works in the folder ends with the test."""
 
@@ -108,7 +113,7 @@ class Sweeping(unittest.TestCase):
     def done(self, out):
         """Of every task that is done, what changes if it is run again."""
         return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
-                for path in (self.folder / out).glob("runs/*/run.json")}
+                for path in (self.folder / out).glob("runs/*/run.json") if has_ended(path)}
 
     def workers(self, out):
         """Process of each task under way in a folder, by the task's number."""
@@ -145,7 +150,7 @@ class Sweeping(unittest.TestCase):
         """Stops a worker where it is, for it to be killed, unless it has come to its end."""
         try:
             os.kill(process, signal.SIGSTOP)
-            if not (self.folder / out / f"runs/{task:04}/run.json").exists():
+            if not has_ended(self.folder / out / f"runs/{task:04}/run.json"):
                 return True
             os.kill(process, signal.SIGCONT)
         except ProcessLookupError:
