@@ -157,6 +157,8 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
   discrete.precondition = loaded.system->precondition;
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
+  const double by_loads = discrete.system.right_hand_side().cwiseAbs().maxCoeff();
+  solution.velocity_scale = std::max(loaded.velocity_scale, by_loads);
   const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
   const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};

@@ -92,7 +92,7 @@ enum class Event { none, reversal, reversal_that_is_told };
 /// count: a hundred sweeps leave a thousandth of what was before at a gap of 0.05, and less at
 /// wider ones.
 double error_of_lagged(double gap, int steps, Event event) {
-  const SuspensionSolver solver(pair_of_nodes(gap, 96));
+  const SuspensionSolver solver(pair_of_nodes(gap, 112));
   const auto at = [gap](double t) -> Configuration {
     const Complex position = std::polar(1.0 + 0.5 * gap, t);
     return {{-position, 0.0}, {position, 0.0}};
