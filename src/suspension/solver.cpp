@@ -157,8 +157,13 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
   discrete.precondition = loaded.system->precondition;
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
-  const double by_loads = discrete.system.right_hand_side().cwiseAbs().maxCoeff();
-  solution.velocity_scale = std::max(loaded.velocity_scale, by_loads);
+  const Completion completion = discrete.system.closure().complete(loaded.density);
+  for (std::size_t k = 0; k < loaded.references.size(); ++k) {
+    if (loaded.references[k]->kind != ComponentKind::free_body) continue;
+    const auto& [velocity, omega] = completion.motions[k];  // relative to the flow that carries it
+    solution.velocity_scale = std::max({solution.velocity_scale, std::abs(velocity),
+                                        loaded.references[k]->gyration_radius * std::abs(omega)});
+  }
   const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
   const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
