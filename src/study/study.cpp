@@ -112,11 +112,12 @@ StudyResult run(const Study& study, Size size, std::ostream& progress) {
     std::vector<LineResult>& lines = result.experiments.emplace_back();
     for (const Line& line : experiment.lines) {
       lines.push_back(measure(line, size));
-      require(!experiment.operation.empty() ||
-                  std::ranges::none_of(lines.back().measurements, [](const Measurement& point) {
-                    return std::isfinite(point.operations);
-                  }),
-              experiment.key + '.' + line.key + " counts operations: name them as the experiment's");
+      require(
+          !experiment.operation.empty() ||
+              std::ranges::none_of(
+                  lines.back().measurements,
+                  [](const Measurement& point) { return std::isfinite(point.operations); }),
+          experiment.key + '.' + line.key + " counts operations: name them as the experiment's");
       report(progress, line, lines.back());
     }
   }
