@@ -55,6 +55,11 @@ LineResult measure(const Line& line, Size size) {
   return result;
 }
 
+bool counts_operations(const LineResult& line) {
+  return std::ranges::any_of(
+      line.measurements, [](const Measurement& point) { return std::isfinite(point.operations); });
+}
+
 void report(std::ostream& progress, const Line& line, const LineResult& result) {
   if (!result.verdict) return;
   progress << "  " << line.claim->id << "  " << to_string(result.verdict->outcome) << "  "
@@ -113,10 +118,7 @@ StudyResult run(const Study& study, Size size, std::ostream& progress) {
     for (const Line& line : experiment.lines) {
       lines.push_back(measure(line, size));
       require(
-          !experiment.operation.empty() ||
-              std::ranges::none_of(
-                  lines.back().measurements,
-                  [](const Measurement& point) { return std::isfinite(point.operations); }),
+          !experiment.operation.empty() || !counts_operations(lines.back()),
           experiment.key + '.' + line.key + " counts operations: name them as the experiment's");
       report(progress, line, lines.back());
     }
