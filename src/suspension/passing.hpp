@@ -20,14 +20,13 @@ class PassingTest {
   /// @param  solver  of the scene; must outlive the test
   explicit PassingTest(const SuspensionSolver& solver);
 
-  /// Looks for pairs that overlap on straight paths, which turn evenly.
+  /// Looks for pairs that overlap on straight paths, which turn evenly. Overlaps of less than a
+  /// hundredth of the smallest body's radius of gyration are not seen.
   ///
   /// @param  start    where the paths begin, without overlaps
   /// @param  end      where they end
   /// @param  closest  least gap at their beginning, length: steps shorter than that need no look
   /// @return          a message naming the first such pair; empty where there is none
-  /// @par Accuracy    overlaps of less than a hundredth of the smallest body's radius of gyration
-  ///                  are not seen
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
   std::string refusal(const Configuration& start, const Configuration& end, double closest) const;
