@@ -50,7 +50,7 @@ std::string difference(const Value& got, const Value& expected) {
 
 namespace {
 
-/// What the comparisons of a task have found.
+/// Collects what the comparisons of a task have found.
 struct Findings {
   std::string first_wrong;              ///< report on the first wrong result; empty without one
   std::vector<std::string> candidates;  ///< sentences of mistakes that give it

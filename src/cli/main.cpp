@@ -1,3 +1,5 @@
+// The program stokes: reads the command line, runs what it asks for, and turns errors into messages
+// and exit codes.
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -1,3 +1,4 @@
+// Runs or solves one scene: reads it, prints the plan, moves it, and writes its folder.
 #include "cli/run_command.hpp"
 
 #include <algorithm>

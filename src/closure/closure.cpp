@@ -1,3 +1,4 @@
+// Ties densities to forces, torques and motions, and completes a solution with them (chapter 03).
 #include "closure/closure.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Appends whole records to a file, and cuts back what was not whole.
 #include "record/append_file.hpp"
 
 #include <cerrno>

@@ -1,3 +1,4 @@
+// Writes the rows of the tables of a run.
 #include "record/csv.hpp"
 
 #include "record/number_text.hpp"

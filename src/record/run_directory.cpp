@@ -1,9 +1,9 @@
+// Keeps the folder of a run: which files it has, how they grow, and how a run goes on from them.
 #include "record/run_directory.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <set>
 
 #include "record/animation.hpp"
 #include "record/atomic_file.hpp"
@@ -102,12 +102,8 @@ void require_own_tables(const fs::path& directory, const SavedRun& saved,
                         const RunContents& contents) {
   std::map<std::string, std::string> own = headers(contents);
   own.emplace(steps_name, steps_header);
-  const auto names = [](const auto& files) {
-    std::set<std::string> result;
-    for (const auto& file : files) result.insert(file.first);
-    return result;
-  };
-  if (names(saved.table_sizes) == names(own)) return;
+  const auto name = [](const auto& entry) -> const std::string& { return entry.first; };
+  if (std::ranges::equal(saved.table_sizes, own, {}, name, name)) return;
   throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
 }
 

@@ -1,3 +1,4 @@
+// Writes run.json, and reads from it how a run ended.
 #include "record/run_info.hpp"
 
 #include <system_error>

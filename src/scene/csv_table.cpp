@@ -1,3 +1,4 @@
+// Reads tables of numbers from CSV files of a scene.
 #include "scene/csv_table.hpp"
 
 #include <algorithm>

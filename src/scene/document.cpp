@@ -1,3 +1,4 @@
+// Parses TOML into nodes that know where they stand, so that messages can name the place.
 #include "scene/document.hpp"
 
 #include <algorithm>

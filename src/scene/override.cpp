@@ -1,3 +1,4 @@
+// Sets values of a scene from the command line.
 #include "scene/override.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Converts nodes of a document into values, and says what is wrong with those that are not.
 #include "scene/rules.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Computes the power that boundaries bring into the fluid, by tractions and by loads (chapter 07).
 #include "stress/dissipation.hpp"
 
 #include <optional>
@@ -15,8 +16,8 @@ double power(const Curve& curve, const ComplexVector& velocity, const ComplexVec
   return weights(curve).dot(velocity.conjugate().cwiseProduct(traction).real());
 }
 
-/// What is left of a velocity given at the nodes of a wall without its rigid motion; nothing where
-/// the nodes' places, rounded in proportion to their distance from the origin, account for it.
+/// Takes the rigid motion off a velocity that is given at the nodes of a wall. Returns nothing where
+/// the rest is rounding of the nodes' places, which grows with their distance from the origin.
 std::optional<ComplexVector> deformation(const Curve& curve, const RigidModes& modes,
                                          const RigidMotion& rigid, const ComplexVector& velocity) {
   ComplexVector rest = velocity - modes.at_nodes(rigid);

@@ -1,7 +1,5 @@
 #include "suspension/component_data.hpp"
 
-#include <utility>
-
 #include "suspension/background_flow.hpp"
 
 namespace stokesbook {
@@ -45,17 +43,20 @@ ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Comple
   return std::visit(WallVelocity{curve, position}, motion);
 }
 
-BackgroundOnBody background_on_body(const BackgroundFlow& flow, const Component& body) {
-  const ComplexVector centre = ComplexVector::Constant(1, body.centre);
+RigidMotion carried_by(const BackgroundFlow& flow, Complex centre) {
+  const ComplexVector point = ComplexVector::Constant(1, centre);
+  return {background_velocity(flow, point)[0],
+          0.5 * background_derivatives(flow, point)[0].vorticity};
+}
+
+ComplexVector strain_on(const BackgroundFlow& flow, const Component& body) {
   const ComplexVector offsets = body.curve.x.array() - body.centre;
-  const RigidMotion carried{background_velocity(flow, centre)[0],
-                            0.5 * background_derivatives(flow, centre)[0].vorticity};
   const ComplexVector about = background_about(flow, body.centre, offsets);
-  ComplexVector strain = about - imaginary * carried.omega * offsets;
-  // What rounding leaves of a flow that is rigid there, such as a rotation, is no strain.
+  ComplexVector strain = about - imaginary * carried_by(flow, body.centre).omega * offsets;
+  // A flow that is rigid there, such as a rotation, has no strain but what rounding leaves.
   constexpr double rounding = 1e-14;
   if (strain.cwiseAbs().maxCoeff() <= rounding * about.cwiseAbs().maxCoeff()) strain.setZero();
-  return {carried, std::move(strain)};
+  return strain;
 }
 
 RigidMotion rigid_motion(const WallMotion& motion) {

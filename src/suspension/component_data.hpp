@@ -42,19 +42,21 @@ ComplexVector wall_velocity(const WallMotion& motion, const Curve& curve, Comple
 ///                 leave the curve in place
 RigidMotion rigid_motion(const WallMotion& motion);
 
-/// An undisturbed flow on the curve of a free body, in two parts.
-struct BackgroundOnBody {
-  RigidMotion carried;   ///< as the fluid moves and turns at the body's centre
-  ComplexVector strain;  ///< the rest, which disturbs the flow, at the N nodes, length / time
-};
+/// Returns how an undisturbed flow carries a body.
+///
+/// @param  flow    kind and strength
+/// @param  centre  of the body, length
+/// @return         velocity and turn of the flow at the centre
+RigidMotion carried_by(const BackgroundFlow& flow, Complex centre);
 
-/// Splits an undisturbed flow. What a solver solves for depends on the strain only, so that its
-/// accuracy does not depend on the velocity at which the flow carries the body.
+/// Returns what is left of an undisturbed flow on a free body without carried_by(). What a solver
+/// solves for depends on this part only, so that its accuracy does not depend on how fast the flow
+/// carries the body.
 ///
 /// @param  flow  kind and strength
 /// @param  body  its curve of N nodes and its centre
-/// @return       both parts
-BackgroundOnBody background_on_body(const BackgroundFlow& flow, const Component& body);
+/// @return       velocities at the N nodes, length / time
+ComplexVector strain_on(const BackgroundFlow& flow, const Component& body);
 
 /// @}
 

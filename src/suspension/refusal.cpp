@@ -33,13 +33,14 @@ double prescribed_extent(const StokesProblem& problem) {
 }
 
 // The smaller eigenvalue of 4 pi mu M, U = M F, of a body that is alone in a fluid at rest.
-double least_mobility(Component body, const StokesProblem& problem) {
+double least_mobility(const Component& body, const StokesProblem& problem) {
+  const StokesProblem unloaded{{body}, problem.viscosity, {}, problem.gauge_length};
+  const Eigen::MatrixXd inverse = invert_block(assemble(unloaded, ClosureForm::reduced).matrix);
   const auto velocity = [&](Complex force) {
-    body.force = force;
-    body.torque = 0.0;
-    const StokesProblem alone{{body}, problem.viscosity, {}, problem.gauge_length};
-    const DenseSystem system = assemble(alone, ClosureForm::reduced);
-    const Eigen::VectorXd density = invert_block(system.matrix) * system.rhs;
+    StokesProblem alone = unloaded;
+    alone.components[0].force = force;
+    alone.components[0].torque = 0.0;
+    const Eigen::VectorXd density = inverse * assemble(alone, ClosureForm::reduced).rhs;
     return complete_dense(alone, ClosureForm::reduced, density).motions[0].velocity;
   };
   const Complex first = velocity(1.0), second = velocity(imaginary);

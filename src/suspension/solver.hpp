@@ -51,7 +51,7 @@ struct Solution {
   Complex uniform_velocity;     ///< of the fluid at infinity beside the background
   GmresResult gmres;            ///< of the linear system, converged
   double velocity_scale = 0.0;  ///< largest velocity in the data, without those that carry a body
-                                ///< as a whole, see background_on_body(); length / time
+                                ///< as a whole, see carried_by(); length / time
   double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; not
                                 ///< a number where none was asked for
   std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first

@@ -74,7 +74,7 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration,
     const Component& component = problem.components[k];
     problem.background.segment(offsets[k], component.curve.size()) =
         drive * (component.kind == ComponentKind::free_body
-                     ? background_on_body(scene_.flow, component).strain
+                     ? strain_on(scene_.flow, component)
                      : background_velocity(scene_.flow, component.curve.x));
   }
   return problem;
@@ -176,7 +176,7 @@ Solution SuspensionSolver::completed(const System& system, GmresResult gmres, do
       const StokesProblem& problem = system.discrete->problem;
       RigidMotion carried{frame_velocity(drive), 0.0};
       if (!is_bounded(problem)) {
-        carried = background_on_body(scene_.flow, problem.components[k]).carried;
+        carried = carried_by(scene_.flow, problem.components[k].centre);
         carried = {drive * carried.velocity, drive * carried.omega};
       }
       solution.motions[k].velocity += carried.velocity;

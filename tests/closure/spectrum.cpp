@@ -23,7 +23,7 @@ Eigen::VectorXd eigenvalues(const Component& body) {
   return real;
 }
 
-// Those of -1/2 + D, with the three rigid motions moved from 0 to -1.
+// Returns the eigenvalues of -1/2 + D, those of the three rigid motions moved from 0 to -1.
 Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
   Eigen::VectorXd values =
       ellipse_spectrum(ellipse, Side::fluid_outside, enough_nodes).array() - 0.5;

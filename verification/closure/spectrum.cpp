@@ -32,7 +32,7 @@ Eigen::MatrixXd with_integrals(const StokesProblem& problem) {
   return reduced(problem) + (1.0 - length) * projection_matrix(problem);
 }
 
-/// That of -1/2 + D, with the three rigid motions moved from 0 to -1.
+/// Returns the eigenvalues of -1/2 + D, those of the three rigid motions moved from 0 to -1.
 Eigen::VectorXd known_spectrum(const Ellipse& ellipse, double x) {
   Eigen::VectorXd values = ellipse_spectrum(ellipse, Side::fluid_outside, count(x)).array() - 0.5;
   values.tail(3).setConstant(-1.0);

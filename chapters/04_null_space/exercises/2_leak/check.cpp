@@ -209,7 +209,8 @@ void check_mended(Order order) {
                        {ComplexVector(g + flux / length * n), "this doubles the leak"}}});
 }
 
-// What the experiment needs of tasks 1 and 3. With a wrong sign in both, it would agree with itself.
+// Checks what the experiment needs of tasks 1 and 3: with a wrong sign in both, it would agree with
+// itself.
 void check_parts() {
   const StokesProblem leaky = bearing(0.05);
   expect({.what = "the net flux of the mended data, over that of the data",
