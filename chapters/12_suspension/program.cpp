@@ -101,7 +101,7 @@ void print_run(const SuspensionSolver& solver) {
     if (++count % 4 != 0) return;
     std::printf("%5.2f%7.2f%13d%8d%11d%12.5f%12.0e%11.0e\n", step.t, step.dt, step.gmres_iterations,
                 step.contacts, step.ncp_iterations, step.min_gap, step.force_imbalance,
-                step.error_estimate);
+                step.velocity_error);
   };
   Frame last;
   observer.frame = [&](const Frame& frame) { last = frame; };

@@ -34,7 +34,7 @@ Scene load_scene(const RunOptions& options) {
   const Scene scene = read_scene(options.scene, options.overrides);
   if (!options.once && !scene.time) {
     throw SceneError(options.scene.string() +
-                     ": stokes run needs [time] with t_final and dt; stokes solve does without");
+                     ": stokes run needs [time] with t_final; stokes solve does without");
   }
   try {
     return with_fills_placed(scene);
@@ -147,12 +147,17 @@ long long peak_memory() {
 void print_report(const RunInfo& info, const std::filesystem::path& out) {
   const RunTotals& totals = info.totals;
   std::printf(
-      "%lld steps, %lld more rejected, %lld solves, %lld GMRES iterations, error estimate %s, "
-      "%.1f s, %lld MB; "
+      "%lld steps, %lld more rejected, %lld solves, %lld GMRES iterations, %.1f s, %lld MB; "
       "results in %s\n",
       totals.steps, totals.rejected_steps, totals.solves, totals.gmres_iterations,
-      short_number(info.resolution.error_estimate).c_str(), info.wall_seconds,
-      info.peak_memory / 1'000'000, out.c_str());
+      info.wall_seconds, info.peak_memory / 1'000'000, out.c_str());
+  std::printf("error estimates: of velocities, relative to their scale, %s",
+              short_number(info.resolution.velocity_error).c_str());
+  if (totals.steps > 0) {
+    std::printf("; of positions in radii and angles, by all steps together, %s",
+                short_number(info.resolution.configuration_error).c_str());
+  }
+  std::printf("\n");
   if (const auto& uniform = info.uniform_velocity) {
     std::printf(
         "the fluid at infinity has the velocity (%s, %s) beside [flow], for zero net force: "
@@ -171,11 +176,11 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
 
 // With forces of contact, and by the lagged coupling: all others are refused.
 void warn_of_estimate(const RunInfo& info, double tolerance) {
-  if (info.resolution.error_estimate <= tolerance) return;
+  if (info.resolution.velocity_error <= tolerance) return;
   std::fprintf(stderr,
-               "stokes: the error estimate is up to %s, above solver.tolerance = %s; steps.csv "
-               "has it for each step\n",
-               short_number(info.resolution.error_estimate).c_str(),
+               "stokes: the error estimate of velocities is up to %s, above solver.tolerance = %s; "
+               "steps.csv has it for each step\n",
+               short_number(info.resolution.velocity_error).c_str(),
                short_number(tolerance).c_str());
 }
 

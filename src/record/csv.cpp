@@ -64,9 +64,9 @@ std::string contact_rows(const Frame& frame) {
 std::string step_row(const StepInfo& step) {
   std::string row;
   append_row(row, step.t, step.dt, step.gmres_iterations, step.matvecs, step.ncp_iterations,
-             step.contacts, step.min_gap, step.residual, step.error_estimate, step.seconds,
-             step.kkt_residual, step.force_imbalance, step.torque_imbalance, step.contact_power,
-             step.energy_injected);
+             step.contacts, step.min_gap, step.residual, step.velocity_error, step.step_error,
+             step.seconds, step.kkt_residual, step.force_imbalance, step.torque_imbalance,
+             step.contact_power, step.energy_injected);
   return row;
 }
 

@@ -24,8 +24,9 @@ inline constexpr std::string_view rheology_header =
 inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
 /// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
-    "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,error_estimate,"
-    "seconds,kkt_residual,force_imbalance,torque_imbalance,contact_power,energy_injected\n";
+    "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,velocity_error,"
+    "step_error,seconds,kkt_residual,force_imbalance,torque_imbalance,contact_power,energy_"
+    "injected\n";
 /// @}
 
 /// Writes the bodies of a frame.

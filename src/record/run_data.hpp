@@ -73,17 +73,19 @@ struct Frame {
 
 /// What one time step did.
 struct StepInfo {
-  double t = 0.0;            ///< time at the end of the step
-  double dt = 0.0;           ///< length of the step, time
-  int gmres_iterations = 0;  ///< of all its solves
-  int matvecs = 0;           ///< applications of the operator
-  int ncp_iterations = 0;    ///< of the contact solver; 0 without contact
-  int contacts = 0;          ///< pairs in contact
-  double min_gap = 0.0;      ///< least distance of two curves, length; infinite for a single one
-  double residual = 0.0;     ///< largest relative residual of its linear solves
-  double error_estimate =
-      0.0;  ///< of its beginning, or the latest before: of velocities, relative to their scale
-  double seconds = 0.0;       ///< wall time of its solves
+  double t = 0.0;               ///< time at the end of the step
+  double dt = 0.0;              ///< length of the step, time
+  int gmres_iterations = 0;     ///< of all its solves
+  int matvecs = 0;              ///< applications of the operator
+  int ncp_iterations = 0;       ///< of the contact solver; 0 without contact
+  int contacts = 0;             ///< pairs in contact
+  double min_gap = 0.0;         ///< least distance of two curves, length; infinite for a single one
+  double residual = 0.0;        ///< largest relative residual of its linear solves
+  double velocity_error = 0.0;  ///< estimate of its beginning, or the latest before: of velocities,
+                                ///< relative to their scale
+  double step_error = 0.0;      ///< estimate of what the step itself errs by: of positions in units
+                                ///< of the largest body's radius, and of angles
+  double seconds = 0.0;         ///< wall time of its solves
   double kkt_residual = 0.0;  ///< of contact, in minimum separations: the largest violation of the
                               ///< separation, or gap beyond it across which a force acts
   double force_imbalance = 0.0;   ///< net contact force over the largest

@@ -31,9 +31,11 @@ struct RunTotals {
 
 /// How finely a run was resolved, and how well.
 struct RunResolution {
-  std::vector<int> first_nodes;  ///< of each component at its first solve: bodies, then walls
-  std::vector<int> most_nodes;   ///< largest of all its solves
-  double error_estimate = 0.0;   ///< largest of all its solves
+  std::vector<int> first_nodes;      ///< of each component at its first solve: bodies, then walls
+  std::vector<int> most_nodes;       ///< largest of all its solves
+  double velocity_error = 0.0;       ///< largest estimate of all its solves
+  double configuration_error = 0.0;  ///< of the errors of its steps, estimated and added up, the
+                                     ///< largest: of positions in radii, and of angles
 };
 
 /// Where a run came from, what it decided and how it ended.

@@ -91,17 +91,23 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   if (node == nullptr) return std::nullopt;
   const TableReader table(*node,
                           {"t_final", "dt", "method", "tolerance", "dt_min", "dt_max", "effort"});
+  const bool contact = root.find("contact") != nullptr;
   TimeSettings time;
   time.t_final = table.require("t_final", positive_number);
-  time.method = table.get("method", stepping_methods).value_or(time.method);
+  const std::optional<SteppingMethod> method = table.get("method", stepping_methods);
+  if (contact) time.method = SteppingMethod::heun;
+  time.method = method.value_or(time.method);
   if (adapts_steps(time.method)) {
     table.refuse({"effort"},
-                 "belongs to methods of fixed steps: this one adapts them to the error");
+                 "belongs to methods of fixed steps, such as \"euler\": this one adapts them to "
+                 "the error");
     time.dt = table.get("dt", positive_number);
     time.tolerance = table.get("tolerance", step_tolerance).value_or(default_step_tolerance);
   } else {
-    if (time.method == SteppingMethod::heun && root.find("contact") != nullptr) {
+    if (time.method == SteppingMethod::heun && contact) {
       time.tolerance = table.get("tolerance", step_tolerance);
+      const bool by_default = !method && table.find("effort") == nullptr;
+      if (by_default && !time.tolerance) time.tolerance = default_contact_step_tolerance;
     } else {
       table.refuse({"tolerance"}, "belongs to " + adaptive_methods() +
                                       ", and to heun with [contact]: this method has fixed steps");

@@ -259,12 +259,15 @@ struct EffortBounds {
 /// The error to which steps are adapted where none is given.
 inline constexpr double default_step_tolerance = 1e-6;
 
+/// The same in scenes with contact: by Heun's method, and past the jumps of contact.
+inline constexpr double default_contact_step_tolerance = 1e-3;
+
 /// How a run advances in time.
 struct TimeSettings {
-  double t_final = 0.0;                           ///< end of the run, > 0; it starts at 0
-  std::optional<double> dt{};                     ///< longest step, > 0, time; of methods that
-                                                  ///< adapt steps the first, none: chosen
-  SteppingMethod method = SteppingMethod::euler;  ///< that advances the bodies
+  double t_final = 0.0;        ///< end of the run, > 0; it starts at 0
+  std::optional<double> dt{};  ///< longest step, > 0, time; of methods that adapt steps the first,
+                               ///< none: chosen
+  SteppingMethod method = SteppingMethod::dormand_prince54;  ///< that advances the bodies
   /// Error of positions in units of the largest body's radius, and of angles, radians, to which
   /// steps are adapted; none: the default for methods that adapt them, and steps stay as they are
   /// for Heun's, which adapts them in scenes with contact.

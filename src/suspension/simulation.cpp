@@ -82,7 +82,8 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       now_{0.0, to_state(solver.initial_configuration()), {}},
       latest_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
-      begun_(latest_) {
+      begun_(latest_),
+      errors_(VectorXd::Zero(now_.state.size())) {
   latest_.gmres_tolerance = solver.plan().gmres_tolerance;
   if (solver.scene().contact) {
     contact_.emplace(solver);
@@ -166,6 +167,20 @@ void Simulation::note_solve(const Solution& solution) {
   totals_.matvecs += solution.cost.matvecs;
 }
 
+// Errors keep their signs: those of a closed orbit, or of a way there and back, cancel.
+void Simulation::note_step(StepInfo step, const VectorXd& error) {
+  step.step_error = stepping_.bound.in_units_of_scale(error);
+  errors_ += error;
+  resolution_.configuration_error = stepping_.bound.in_units_of_scale(errors_);
+  ++totals_.steps;
+  totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
+  totals_.largest_torque_imbalance =
+      std::max(totals_.largest_torque_imbalance, step.torque_imbalance);
+  totals_.energy_injected += step.energy_injected;
+  if (observer_.step) observer_.step(step);
+  adapt_to_effort(step);
+}
+
 void Simulation::note_resolution(const Solution& solution) {
   std::vector<int> nodes;
   for (const Resolution& resolution : resolutions_of(solution.references)) {
@@ -175,7 +190,7 @@ void Simulation::note_resolution(const Solution& solution) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     resolution_.most_nodes[k] = std::max(resolution_.most_nodes[k], nodes[k]);
   }
-  resolution_.error_estimate = std::max(resolution_.error_estimate, solution.error_estimate);
+  resolution_.velocity_error = std::max(resolution_.velocity_error, solution.error_estimate);
 }
 
 void Simulation::write(double t, const VectorXd& state, const Solution& solution,
@@ -276,12 +291,10 @@ Simulation::Solved Simulation::advance(const Solved& first) {
   write_within(advance.step);
   now_ = advance.step.end;
   memory_ = advance.memory;
-  ++totals_.steps;
   totals_.rejected_steps += advance.rejected;
   info.t = now_.t;
   info.dt = advance.step.dt();
-  if (observer_.step) observer_.step(info);
-  adapt_to_effort(info);
+  note_step(info, advance.error);
   return is_reversal(now_.t) ? reverse() : std::move(*last);
 }
 

@@ -143,7 +143,8 @@ class Simulation {
   // The second half of a step by Heun's method.
   struct SecondHalf {
     ContactOutcome outcome;  // with the mean velocity of the step
-    double error;            // of the first half, over that which is allowed
+    Eigen::VectorXd error;   // of the first half
+    double error_in_bounds;  // the largest of a boundary point, over what is allowed
   };
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
@@ -170,7 +171,7 @@ class Simulation {
   Solved reverse();
   void note_solve(const Solution& solution);
   void note_response(const LoadResponse& response);
-  void note_step(const StepInfo& step);
+  void note_step(StepInfo step, const Eigen::VectorXd& error);
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);
@@ -199,6 +200,7 @@ class Simulation {
   std::optional<Rheometer> rheometer_;        // made for the first frame
   RunTotals totals_;
   RunResolution resolution_;
+  Eigen::VectorXd errors_;  // of all steps, added up
 };
 
 /// @}

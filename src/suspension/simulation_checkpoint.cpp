@@ -50,6 +50,8 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   resolution_ = {to_counts(checkpoint.history.at("first_nodes")),
                  to_counts(checkpoint.history.at("most_nodes")),
                  checkpoint.history.at("largest_estimate")[0]};
+  errors_ = checkpoint.history.at("errors");
+  resolution_.configuration_error = stepping_.bound.in_units_of_scale(errors_);
   memory_ = to_memory(checkpoint.history);
   written_ = checkpoint.history.at("written")[0];
   const std::size_t components = to_configuration(now_.state).size();
@@ -79,7 +81,8 @@ Checkpoint Simulation::checkpoint() const {
       {totals_.largest_force_imbalance, totals_.largest_torque_imbalance, totals_.energy_injected}};
   checkpoint.history["first_nodes"] = to_numbers(resolution_.first_nodes);
   checkpoint.history["most_nodes"] = to_numbers(resolution_.most_nodes);
-  checkpoint.history["largest_estimate"] = VectorXd::Constant(1, resolution_.error_estimate);
+  checkpoint.history["largest_estimate"] = VectorXd::Constant(1, resolution_.velocity_error);
+  checkpoint.history["errors"] = errors_;
   checkpoint.history["written"] = VectorXd::Constant(1, written_);
   checkpoint.history["estimate"] =
       VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};

@@ -213,9 +213,9 @@ Simulation::SecondHalf Simulation::second_half(const Begun& begun, StepInfo& inf
     throw ConfigurationRefused(refusal_of(begun.t_end, stage.outcome));
   }
   const Configuration end = to_configuration(now_.state + dt * stage.outcome.result.velocity);
-  const double error = largest_distance(stage.free.solution.references, acting, end) /
-                       (stepping_.bound.tolerance * stepping_.bound.scale[0]);
-  return {std::move(stage.outcome), error};
+  const double distance = largest_distance(stage.free.solution.references, acting, end);
+  return {std::move(stage.outcome), to_state(end) - predicted,
+          distance / (stepping_.bound.tolerance * stepping_.bound.scale[0])};
 }
 
 void Simulation::adapt_to_error(const StepInfo& step, double error, bool rejected) {
@@ -234,7 +234,7 @@ void Simulation::recover_length(double dt, bool shortened) {
 
 Simulation::Solved Simulation::advance_in_contact(Begun begun) {
   StepInfo spent = begun_step(begun.stage.free.solution, begun.stage.free.seconds);
-  spent.error_estimate = begun.stage.solution.error_estimate;
+  spent.velocity_error = begun.stage.solution.error_estimate;
   int rejected = 0, rejected_at_a_jump = 0;
   while (true) {
     StepInfo info = with_contact(spent, begun.stage.outcome, begun.stage.cost, begun.stage.seconds);
@@ -242,18 +242,19 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
       std::optional<SecondHalf> second;
       if (stepping_.method == Method::heun) second = second_half(begun, info);
       const ContactOutcome& outcome = second ? second->outcome : begun.stage.outcome;
-      const bool too_long = time_.tolerance && second->error > 1.0;
+      const bool too_long = time_.tolerance && second->error_in_bounds > 1.0;
       const bool jumps = too_long && pairs_in_contact(begun.stage.outcome.forces) !=
                                          pairs_in_contact(outcome.forces);
       if (too_long && !(jumps && rejected_at_a_jump == most_rejections_at_a_jump)) {
         rejected_at_a_jump += jumps ? 1 : 0;
         ++rejected;
         spent = with_costs_of(spent, info);
-        begun = begin_in_contact(
-            std::move(begun.stage.free),
-            shortened(begun.t_end, contact_step_factor(second->error),
-                      at_time(now_.t) + "the error of a step is " + short_number(second->error) +
-                          " times that which time.tolerance allows"));
+        begun =
+            begin_in_contact(std::move(begun.stage.free),
+                             shortened(begun.t_end, contact_step_factor(second->error_in_bounds),
+                                       at_time(now_.t) + "the error of a step is " +
+                                           short_number(second->error_in_bounds) +
+                                           " times that which time.tolerance allows"));
         continue;
       }
       info.dt = begun.t_end - now_.t;
@@ -272,13 +273,18 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
       info = with_forces(info, begun.stage.outcome, duration);
       if (second) info = with_forces(info, outcome, duration);
       if (time_.tolerance) {
-        adapt_to_error(info, second->error, rejected > 0);
+        adapt_to_error(info, second->error_in_bounds, rejected > 0);
       } else if (!time_.effort) {
         recover_length(info.dt, begun.t_end < planned_end());
       }
       now_ = {begun.t_end, state, {}};
       closer_ = contact_->widened(closer_, configuration);
-      note_step(info);
+      // The flow's velocities change from the beginning to the end; what contact adds is taken to
+      // stay as it is.
+      const VectorXd error =
+          second ? second->error
+                 : 0.5 * info.dt * (to_rate(last.solution) - to_rate(begun.stage.free.solution));
+      note_step(info, error);
       return is_reversal(now_.t) ? reverse() : std::move(last);
     } catch (const ConfigurationRefused& refusal) {
       ++rejected;
@@ -300,16 +306,6 @@ void Simulation::ask_for_less(bool in_contact) {
     latest_.in_contact = coarser(std::move(latest_.in_contact));
     latest_.kept = 0;
   }
-}
-
-void Simulation::note_step(const StepInfo& step) {
-  ++totals_.steps;
-  totals_.largest_force_imbalance = std::max(totals_.largest_force_imbalance, step.force_imbalance);
-  totals_.largest_torque_imbalance =
-      std::max(totals_.largest_torque_imbalance, step.torque_imbalance);
-  totals_.energy_injected += step.energy_injected;
-  if (observer_.step) observer_.step(step);
-  adapt_to_effort(step);
 }
 
 }  // namespace stokesbook

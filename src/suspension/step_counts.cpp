@@ -7,7 +7,7 @@ namespace stokesbook {
 
 StepInfo begun_step(const Solution& first, double seconds) {
   const StepInfo none{.min_gap = std::numeric_limits<double>::infinity(),
-                      .error_estimate = first.error_estimate};
+                      .velocity_error = first.error_estimate};
   return with_solve(none, first, seconds);
 }
 

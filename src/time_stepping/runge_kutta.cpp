@@ -36,7 +36,8 @@ const Tableau& heun() {
 
 const Tableau& runge_kutta4() {
   static const Tableau tableau{rows({{}, {0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}}),
-                               weights({1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6})};
+                               weights({1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}), 3,
+                               weights({0.0, 0.0, 0.0, 1.0 / 6, -1.0 / 6})};
   return tableau;
 }
 

@@ -31,8 +31,10 @@ const Tableau& heun();
 
 /// Returns the classical Runge-Kutta scheme.
 ///
-/// GSL's has the same stages, but doubles every step for an estimate: three times the evaluations.
-/// @return order 4, four stages
+/// Its estimate is the difference to the end with the rate there in the place of the last stage,
+/// which is of order 3. GSL's scheme has the same stages, but doubles every step for an estimate:
+/// three times the evaluations.
+/// @return order 4 with an estimate of order 3, four stages
 const Tableau& runge_kutta4();
 
 /// Returns the pair of Bogacki and Shampine.

@@ -12,10 +12,17 @@ struct ErrorBound {
   double tolerance = 0.0;  ///< error allowed, in units of the scale, > 0
   Eigen::VectorXd scale;   ///< n numbers > 0: what counts as one
 
+  /// Measures an error.
+  /// @param  error  n numbers
+  /// @return        the largest |error_i| / scale_i
+  double in_units_of_scale(const Eigen::VectorXd& error) const;
+
   /// Measures an error against what is allowed.
   /// @param  error  n numbers
   /// @return        the largest |error_i| / (tolerance scale_i)
-  double operator()(const Eigen::VectorXd& error) const;
+  double operator()(const Eigen::VectorXd& error) const {
+    return in_units_of_scale(error) / tolerance;
+  }
 };
 
 /// Chooses by how much the next step is longer, in proportion to the error and to its history:

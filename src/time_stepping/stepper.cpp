@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "time_stepping/adams_moulton.hpp"
 #include "time_stepping/prince_dormand.hpp"
 #include "time_stepping/runge_kutta.hpp"
 
@@ -56,30 +57,35 @@ Stepper::Try Stepper::attempt_runge_kutta(const Moment& start, double t_end) con
   const Tableau& tableau = tableau_of(settings_.method);
   const double dt = t_end - start.t;
   const MatrixXd stages = runge_kutta_stages(tableau, rates_.within, start, dt);
-  Try result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}, 0.0};
+  Try result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}, {}};
   Moment& end = result.step.end;
   end.rate = rates_.at_end(t_end, end.state);
   const auto combined = [&](const VectorXd& weights) -> VectorXd {
     return stages * weights.head(stages.cols()) + weights[stages.cols()] * end.rate;
   };
-  if (tableau.error.size() > 0) result.error = settings_.bound(dt * combined(tableau.error));
+  if (tableau.error.size() > 0) result.error = dt * combined(tableau.error);
   if (tableau.bubble.size() > 0) result.step.bubble = combined(tableau.bubble);
   return result;
 }
 
 Stepper::Try Stepper::attempt(const Moment& start, double t_end, const StepMemory& memory) const {
   const double dt = t_end - start.t;
-  Try result{{start, {t_end, {}, {}}}, 0.0};
+  Try result{{start, {t_end, {}, {}}}, {}};
+  Moment& end = result.step.end;
   if (settings_.method == Method::prince_dormand87) {
-    auto [end, error] = prince_dormand87_step(rates_.within, start, dt);
-    result.step.end.state = std::move(end);
-    result.error = settings_.bound(error);
+    EstimatedEnd estimated = prince_dormand87_step(rates_.within, start, dt);
+    end.state = std::move(estimated.end);
+    result.error = std::move(estimated.error);
+    end.rate = rates_.at_end(t_end, end.state);
   } else if (settings_.method == Method::adams_bashforth2 && memory.previous) {
-    result.step.end.state = adams_bashforth2_step(start, dt, *memory.previous);
+    end.state = adams_bashforth2_step(start, dt, *memory.previous);
+    end.rate = rates_.at_end(t_end, end.state);
   } else {
-    return attempt_runge_kutta(start, t_end);
+    result = attempt_runge_kutta(start, t_end);
   }
-  result.step.end.rate = rates_.at_end(t_end, result.step.end.state);
+  if (result.error.size() == 0) {
+    result.error = adams_moulton_error(result.step, memory.previous);
+  }
   return result;
 }
 
@@ -94,23 +100,21 @@ double Stepper::longest_step(const Moment& start, const StepMemory& memory) cons
   return first_step(rates_.within, start, settings_.bound, power_of_estimate());
 }
 
-StepMemory Stepper::after(const Try& tried, double longest, bool rejected,
+StepMemory Stepper::after(const Try& tried, double scaled_error, double longest, bool rejected,
                           StepMemory memory) const {
   const double dt = tried.step.dt();
   // A step that an event has cut short says little of longer ones.
   const bool cut = dt < 0.5 * longest;
   if (is_embedded(settings_.method)) {
-    const double factor = step_factor(tried.error, memory.error, power_of_estimate());
+    const double factor = step_factor(scaled_error, memory.error, power_of_estimate());
     memory.dt = cut ? longest : dt * (rejected ? std::min(factor, 1.0) : factor);
-    if (!cut) memory.error = tried.error;
+    if (!cut) memory.error = scaled_error;
   } else if (memory.detour) {
     const bool over = tried.step.end.t >= memory.detour->end;
     memory.dt = over ? memory.detour->dt : longest;
     if (over) memory.detour.reset();
   }
-  if (settings_.method == Method::adams_bashforth2) {
-    memory.previous = PreviousStep{dt, tried.step.start.rate};
-  }
+  if (!is_embedded(settings_.method)) memory.previous = PreviousStep{dt, tried.step.start.rate};
   return memory;
 }
 
@@ -122,12 +126,13 @@ Advance Stepper::advance(const Moment& start, StepMemory memory, double event) c
     const double dt = t_end - start.t;
     try {
       Try tried = attempt(start, t_end, memory);
-      if (tried.error <= 1.0) {
-        memory = after(tried, longest, rejected > 0, std::move(memory));
-        return {std::move(tried.step), std::move(memory), rejected};
+      const double error = is_embedded(settings_.method) ? settings_.bound(tried.error) : 0.0;
+      if (error <= 1.0) {
+        memory = after(tried, error, longest, rejected > 0, std::move(memory));
+        return {std::move(tried.step), std::move(tried.error), std::move(memory), rejected};
       }
-      longest = dt * step_factor(tried.error, memory.error, power_of_estimate());
-      if (longest < settings_.dt_min) throw too_short(dt, tried.error);
+      longest = dt * step_factor(error, memory.error, power_of_estimate());
+      if (longest < settings_.dt_min) throw too_short(dt, error);
     } catch (const InadmissibleState&) {
       if (!is_embedded(settings_.method) && !memory.detour) memory.detour = Detour{t_end, longest};
       longest = 0.5 * dt;

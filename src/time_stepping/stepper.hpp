@@ -52,10 +52,11 @@ struct Detour {
 
 /// What steps remember of those before; with time and state, all that the next ones depend on.
 struct StepMemory {
-  std::optional<double> dt{};              ///< longest next step; none: that of the settings
-  double error = 1.0;                      ///< scaled error of the last step that was taken
-  std::optional<PreviousStep> previous{};  ///< of Adams-Bashforth 2, unless the rate has jumped
-  std::optional<Detour> detour{};          ///< of methods of fixed steps, while steps are halved
+  std::optional<double> dt{};  ///< longest next step; none: that of the settings
+  double error = 1.0;          ///< scaled error of the last step that was taken
+  std::optional<PreviousStep>
+      previous{};                  ///< of methods of fixed steps, unless the rate has jumped
+  std::optional<Detour> detour{};  ///< of methods of fixed steps, while steps are halved
 };
 
 /// The rate as a step asks for it.
@@ -73,9 +74,10 @@ class StepRefused : public std::runtime_error {
 
 /// A step that was taken, and what it took.
 struct Advance {
-  Step step;          ///< whose end is where the next begins
-  StepMemory memory;  ///< for the next
-  int rejected = 0;   ///< tries before that were longer
+  Step step;              ///< whose end is where the next begins
+  Eigen::VectorXd error;  ///< of the step as Stepper estimates it, n numbers
+  StepMemory memory;      ///< for the next
+  int rejected = 0;       ///< tries before that were longer
 };
 
 /// Returns the end of the first of equal steps to an event, none longer than a given one.
@@ -94,6 +96,11 @@ double evened_end(double t, double event, double longest);
 /// the estimate by a power of h, so that those at a given time are in proportion to the tolerance.
 /// A step that meets an InadmissibleState is halved; methods of fixed steps come back to theirs
 /// where the step that was halved would have ended.
+///
+/// Each step has an estimate of its error, at no cost. Those of embedded methods, to which steps are
+/// adapted, and of Runge-Kutta 4 are of the lower order, and larger than the error. For Euler's,
+/// Heun's and Adams-Bashforth's method it is adams_moulton_error(), near the error itself; but of a
+/// first step by Heun's method, with none before it, it shows one of two parts.
 /// @par Accuracy  orders of Method, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors
 ///                in proportion to the bound, @ref claim_09_17 to @ref claim_09_19
 class Stepper {
@@ -122,14 +129,15 @@ class Stepper {
   /// @cond
   struct Try {
     Step step;
-    double error;  // scaled; 0 where there is no estimate
+    Eigen::VectorXd error;
   };
   /// @endcond
   Try attempt(const Moment& start, double t_end, const StepMemory& memory) const;
   Try attempt_runge_kutta(const Moment& start, double t_end) const;
   double longest_step(const Moment& start, const StepMemory& memory) const;
   int power_of_estimate() const;  // the estimate of a step is of this order in h
-  StepMemory after(const Try& tried, double longest, bool rejected, StepMemory memory) const;
+  StepMemory after(const Try& tried, double scaled_error, double longest, bool rejected,
+                   StepMemory memory) const;
 
   SteppingSettings settings_;
   Rates rates_;

@@ -173,7 +173,7 @@ class Records(Program):
         numpy.testing.assert_allclose(numpy.unique(table["t"]), numpy.arange(11) / 10, atol=1e-15)
         steps = numpy.genfromtxt(folder / "steps.csv", names=True, delimiter=",")
         self.assertEqual(len(steps), 10)
-        self.assertTrue((steps["error_estimate"] < 1e-5).all())
+        self.assertTrue((steps["velocity_error"] < 1e-5).all())
         self.assertFalse((folder / "walls.csv").exists())
         rheology = numpy.genfromtxt(folder / "rheology.csv", names=True, delimiter=",")
         numpy.testing.assert_array_equal(rheology["t"], numpy.unique(table["t"]))
@@ -191,7 +191,20 @@ class Records(Program):
         resolution = information["resolution"]
         self.assertEqual(resolution["first_nodes"], [48, 48])
         self.assertEqual(resolution["most_nodes"], [48, 48])
-        self.assertGreaterEqual(resolution["error_estimate"], steps["error_estimate"].max())
+        self.assertGreaterEqual(resolution["velocity_error"], steps["velocity_error"].max())
+        self.assertTrue((steps["step_error"] > 0.0).all())
+        self.assertLessEqual(resolution["configuration_error"], steps["step_error"].sum() * (1 + 1e-12))
+
+    def test_the_error_of_steps_is_told_beside_that_of_velocities(self):
+        """Steps by Euler err by far more than the velocities, which are right to 1e-5."""
+        for method, least, most in (("euler", 3e-4, 0.01), ("rk4", 0.0, 1e-6)):
+            result = self.run_scene("--out", method, "--set", f"time.method={method}")
+            found = re.search(r"error estimates: of velocities, relative to their scale, (\S+); of positions in "
+                              r"radii and angles, by all steps together, (\S+)\n", result.stdout)
+            self.assertLess(float(found[1]), 1e-5)
+            resolution = json.loads((self.folder / method / "run.json").read_text())["resolution"]
+            self.assertAlmostEqual(float(found[2]) / resolution["configuration_error"], 1.0, delta=0.1)
+            self.assertTrue(least < resolution["configuration_error"] < most)
 
     def test_a_free_velocity_at_infinity_is_told(self):
         held = PAIR.replace('semi_axes = [1.0, 0.6] }', 'semi_axes = [1.0, 0.6] }\nheld = true')
@@ -272,7 +285,7 @@ class Records(Program):
         for name, nodes in (("few", (40, 96)), ("enough", (48, 128))):
             result = self.run_scene("--out", name, text=text % nodes)
             steps = numpy.genfromtxt(self.folder / name / "steps.csv", names=True, delimiter=",")
-            above = steps["error_estimate"].max() > 1e-3
+            above = steps["velocity_error"].max() > 1e-3
             self.assertEqual(above, name == "few")
             self.assertEqual("above solver.tolerance = 0.001" in result.stderr, above)
 
@@ -287,7 +300,7 @@ class Records(Program):
         resolution = json.loads((folder / "run.json").read_text())["resolution"]
         self.assertGreater(resolution["most_nodes"][0], resolution["first_nodes"][0])
         steps = numpy.genfromtxt(folder / "steps.csv", names=True, delimiter=",")
-        self.assertTrue((steps["error_estimate"] <= 1e-9).all())
+        self.assertTrue((steps["velocity_error"] <= 1e-9).all())
         self.assertIn('n_nodes = "auto"', (folder / "scene.toml").read_text())
         command = [PROGRAM, "run", self.scene(text), "--out", "killed", "--set", "time.t_final=2.0",
                    "--set", "solver.tolerance=1e-9"]

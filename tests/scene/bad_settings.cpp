@@ -113,7 +113,10 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:2:1: solver.gmres_tolerance = 0.001: unknown key; known here: tolerance, gmres_tol, "
        "gmres_max_iterations, summation, near_singular, preconditioner, coupling"},
       {"[time]\ndt = 0.1\n", "s.toml:1:1: time.t_final is missing: must be a number > 0"},
-      {"[time]\nt_final = 1\n", "s.toml:1:1: time.dt is missing: must be a number > 0"},
+      {"[time]\nt_final = 1\nmethod = 'euler'\n",
+       "s.toml:1:1: time.dt is missing: must be a number > 0"},
+      {"[contact]\nminimum_separation = 0.1\n[time]\nt_final = 1\n",
+       "s.toml:3:1: time.dt is missing: must be a number > 0"},
       {"[time]\nt_final = 0\ndt = 0.1\n", "s.toml:2:11: time.t_final = 0: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = -0.1\n", "s.toml:3:6: time.dt = -0.1: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = '0.1'\n",
@@ -124,8 +127,8 @@ BOOST_AUTO_TEST_CASE(settings) {
        "bogacki_shampine32, dormand_prince54, prince_dormand87"},
       {"[time]\nt_final = 1\nmethod = 'heun'\n",
        "s.toml:1:1: time.dt is missing: must be a number > 0"},
-      {"[time]\nt_final = 1\ndt = 0.1\ntolerance = 1e-6\n",
-       "s.toml:4:1: time.tolerance = 1e-06: belongs to bogacki_shampine32, dormand_prince54, "
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'euler'\ntolerance = 1e-6\n",
+       "s.toml:5:1: time.tolerance = 1e-06: belongs to bogacki_shampine32, dormand_prince54, "
        "prince_dormand87, and to heun with [contact]: this method has fixed steps"},
       {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'heun'\ntolerance = 1e-4\n",
        "s.toml:5:1: time.tolerance = 1e-04: belongs to bogacki_shampine32, dormand_prince54, "
@@ -135,8 +138,8 @@ BOOST_AUTO_TEST_CASE(settings) {
        "s.toml:8:1: time.effort: does not go with time.tolerance, which adapts steps to "
        "the "
        "error"},
-      {"[time]\nt_final = 1\ndt = 0.1\ndt_max = 1\n",
-       "s.toml:4:1: time.dt_max = 1: belongs to bogacki_shampine32, dormand_prince54, "
+      {"[time]\nt_final = 1\ndt = 0.1\nmethod = 'euler'\ndt_max = 1\n",
+       "s.toml:5:1: time.dt_max = 1: belongs to bogacki_shampine32, dormand_prince54, "
        "prince_dormand87, and to time.effort"},
       {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ntolerance = 1e-14\n",
        "s.toml:4:13: time.tolerance = 1e-14: must be a number from 1e-13 to 0.1"},
@@ -171,9 +174,8 @@ BOOST_AUTO_TEST_CASE(settings) {
       {"[time]\nt_final = 1\nmethod = 'rk4'\ndt = 0.1\neffort = { few = 0, many = 20 }\n",
        "s.toml:5:18: time.effort.few = 0: must be an integer >= 1"},
       {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\neffort = { few = 10, many = 20 }\n",
-       "s.toml:4:1: time.effort: belongs to methods of fixed steps: this one adapts them "
-       "to "
-       "the error"},
+       "s.toml:4:1: time.effort: belongs to methods of fixed steps, such as \"euler\": "
+       "this one adapts them to the error"},
       {"[time]\nt_end = 1\n",
        "s.toml:2:1: time.t_end = 1: unknown key; known here: t_final, dt, method, tolerance, "
        "dt_min, dt_max, effort"},

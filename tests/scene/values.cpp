@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(time_settings) {
   const auto time = [](const std::string& line) {
     return parse(disk() + "[time]\nt_final = 4\ndt = 0.5\n" + line).time.value();
   };
-  BOOST_TEST((time("") == TimeSettings{4.0, 0.5, SteppingMethod::euler}));
   using enum SteppingMethod;
+  BOOST_TEST((time("") == TimeSettings{4.0, 0.5, dormand_prince54, 1e-6}));
   BOOST_TEST((time("method = 'euler'\n").method == euler));
   BOOST_TEST((time("method = 'adams_bashforth2'\n").method == adams_bashforth2));
   BOOST_TEST((time("method = 'heun'\n").method == heun));
@@ -212,8 +212,20 @@ BOOST_AUTO_TEST_CASE(time_settings) {
   BOOST_TEST((time("method = 'bogacki_shampine32'\n").method == bogacki_shampine32));
   BOOST_TEST((time("method = 'dormand_prince54'\n").method == dormand_prince54));
   BOOST_TEST((time("method = 'prince_dormand87'\n").method == prince_dormand87));
-  BOOST_TEST((time("dt_min = 0.1\neffort = { few = 10, many = 40 }\ndt_max = 2\n") ==
-              TimeSettings{4.0, 0.5, euler, {}, 0.1, 2.0, EffortBounds{10, 40}}));
+  BOOST_TEST(
+      (time("method = 'euler'\ndt_min = 0.1\neffort = { few = 10, many = 40 }\ndt_max = 2\n") ==
+       TimeSettings{4.0, 0.5, euler, {}, 0.1, 2.0, EffortBounds{10, 40}}));
+  const auto in_contact = [](const std::string& line) {
+    return parse("[contact]\nminimum_separation = 0.1\n[time]\nt_final = 4\ndt = 0.5\n" + line +
+                 disk())
+        .time.value();
+  };
+  BOOST_TEST((in_contact("") == TimeSettings{4.0, 0.5, heun, 1e-3}));
+  BOOST_TEST((in_contact("tolerance = 1e-4\n") == TimeSettings{4.0, 0.5, heun, 1e-4}));
+  BOOST_TEST((in_contact("method = 'heun'\n") == TimeSettings{4.0, 0.5, heun}));
+  BOOST_TEST((in_contact("method = 'euler'\n") == TimeSettings{4.0, 0.5, euler}));
+  BOOST_TEST((in_contact("effort = { few = 10, many = 40 }\n") ==
+              TimeSettings{4.0, 0.5, heun, {}, {}, {}, EffortBounds{10, 40}}));
   const auto adapting = [](const std::string& line) {
     return parse(disk() + "[time]\nt_final = 4\nmethod = 'dormand_prince54'\n" + line).time.value();
   };

@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/known_motions.hpp"
+#include "support/recorded_run.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -74,6 +75,24 @@ BOOST_AUTO_TEST_CASE(approaching_circles_have_the_order_of_the_stepper) {
               2.0);
   check_order([](double dt) { return circles_error(SteppingMethod::heun, dt); }, 0.05, 2.0);
   check_order([](double dt) { return circles_error(SteppingMethod::rk4, dt); }, 0.1, 4.0);
+}
+
+// What steps add up to is what a run ends with, as far as the flow makes errors neither grow nor decay,
+// and more where estimates are those of a lower order.
+BOOST_AUTO_TEST_CASE(estimates_of_steps_add_up_to_the_error_of_the_end) {
+  using enum SteppingMethod;
+  for (const SteppingMethod method : {euler, adams_bashforth2, heun, rk4, bogacki_shampine32,
+                                      dormand_prince54, prince_dormand87}) {
+    Scene scene = jeffery_scene(method, method == euler ? 0.02 : 0.1);
+    if (adapts_steps(method)) scene.time->tolerance = 1e-5;
+    const RecordedRun run = recorded_run(scene);
+    const double error =
+        std::abs(run.frames.back().bodies[0].orientation - jeffery_angle(3.0, 8.0));
+    const double estimate = run.resolution.configuration_error;
+    BOOST_TEST_MESSAGE(static_cast<int>(method) << ": " << estimate / error);
+    BOOST_TEST(error < 10.0 * estimate);
+    if (method <= heun) BOOST_TEST(estimate < 10.0 * error);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(squeezed_circles_follow_the_closed_form) {

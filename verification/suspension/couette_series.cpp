@@ -56,7 +56,7 @@ CouetteSeries couette_series(const Scene& scene) {
   series.steps = run.totals.steps;
   series.gmres_iterations = run.totals.gmres_iterations;
   series.contact_iterations = run.totals.ncp_iterations;
-  series.largest_estimate = run.resolution.error_estimate / scene.solver.tolerance;
+  series.largest_estimate = run.resolution.velocity_error / scene.solver.tolerance;
   const double separation = scene.contact->minimum_separation;
   series.least_gap = test::least_exact_gap(scene, run.frames, 2.0 * separation) / separation;
   for (const Frame& frame : run.frames) {

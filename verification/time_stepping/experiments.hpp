@@ -11,6 +11,7 @@ study::Experiment orders_in_extension();
 study::Experiment orders_of_circles();
 study::Experiment orders_of_passing();
 study::Experiment interpolants();
+study::Experiment step_errors();
 study::Experiment tolerances();
 study::Experiment tolerances_of_passing();
 study::Experiment work();

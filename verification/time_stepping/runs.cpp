@@ -26,10 +26,13 @@ RunResult run(const Motion& motion, const SteppingSettings& settings,
   now.rate = make_rates(counted.rate(), now).at_end(0.0, now.state);
   StepMemory memory;
   RunResult result;
+  result.estimate = VectorXd::Zero(motion.start.size());
   while (now.t < motion.t_final) {
     const Stepper stepper(settings, make_rates(counted.rate(), now));
     Advance advance = stepper.advance(now, std::move(memory), next_event(now.t));
     result.error = std::max(result.error, error_of(motion, settings.method, advance.step));
+    result.estimate += advance.error;
+    result.last_estimate = std::move(advance.error);
     now = std::move(advance.step.end);
     memory = std::move(advance.memory);
   }

@@ -39,9 +39,11 @@ Rates slow_rates(const Rate& rate, const Moment& start);
 
 /// What a run has come to.
 struct RunResult {
-  double error = 0.0;        ///< largest where the solution is known
-  double evaluations = 0.0;  ///< of the right-hand side
-  Eigen::VectorXd state;     ///< at the end
+  double error = 0.0;             ///< largest where the solution is known
+  double evaluations = 0.0;       ///< of the right-hand side
+  Eigen::VectorXd state;          ///< at the end
+  Eigen::VectorXd estimate;       ///< of the errors of all steps, added up
+  Eigen::VectorXd last_estimate;  ///< of the last step's error
 };
 
 /// Largest error of a state; 0 where the solution is not known.

@@ -7,14 +7,29 @@ namespace stokesbook {
 
 study::Study time_stepping_study() {
   using namespace verification::time_stepping;
-  return {
-      .number = "09",
-      .name = "time_stepping",
-      .title = "Time stepping with error control",
-      .experiments = {orders_in_shear(), orders_in_extension(), orders_of_circles(),
-                      orders_of_passing(), interpolants(), tolerances(), tolerances_of_passing(),
-                      work(), work_of_nine(), work_of_cell(), reversal(), reversal_costs(), drift(),
-                      returns(), noisy_rates(), sweeps(), lagged(), guesses(), saved_iterations()}};
+  return {.number = "09",
+          .name = "time_stepping",
+          .title = "Time stepping with error control",
+          .experiments = {orders_in_shear(),
+                          orders_in_extension(),
+                          orders_of_circles(),
+                          orders_of_passing(),
+                          interpolants(),
+                          step_errors(),
+                          tolerances(),
+                          tolerances_of_passing(),
+                          work(),
+                          work_of_nine(),
+                          work_of_cell(),
+                          reversal(),
+                          reversal_costs(),
+                          drift(),
+                          returns(),
+                          noisy_rates(),
+                          sweeps(),
+                          lagged(),
+                          guesses(),
+                          saved_iterations()}};
 }
 
 }  // namespace stokesbook

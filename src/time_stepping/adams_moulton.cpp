@@ -1,0 +1,21 @@
+// Estimates the error of a step, without another evaluation of the rate (chapter 09).
+#include "time_stepping/adams_moulton.hpp"
+
+namespace stokesbook {
+
+using Eigen::VectorXd;
+
+// [error]
+VectorXd adams_moulton_error(const Step& step, const std::optional<PreviousStep>& previous) {
+  const auto& [start, end, bubble] = step;
+  VectorXd mean_rate = 0.5 * (start.rate + end.rate);
+  if (previous) {
+    const double r = step.dt() / previous->dt;
+    mean_rate -=
+        r / (6.0 * (1.0 + r)) * (end.rate - start.rate - r * (start.rate - previous->rate));
+  }
+  return start.state + step.dt() * mean_rate - end.state;
+}
+// [error]
+
+}  // namespace stokesbook

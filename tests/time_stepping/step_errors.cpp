@@ -1,0 +1,71 @@
+// What estimates of a step's error are worth: near the error itself for fixed steps of low order.
+
+#include <functional>
+
+#include <boost/test/unit_test.hpp>
+
+#include "problems.hpp"
+
+namespace stokesbook::test {
+
+using Eigen::VectorXd;
+
+namespace {
+
+// One step from the exact solution, with a step before it of another length, or none.
+struct FromExact {
+  VectorXd estimate, error;
+};
+
+FromExact one_step(Method method, double h, std::optional<double> ratio) {
+  constexpr double t = 0.7;
+  StepMemory memory{.dt = h};
+  if (ratio) {
+    const double before = h / *ratio;
+    memory.previous = PreviousStep{before, problem_at(t - before).rate};
+  }
+  const Stepper stepper(unlimited(method), {problem_rate, problem_rate});
+  const Advance advance = stepper.advance(problem_at(t), memory, t + h);
+  return {advance.error, problem_solution(t + h) - advance.step.end.state};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_estimate_of_a_fixed_step_of_low_order_is_its_error) {
+  for (const Method method : {Method::euler, Method::adams_bashforth2, Method::heun}) {
+    for (const double ratio : {0.5, 1.0, 1.7}) {
+      for (const double h : {1e-2, 1e-3}) {
+        const auto [estimate, error] = one_step(method, h, ratio);
+        const VectorXd relative = estimate.cwiseQuotient(error).array() - 1.0;
+        BOOST_TEST(relative.lpNorm<Eigen::Infinity>() < 10.0 * h,
+                   "method " << static_cast<int>(method) << ", h = " << h << ", ratio " << ratio
+                             << ": " << relative.transpose());
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_step_by_euler_needs_none_before_it) {
+  for (const double h : {1e-2, 1e-3}) {
+    const auto [estimate, error] = one_step(Method::euler, h, {});
+    BOOST_TEST((estimate.cwiseQuotient(error).array() - 1.0).abs().maxCoeff() < 10.0 * h);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(estimates_of_higher_orders_are_too_large) {
+  for (const Method method : {Method::rk4, Method::bogacki_shampine32, Method::dormand_prince54,
+                              Method::prince_dormand87}) {
+    const double h = method == Method::prince_dormand87 ? 0.2 : 0.02;
+    const auto [estimate, error] = one_step(method, h, 1.0);
+    BOOST_TEST(estimate.norm() > error.norm(), "method " << static_cast<int>(method) << ": "
+                                                         << estimate.norm() << " for "
+                                                         << error.norm());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_estimate_of_runge_kutta_4_is_of_the_fourth_power) {
+  const auto estimate = [](double h) { return one_step(Method::rk4, h, {}).estimate.norm(); };
+  BOOST_TEST(std::abs(std::log2(estimate(0.02) / estimate(0.01)) - 4.0) < 0.15);
+}
+
+}  // namespace stokesbook::test
