@@ -135,7 +135,8 @@ std::string square(Complex middle) {
 }
 
 std::string colour(int decade) {
-  return "fill=\"" + viridis_colour((decade + 0.5) / decades) + "\" shape-rendering=\"crispEdges\"";
+  return "fill=\"" + colour(viridis, (decade + 0.5) / decades) +
+         "\" shape-rendering=\"crispEdges\"";
 }
 
 /// Middles of the squares that lie in the fluid.

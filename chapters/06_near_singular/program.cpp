@@ -119,7 +119,8 @@ Complex to_pixel(Complex z) {
 }
 
 std::string colour(int decade) {
-  return "fill=\"" + viridis_colour((decade + 0.5) / decades) + "\" shape-rendering=\"crispEdges\"";
+  return "fill=\"" + colour(viridis, (decade + 0.5) / decades) +
+         "\" shape-rendering=\"crispEdges\"";
 }
 
 // [squares]

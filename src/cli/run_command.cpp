@@ -177,6 +177,12 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
 // With forces of contact, and by the lagged coupling: all others are refused.
 void warn_of_estimate(const RunInfo& info, double tolerance) {
   if (info.resolution.velocity_error <= tolerance) return;
+  if (std::isinf(info.resolution.velocity_error)) {
+    std::fprintf(stderr,
+                 "stokes: the error of velocities could not be estimated in steps whose "
+                 "velocity_error in steps.csv is inf\n");
+    return;
+  }
   std::fprintf(stderr,
                "stokes: the error estimate of velocities is up to %s, above solver.tolerance = %s; "
                "steps.csv has it for each step\n",
@@ -188,8 +194,8 @@ void print_motions(const Frame& frame) {
   std::printf("%6s %24s %24s %24s\n", "body", "ux", "uy", "omega");
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     const BodyState& body = frame.bodies[k];
-    std::printf("%6zu %24.15g %24.15g %24.15g\n", k, body.velocity.real(), body.velocity.imag(),
-                body.omega);
+    std::printf("%6zu %24.15g %24.15g %24.15g\n", k, body.velocity.real() + 0.0,
+                body.velocity.imag() + 0.0, body.omega + 0.0);  // 0 for -0
   }
 }
 

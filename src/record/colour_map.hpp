@@ -8,23 +8,43 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Colours of equal perceptual distance, dark to light: nine equidistant samples of viridis
-/// (S. van der Walt and N. Smith, CC0), as red, green and blue from 0 to 255.
-inline constexpr std::array<std::array<int, 3>, 9> viridis{{{0x44, 0x01, 0x54},
-                                                            {0x47, 0x2d, 0x7b},
-                                                            {0x3b, 0x52, 0x8b},
-                                                            {0x2c, 0x72, 0x8e},
-                                                            {0x21, 0x91, 0x8c},
-                                                            {0x28, 0xae, 0x80},
-                                                            {0x5e, 0xc9, 0x62},
-                                                            {0xad, 0xdc, 0x30},
-                                                            {0xfd, 0xe7, 0x25}}};
+/// Colours for numbers from 0 to 1.
+struct ColourMap {
+  const char* name;                           ///< one word
+  std::array<std::array<int, 3>, 9> samples;  ///< equidistant: red, green and blue, 0 to 255
+};
 
-/// Returns the colour of a fraction, linear between the samples of viridis.
+/// Colours of equal perceptual distance, dark to light (S. van der Walt and N. Smith, CC0).
+inline constexpr ColourMap viridis{"viridis",
+                                   {{{0x44, 0x01, 0x54},
+                                     {0x47, 0x2d, 0x7b},
+                                     {0x3b, 0x52, 0x8b},
+                                     {0x2c, 0x72, 0x8e},
+                                     {0x21, 0x91, 0x8c},
+                                     {0x28, 0xae, 0x80},
+                                     {0x5e, 0xc9, 0x62},
+                                     {0xad, 0xdc, 0x30},
+                                     {0xfd, 0xe7, 0x25}}}};
+
+/// Colours for numbers with a sign: blue below and red above a grey 0, which is at 0.5
+/// (K. Moreland, Diverging Color Maps for Scientific Visualization, 2009).
+inline constexpr ColourMap cool_to_warm{"cool-to-warm",
+                                        {{{0x3b, 0x4c, 0xc0},
+                                          {0x62, 0x82, 0xea},
+                                          {0x8d, 0xb0, 0xfe},
+                                          {0xb8, 0xd0, 0xf9},
+                                          {0xdd, 0xdd, 0xdd},
+                                          {0xf5, 0xc4, 0xad},
+                                          {0xf4, 0x9a, 0x7b},
+                                          {0xde, 0x60, 0x4d},
+                                          {0xb4, 0x04, 0x26}}}};
+
+/// Returns the colour of a fraction, linear between the samples of a map.
 ///
-/// @param  fraction  0 dark to 1 light; beyond, the colours of the ends
+/// @param  map       colours
+/// @param  fraction  0 to 1; beyond, the colours of the ends
 /// @return           `#rrggbb`
-std::string viridis_colour(double fraction);
+std::string colour(const ColourMap& map, double fraction);
 
 /// @}
 

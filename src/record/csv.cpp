@@ -8,7 +8,7 @@ namespace stokesbook {
 namespace {
 
 void append_entry(std::string& text, auto number) {
-  append_number(text, number);
+  append_number(text, number + 0);  // 0 for -0
 }
 
 void append_entry(std::string& text, ContactParty party) {

@@ -47,13 +47,15 @@ struct Field {
 struct FieldScalar {
   std::string_view name;           ///< one word
   Eigen::VectorXd Field::*values;  ///< which member
+  bool has_sign;                   ///< whether it may be negative
 };
 
 /// All scalars that a field may hold.
-inline constexpr std::array<FieldScalar, 4> field_scalars{{{"pressure", &Field::pressure},
-                                                           {"vorticity", &Field::vorticity},
-                                                           {"shear_stress", &Field::shear_stress},
-                                                           {"dissipation", &Field::dissipation}}};
+inline constexpr std::array<FieldScalar, 4> field_scalars{
+    {{"pressure", &Field::pressure, true},
+     {"vorticity", &Field::vorticity, true},
+     {"shear_stress", &Field::shear_stress, true},
+     {"dissipation", &Field::dissipation, false}}};
 
 /// @}
 

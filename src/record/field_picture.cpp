@@ -42,8 +42,16 @@ struct Layout {
   }
 };
 
-/// The values that get the darkest and the lightest colour.
-ValueRange shown_range(const Eigen::VectorXd& values) {
+/// How values are shown: those that may have either sign about a neutral colour for zero.
+struct Colouring {
+  const ColourMap& map;
+  std::string_view streamlines;  ///< a colour that is seen before all of the map's
+};
+
+constexpr Colouring of_magnitudes{viridis, "#fff"}, of_signed_values{cool_to_warm, "#000"};
+
+/// The values that get the first and the last colour.
+ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
   std::vector<double> sorted;
   for (const double value : values) {
     if (!std::isnan(value)) sorted.push_back(value);
@@ -51,7 +59,10 @@ ValueRange shown_range(const Eigen::VectorXd& values) {
   if (sorted.empty()) return {0.0, 0.0};
   std::ranges::sort(sorted);
   const std::size_t hundredth = sorted.size() / 100;
-  return {sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
+  const ValueRange range{sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
+  if (!has_sign) return range;
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  return {-largest, largest};
 }
 
 /// Mean of the neighbours that have a value; not a number where there are none.
@@ -82,13 +93,13 @@ Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) 
 }
 
 /// Colours as lines one unit thick: a dash for all neighbours in a row that share a colour.
-std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values,
+std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values, const ColourMap& map,
                      const ValueRange& range) {
-  constexpr int levels = 64;
-  const double spread = range.high > range.low ? range.high - range.low : 1.0;
+  constexpr int levels = 65;  // odd, so that zero has a colour of its own
   const auto level_of = [&](double value) {
     if (std::isnan(value)) return -1;
-    const double fraction = std::clamp((value - range.low) / spread, 0.0, 1.0);
+    const double spread = range.high - range.low;
+    const double fraction = spread > 0.0 ? std::clamp((value - range.low) / spread, 0.0, 1.0) : 0.5;
     return static_cast<int>(std::lround(fraction * (levels - 1)));
   };
   std::vector<std::string> dashes(levels);
@@ -108,13 +119,14 @@ std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values,
       "<g fill=\"none\" transform=\"translate(0 0.5)\" shape-rendering=\"crispEdges\">\n";
   for (std::size_t level = 0; level < levels; ++level) {
     const double fraction = static_cast<double>(level) / (levels - 1);
-    text += svg::path(dashes[level], "stroke=\"" + viridis_colour(fraction) + '"');
+    text += svg::path(dashes[level], "stroke=\"" + colour(map, fraction) + '"');
   }
   return text + "</g>\n";
 }
 
 /// Draws streamlines with an arrowhead in the middle of each.
-std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>& lines) {
+std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>& lines,
+                             std::string_view colour) {
   std::string curves;
   std::string heads;
   for (const Streamline& line : lines) {
@@ -132,7 +144,8 @@ std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>
     heads += svg::polyline(ComplexVector{
         {tip + barb * std::polar(1.0, 0.5), tip, tip + barb * std::polar(1.0, -0.5)}});
   }
-  return "<g fill=\"none\" stroke=\"#fff\" stroke-opacity=\"0.7\">\n" +
+  if (lines.empty()) return {};
+  return "<g fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-opacity=\"0.7\">\n" +
          svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
          svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
 }
@@ -198,25 +211,25 @@ std::map<std::string, std::string> draw_fields(const Frame& frame,
   const Field& field = *frame.field;
   const Layout layout(field.grid, options.width);
   const Complex drawn{layout.drawn.real(), std::max(layout.drawn.imag(), bar_height)};
-  std::string lines;
+  std::vector<Streamline> lines;
   if (field.velocity.size() > 0) {
     constexpr double pixels_apart = 16.0;
-    const double separation = pixels_apart / layout.scale * field.grid.spacing;
-    lines = draw_streamlines(layout, streamlines(field, separation));
+    lines = streamlines(field, pixels_apart / layout.scale * field.grid.spacing);
   }
   const std::string curves = draw_curves(layout, frame, bodies, walls);
   std::map<std::string, std::string> pictures;
-  const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values) {
+  const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values, bool has_sign) {
     if (values.size() == 0) return;
-    const ValueRange range = shown_range(values);
-    const std::string map = draw_map(field.grid, with_seam(field.grid, values), range);
+    const auto& [colours, line_colour] = has_sign ? of_signed_values : of_magnitudes;
+    const ValueRange range = shown_range(values, has_sign);
+    const std::string map = draw_map(field.grid, with_seam(field.grid, values), colours, range);
     pictures[file_name(quantity)] =
         open_picture(drawn, frame.t, options) + open_window(layout) +
-        clipped(layout, frame, walls, map) + lines + curves + "</svg>\n" +
-        draw_bar(layout.drawn.real(), range, label_of(quantity)) + "</svg>\n";
+        clipped(layout, frame, walls, map) + draw_streamlines(layout, lines, line_colour) + curves +
+        "</svg>\n" + draw_bar(layout.drawn.real(), colours, range, label_of(quantity)) + "</svg>\n";
   };
-  draw(velocity_name, field.velocity.cwiseAbs());
-  for (const auto& [name, values] : field_scalars) draw(name, field.*values);
+  draw(velocity_name, field.velocity.cwiseAbs(), false);
+  for (const auto& [name, values, has_sign] : field_scalars) draw(name, field.*values, has_sign);
   return pictures;
 }
 

@@ -14,9 +14,10 @@ namespace stokesbook {
 /// Draws every quantity of a frame's field as SVG: a colour map in which velocities show as speed,
 /// streamlines where the field has velocities, walls and bodies on top.
 ///
-/// A point of the grid colours the square about it, in one of 64 colours; points outside the fluid
+/// A point of the grid colours the square about it, in one of 65 colours; points outside the fluid
 /// stay blank. The colours span the values but for the hundredth that is least and the hundredth
-/// that is largest: next to bodies, and most of all between them, values may peak.
+/// that is largest: next to bodies, and most of all between them, values may peak. Quantities that have a
+/// sign are blue below and red above zero, which is grey in the middle of the bar.
 /// @param  frame    the configuration with its field
 /// @param  bodies   outlines in the order of frame.bodies
 /// @param  walls    outlines in the order of frame.walls

@@ -80,7 +80,7 @@ std::string field_vti(const Field& field) {
   text += " 0 0\">\n<PointData>\n";
   text += data_array("UInt8", "in_fluid", 1, std::span<const std::uint8_t>(field.in_fluid));
   if (field.velocity.size() > 0) text += vectors("velocity", field.velocity);
-  for (const auto& [name, values] : field_scalars) {
+  for (const auto& [name, values, has_sign] : field_scalars) {
     if ((field.*values).size() > 0) text += data_array("Float64", name, 1, numbers(field.*values));
   }
   return text + "</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";

@@ -113,7 +113,7 @@ std::string draw_bodies(const Layout& layout, const Frame& frame) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     text += svg::path(svg::polygon(pixels(layout.bodies[k], layout)),
-                      "fill=\"" + viridis_colour(layout.brightness(frame.bodies[k])) + '"');
+                      "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
   }
   return text + "</g>\n";
 }
@@ -187,7 +187,7 @@ std::string draw_configuration(const Frame& frame, const std::vector<Outline>& b
   const Layout layout = lay_out(frame, bodies, walls, options.width);
   const std::string bar =
       layout.top_speed > 0.0
-          ? draw_bar(layout.drawn.real(), {0.0, layout.top_speed}, "speed |U|", veil)
+          ? draw_bar(layout.drawn.real(), viridis, {0.0, layout.top_speed}, "speed |U|", veil)
           : "";
   return open_picture({layout.drawn.real(), layout.height()}, frame.t, options) +
          draw_walls(layout, walls) + draw_bodies(layout, frame) +

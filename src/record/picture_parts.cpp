@@ -25,20 +25,21 @@ std::string open_picture(Complex drawn, double t, const PictureOptions& options)
          svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
 }
 
-std::string draw_bar(double drawn_width, const ValueRange& range, const std::string& label,
-                     const std::string& style) {
+std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange& range,
+                     const std::string& label, const std::string& style) {
   constexpr double bar_width = 12.0;
   const double left = margin + drawn_width + 26.0;
-  std::string text =
-      "<linearGradient id=\"stokesbook-colours\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
-  for (std::size_t k = 0; k < viridis.size(); ++k) {
-    const double fraction = static_cast<double>(k) / (viridis.size() - 1);
+  // Pictures on one page share names, so the same name must mean the same colours.
+  const std::string name = "stokesbook-" + std::string(map.name);
+  std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
+  for (std::size_t k = 0; k < map.samples.size(); ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(map.samples.size() - 1);
     text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
-            viridis_colour(fraction) + "\"/>\n";
+            colour(map, fraction) + "\"/>\n";
   }
   text += "</linearGradient>\n<rect" + svg::attribute("x", left) + svg::attribute("y", header) +
           svg::attribute("width", bar_width) + svg::attribute("height", bar_height) +
-          " rx=\"2\" fill=\"url(#stokesbook-colours)\" " + style + "/>\n";
+          " rx=\"2\" fill=\"url(#" + name + ")\" " + style + "/>\n";
   for (const double fraction : {0.0, 0.5, 1.0}) {
     const Complex place(left + bar_width + 6.0, header + (1.0 - fraction) * bar_height);
     text += svg::label(place, short_number(std::lerp(range.low, range.high, fraction)),

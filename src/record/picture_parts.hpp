@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "record/colour_map.hpp"
 #include "record/picture.hpp"
 
 /// What the pictures of a run have in common. Points and lengths are pixels.
@@ -35,19 +36,20 @@ std::string open_picture(Complex drawn, double t, const PictureOptions& options)
 
 /// Values at the ends of a colour bar.
 struct ValueRange {
-  double low,  ///< dark
-      high;    ///< light
+  double low,  ///< of the first colour
+      high;    ///< of the last
 };
 
 /// Draws the colours of values, right of the drawing, with numbers.
 ///
 /// @param  drawn_width  of the drawing
+/// @param  map          of the colours
 /// @param  range        values at both ends
 /// @param  label        above the bar
 /// @param  style        other attributes of the bar
 /// @return              elements
-std::string draw_bar(double drawn_width, const ValueRange& range, const std::string& label,
-                     const std::string& style = {});
+std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange& range,
+                     const std::string& label, const std::string& style = {});
 
 /// @}
 

@@ -115,8 +115,13 @@ std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& g
                                       short_number(gaps.front().points.gap) + " apart")};
 }
 
-std::string time_line(const Scene& scene) {
-  if (!scene.time) return "none: one solve at t = 0";
+std::string late_reversals(const Scene& scene) {
+  const auto late = std::ranges::upper_bound(scene.reverse_at, scene.time->t_final);
+  if (late == scene.reverse_at.end()) return {};
+  return "; reverse_at = " + short_number(*late, 6) + " is after the end";
+}
+
+std::string steps_line(const Scene& scene) {
   constexpr const char* names[] = {
       "explicit Euler",      "Adams-Bashforth 2",  "Heun", "Runge-Kutta 4", "Bogacki-Shampine 3(2)",
       "Dormand-Prince 5(4)", "Prince-Dormand 8(7)"};
@@ -133,6 +138,11 @@ std::string time_line(const Scene& scene) {
   if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
   const double steps = std::ceil(time.t_final / *time.dt - 1e-9);
   return method + ", about " + short_number(steps, 9) + " steps of " + short_number(*time.dt) + end;
+}
+
+std::string time_line(const Scene& scene) {
+  if (!scene.time) return "none: one solve at t = 0";
+  return steps_line(scene) + late_reversals(scene);
 }
 
 }  // namespace

@@ -29,10 +29,14 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
   return 0;
 }
 
-std::string unresolved_shape(double tolerance) {
+std::string unresolved_shape(const Shape& shape, double tolerance) {
+  // A trigonometric polynomial through points at uneven distances is not smooth.
+  const bool has_points = std::holds_alternative<NodalCurve>(shape);
   return "even " + std::to_string(most_nodes_for_shape) +
          " nodes do not resolve its shape to solver.tolerance = " + short_number(tolerance) +
-         ": smooth the curve or raise the tolerance";
+         (has_points
+              ? ": space its points evenly along the curve, smooth it, or raise the tolerance"
+              : ": smooth the curve or raise the tolerance");
 }
 
 int rounded_nodes(double nodes) {

@@ -35,9 +35,10 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 
 /// Explains that no number of nodes resolves a shape.
 ///
+/// @param  shape      in its own frame
 /// @param  tolerance  that was asked for
 /// @return            a message with the tolerance and what to change, without a subject
-std::string unresolved_shape(double tolerance);
+std::string unresolved_shape(const Shape& shape, double tolerance);
 
 /// Returns the nodes that a component is given, or enough for its shape.
 ///
@@ -52,7 +53,7 @@ template <class Component>
 int own_nodes(const Component& component, Side side, double tolerance, const std::string& name) {
   if (component.n_nodes != automatic_nodes) return component.n_nodes;
   const int nodes = nodes_for_shape(component.shape, side, tolerance, 16);
-  if (nodes == 0) throw NumericsRefused(name + ": " + unresolved_shape(tolerance));
+  if (nodes == 0) throw NumericsRefused(name + ": " + unresolved_shape(component.shape, tolerance));
   return nodes;
 }
 

@@ -81,7 +81,7 @@ std::string shape_message(const Scene& scene, std::size_t component, const Refer
          " nodes resolve its shape to " + short_number(reference.rigid_motion_residual) + " only" +
          (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
                           "; give it n_nodes = " + std::to_string(nodes) + " at least"
-                    : "; " + unresolved_shape(tolerance));
+                    : "; " + unresolved_shape(reference.shape, tolerance));
 }
 
 // Without near corrections the trapezoid rule of either curve must do at the other's nearest point.
@@ -189,6 +189,11 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
                              const std::vector<TailEstimate>& tails, double error,
                              const std::vector<Gap>& gaps) {
   const double tolerance = scene.solver.tolerance;
+  if (!std::isfinite(error)) {
+    return "nothing is known of the error of the velocities: what more nodes would change is lost "
+           "in rounding; move the closest bodies apart, or raise solver.tolerance = " +
+           short_number(tolerance);
+  }
   const std::string estimate = "estimated error " + short_number(error) +
                                " of the velocities, solver.tolerance = " + short_number(tolerance);
   const auto worst = std::ranges::max_element(tails, {}, &TailEstimate::error);

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "record/colour_map.hpp"
 #include "sample_run.hpp"
 
 using namespace stokesbook;
@@ -16,7 +17,7 @@ std::map<std::string, std::string> fields_of(const Frame& frame) {
   return draw_fields(frame, sample.bodies, sample.walls, {.title = "A < B", .width = 500.0});
 }
 
-const std::string streamlines_of_field = "stroke=\"#fff\"";
+const std::string streamlines_of_field = "stroke-opacity=\"0.7\"";
 
 }  // namespace
 
@@ -56,6 +57,23 @@ BOOST_AUTO_TEST_CASE(peaks_do_not_take_all_colours) {
   const std::string picture = fields_of(frame).at("fields_dissipation.svg");
   BOOST_TEST(contains(picture, ">0.501<"));
   BOOST_TEST(!contains(picture, "e+06"));
+}
+
+BOOST_AUTO_TEST_CASE(zero_is_grey_where_values_have_a_sign) {
+  Frame frame = sample_frame(0);
+  Eigen::VectorXd& values = frame.field->pressure;
+  values.setConstant(0.0);
+  const auto coloured = [](const std::string& text, const std::string& map_colour) {
+    return contains(text, "<path stroke=\"" + map_colour + '"');
+  };
+  const std::string still = fields_of(frame).at("fields_pressure.svg");
+  BOOST_TEST(coloured(still, "#dddddd"));
+  BOOST_TEST(!coloured(still, colour(cool_to_warm, 0.0)));
+  values = Eigen::VectorXd::LinSpaced(values.size(), -1.0, 3.0);
+  const std::string picture = fields_of(frame).at("fields_pressure.svg");
+  BOOST_TEST(contains(picture, ">0<"));
+  BOOST_TEST(coloured(picture, colour(cool_to_warm, 1.0)));
+  BOOST_TEST(!coloured(picture, colour(cool_to_warm, 0.0)));  // -1 is not as far from 0 as 3
 }
 
 BOOST_AUTO_TEST_CASE(constant_fields_and_fields_without_fluid) {

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "folder.hpp"
+#include "record/csv.hpp"
 #include "record/run_info.hpp"
 #include "sample_run.hpp"
 
@@ -55,6 +56,15 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
   const std::string command =
       "'" STOKESBOOK_PYTHON "' '" READ_OUTPUTS "' '" + folder.path().string() + "'";
   BOOST_TEST(std::system(command.c_str()) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(zeros_have_no_sign) {
+  Frame frame{.t = 1.0, .bodies = {BodyState{}}, .walls = {WallLoad{}}};
+  frame.bodies[0].velocity = {-0.0, -1.0};
+  frame.bodies[0].torque = -0.0;
+  frame.walls[0].force = {-0.0, -0.0};
+  BOOST_TEST(trajectory_rows(frame) == "1,0,0,0,0,0,-1,0,0,0,0\n");
+  BOOST_TEST(wall_rows(frame) == "1,0,0,0,0\n");
 }
 
 BOOST_AUTO_TEST_CASE(totals_of_contact_are_those_of_scenes_with_contact) {

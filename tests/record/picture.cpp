@@ -36,23 +36,23 @@ double luminance(const std::string& colour) {
 BOOST_AUTO_TEST_SUITE(picture)
 
 BOOST_AUTO_TEST_CASE(colours_are_those_of_viridis) {
-  BOOST_TEST(viridis_colour(0.0) == "#440154");
-  BOOST_TEST(viridis_colour(0.5) == "#21918c");
-  BOOST_TEST(viridis_colour(1.0) == "#fde725");
-  BOOST_TEST(viridis_colour(-1.0) == viridis_colour(0.0));
-  BOOST_TEST(viridis_colour(2.0) == viridis_colour(1.0));
+  BOOST_TEST(colour(viridis, 0.0) == "#440154");
+  BOOST_TEST(colour(viridis, 0.5) == "#21918c");
+  BOOST_TEST(colour(viridis, 1.0) == "#fde725");
+  BOOST_TEST(colour(viridis, -1.0) == colour(viridis, 0.0));
+  BOOST_TEST(colour(viridis, 2.0) == colour(viridis, 1.0));
 }
 
 BOOST_AUTO_TEST_CASE(colours_get_lighter) {
   for (int k = 0; k < 100; ++k) {
-    BOOST_TEST(luminance(viridis_colour(k / 100.0)) < luminance(viridis_colour((k + 1) / 100.0)));
+    BOOST_TEST(luminance(colour(viridis, k / 100.0)) < luminance(colour(viridis, (k + 1) / 100.0)));
   }
 }
 
 BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
   // The lightness of CIE is linear along viridis.
   const auto lightness = [](double at) {
-    return 116.0 * std::cbrt(luminance(viridis_colour(at))) - 16.0;
+    return 116.0 * std::cbrt(luminance(colour(viridis, at))) - 16.0;
   };
   for (int k = 0; k <= 10; ++k) {
     const double even = lightness(0.0) + 0.1 * k * (lightness(1.0) - lightness(0.0));

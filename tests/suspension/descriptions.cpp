@@ -62,6 +62,15 @@ BOOST_AUTO_TEST_CASE(what_decided_on_the_preconditioner_is_said) {
   BOOST_TEST(mentions(told(pair, "preconditioner").at(0), "solver.coupling = \"local\""));
 }
 
+BOOST_AUTO_TEST_CASE(a_reversal_after_the_end_is_told) {
+  Scene sheared = disk(1e-6);
+  sheared.time = TimeSettings{.t_final = 2.0};
+  sheared.reverse_at = {1.0, 2.0};
+  BOOST_TEST(!mentions(told(sheared, "time").at(0), "reverse_at"));
+  sheared.reverse_at = {1.0, 20.0, 30.0};
+  BOOST_TEST(mentions(told(sheared, "time").at(0), "reverse_at = 20 is after the end"));
+}
+
 BOOST_AUTO_TEST_CASE(the_problem_is_named_with_what_is_in_it) {
   Scene enclosed = disk(1e-6);
   BOOST_TEST(mentions(told(enclosed, "problem").at(0), "no enclosing wall"));

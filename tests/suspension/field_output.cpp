@@ -101,7 +101,9 @@ BOOST_AUTO_TEST_CASE(fields_between_cylinders) {
     BOOST_TEST(field.in_fluid[static_cast<std::size_t>(i)] == (fluid ? 1 : 0));
     if (!fluid) {
       BOOST_TEST(std::isnan(field.velocity[i].real()));
-      for (const auto& [name, values] : field_scalars) BOOST_TEST(std::isnan((field.*values)[i]));
+      for (const FieldScalar& scalar : field_scalars) {
+        BOOST_TEST(std::isnan((field.*scalar.values)[i]));
+      }
       continue;
     }
     const Complex across = imaginary * points[i] / r;

@@ -58,6 +58,20 @@ BOOST_AUTO_TEST_CASE(unresolved_gaps_shapes_and_densities) {
   check_refused(plain, {"plain trapezoid rule", "near_singular"});
 }
 
+BOOST_AUTO_TEST_CASE(points_at_uneven_distances_are_told_how_to_lie) {
+  ComplexVector points(40);
+  for (int k = 0; k < 40; ++k) {
+    const double part = k / 40.0;  // crowded about the angle 0, and a kink where the turn closes
+    points[k] = std::polar(1.0, 2.0 * std::numbers::pi * part * part * part);
+  }
+  check_refused(scene({body(NodalCurve{points, {}}, automatic_nodes, 0.0)}, ShearFlow{1.0}),
+                {"body 0", "space its points evenly"});
+}
+
+BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) {
+  check_refused(pair(1e-7, automatic_nodes, 1e-12), {"nothing is known of the error", "rounding"});
+}
+
 BOOST_AUTO_TEST_CASE(impossible_data) {
   check_refused(
       scene({}, {}, {outer_wall(Circle{3.0}, 64), inner_wall(Circle{1.0}, 64, RadialWall{0.5})}),
