@@ -196,9 +196,8 @@ std::string colour_map(const std::vector<Complex>& points, const std::vector<dou
   }
   std::string map;
   for (const auto& [level, data] : paths) {
-    const std::string colour = colour(viridis, static_cast<double>(level) / shades);
-    map +=
-        svg::path(data, "fill=\"" + colour + "\" stroke=\"" + colour + "\" stroke-width=\"0.5\"");
+    const std::string fill = colour(viridis, static_cast<double>(level) / shades);
+    map += svg::path(data, "fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\"0.5\"");
   }
   return map;
 }
