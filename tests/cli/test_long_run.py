@@ -18,6 +18,7 @@ tolerance = 0.05
 [time]
 t_final = 1.0
 dt = 1e-3
+method = "euler"
 [output]
 dt_write = 0.1
 """
