@@ -24,9 +24,24 @@ constexpr double least_factor = 1.125;
 int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least) {
   for (int n = 16 * ((at_least + 15) / 16); n <= most_nodes_for_shape;
        n += std::max(16, n / 4 / 16 * 16)) {
-    if (rigid_motion_residual(sample(shape, n, side)) <= tolerance) return n;
+    if (shape_residual(shape, sample(shape, n, side)) <= tolerance) return n;
   }
   return 0;
+}
+
+int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
+                           int n_nodes) {
+  constexpr double allowed = 0.1, aimed_at = 0.05;
+  while (true) {
+    const auto reference = shelf.get(shape, {n_nodes, {}}, kind);
+    const double error = softest_mode_error(*reference);
+    if (!(error > allowed)) return n_nodes;
+    // Few nodes show the mode stiffer than it is: what they recommend is tried again.
+    const double residual = reference->shape_residual * aimed_at / error;
+    const int more = nodes_for_shape(shape, reference->curve.side, residual, n_nodes + 2);
+    if (more == 0 || more > most_nodes_of_a_component) return n_nodes;
+    n_nodes = more;
+  }
 }
 
 std::string unresolved_shape(const Shape& shape, double tolerance) {

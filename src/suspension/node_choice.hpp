@@ -27,11 +27,23 @@ inline constexpr int most_nodes_for_shape = 4096;
 ///
 /// @param  shape      in its own frame
 /// @param  side       of the fluid
-/// @param  tolerance  of rigid_motion_residual()
+/// @param  tolerance  of shape_residual()
 /// @param  at_least   where the search starts
 /// @return            multiple of 16, >= at_least, or 0 when most_nodes_for_shape are not enough
-/// @par Cost          rigid_motion_residual() of each count that is tried, 16 or a quarter apart
+/// @par Cost          shape_residual() of each count that is tried, 16 or a quarter apart
 int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
+
+/// Recommends a node count that resolves the softest mode of a component's own block to a tenth.
+///
+/// @param  shelf    where references are kept
+/// @param  shape    in its own frame
+/// @param  kind     of the component
+/// @param  n_nodes  where the search starts, <= most_nodes_of_a_component
+/// @return          the same number where it does, or one from nodes_for_shape(); the last one
+///                  tried where no number up to most_nodes_of_a_component does
+/// @par Cost        softest_mode_error() of two or three counts, O(N^3)
+int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
+                           int n_nodes);
 
 /// Explains that no number of nodes resolves a shape.
 ///
@@ -44,7 +56,7 @@ std::string unresolved_shape(const Shape& shape, double tolerance);
 ///
 /// @param  component  a Body, Wall or Fill, with its shape and node count
 /// @param  side       of the fluid
-/// @param  tolerance  of rigid_motion_residual()
+/// @param  tolerance  of shape_residual()
 /// @param  name       of the component, for messages
 /// @return            nodes, > 0
 /// @throws NumericsRefused when the nodes are automatic and most_nodes_for_shape are not enough

@@ -14,22 +14,11 @@ constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 // In separations: pairs that a step may press.
 constexpr double in_contact = 1.1;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_in_clusters = 256;
-
-// Of systems in contact; within walls, where films are thin and iterations are many, of circles
-// alone, where iterations are few, and of others.
-struct MostNodes {
-  Eigen::Index in_all, a_contact;
-};
-constexpr MostNodes within_walls{1600, 800}, of_circles{800, 200},
-    of_others{most_nodes_of_direct, 200};
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 80,
+                       most_nodes_in_clusters = 256;
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {
   return reference->kind != ComponentKind::enclosing_wall;
-}
-
-bool is_circle(const std::shared_ptr<const Reference>& reference) {
-  return std::holds_alternative<Circle>(reference->shape);
 }
 
 // In ascending order of gaps, so that the search ends with the first that is too wide.
@@ -54,13 +43,10 @@ std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& refe
 bool direct_pays(const std::vector<Gap>& gaps, const References& references, double separation) {
   Eigen::Index nodes = 0;
   for (const auto& reference : references) nodes += reference->curve.size();
+  if (nodes > most_nodes_of_direct) return false;
   const auto contacts = std::ranges::count_if(
       gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
-  const auto [in_all, a_contact] = !std::ranges::all_of(references, is_inner)   ? within_walls
-                                   : std::ranges::all_of(references, is_circle) ? of_circles
-                                                                                : of_others;
-  if (nodes <= std::min(in_all, a_contact * contacts)) return true;
-  return nodes <= most_nodes_of_direct &&
+  return nodes <= most_nodes_a_contact * contacts ||
          3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
 }
 

@@ -13,9 +13,8 @@ namespace stokesbook {
 
 /// Tells whether a factorisation of the whole system takes less time than the iterations that it
 /// saves: for 1000 nodes or fewer, where a third as many pairs as there are components, or more,
-/// have gaps below 0.02 of the smaller radius of gyration; and where pairs are in contact, since
-/// each asks for the response to its force: within an enclosing wall for 1600 nodes or fewer, and
-/// 800 a pair; without one for 200 a pair, and 1000 in all, or 800 where all are circles.
+/// have gaps below 0.02 of the smaller radius of gyration; or where so many pairs are in contact,
+/// each of which may ask for the response to its force, that there are 80 nodes a pair or fewer.
 ///
 /// @param  gaps        from find_gaps()
 /// @param  references  of each component

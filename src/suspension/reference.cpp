@@ -5,6 +5,7 @@
 #include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "suspension/component_data.hpp"
+#include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
 
@@ -26,7 +27,8 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
                       {},
                       {},
                       {}};
-  reference.rigid_motion_residual = rigid_motion_residual(reference.curve);
+  reference.shape_residual = resolution.is_graded() ? rigid_motion_residual(reference.curve)
+                                                    : shape_residual(shape, reference.curve);
   reference.gyration_radius = RigidModes(reference.curve, {}).gyration_radius();
   if (needs.cauchy) reference.cauchy = std::make_shared<CauchyCurve>(reference.curve);
   if (needs.interpolation_tolerance) {
@@ -42,6 +44,23 @@ Reference build(const Shape& shape, const Resolution& resolution, ComponentKind 
 }
 
 }  // namespace
+
+double shape_residual(const Shape& shape, const Curve& curve) {
+  const ComplexVector between = sample(shape, 2 * curve.size(), curve.side).x;
+  const double distance = (resample(curve.x, between.size()) - between).cwiseAbs().maxCoeff();
+  return std::max(rigid_motion_residual(curve), distance / between.cwiseAbs().maxCoeff());
+}
+
+double softest_mode_error(const Reference& reference) {
+  constexpr double beyond_question = 1e-9;
+  if (reference.shape_residual < beyond_question) return reference.shape_residual;
+  try {
+    const Eigen::MatrixXd& inverse = *reference.inverse_block.get();
+    return reference.shape_residual * inverse.cwiseAbs().rowwise().sum().maxCoeff();
+  } catch (const std::domain_error&) {
+    return reference.shape_residual;  // no inverse at any number of nodes: solves are refused
+  }
+}
 
 Resolutions resolutions_of(const References& references) {
   Resolutions resolutions;

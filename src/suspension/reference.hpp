@@ -28,7 +28,7 @@ struct Reference {
   std::vector<GradedParameter> parameters;                 ///< of the shape at the nodes
   Curve curve;                                             ///< nodes
   std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
-  double rigid_motion_residual;               ///< of the curve, by the function of this name
+  double shape_residual;                                   ///< by the function of this name
   double gyration_radius;                     ///< of the curve about its centroid, length
   std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
@@ -43,6 +43,27 @@ struct ReferenceNeeds {
   std::optional<double> interpolation_tolerance;  ///< of velocities by interpolation, if wanted
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
+
+/// Measures how well equidistant nodes resolve a shape.
+///
+/// @param  shape  in its own frame
+/// @param  curve  sampled from it
+/// @return        the larger of rigid_motion_residual() and of the distance between the shape and
+///                the curve through the nodes, halfway between them, over the shape's size
+/// @par Cost      O(N^2)
+double shape_residual(const Shape& shape, const Curve& curve);
+
+/// Compares what the nodes of a component leave undone with the softest mode of its own block.
+///
+/// Slender bodies have densities that almost nothing comes of: the block has eigenvalues near zero,
+/// a hundredth for an ellipse 10:1 and a hundred-thousandth for 65:1. Where errors of the block are
+/// as large, such modes come out at any size, and so do the motions of neighbours that excite them;
+/// a few nodes more change little, since these do not see them either.
+/// @param  reference  of a component
+/// @return            its shape_residual times the norm of its inverse block; where it is above a
+///                    tenth, a solution may be wrong whatever tails and residuals say
+/// @par Cost          inverse_block, unless the errors are so small that no shape needs less
+double softest_mode_error(const Reference& reference);
 
 /// The shared reference of each component.
 using References = std::vector<std::shared_ptr<const Reference>>;

@@ -78,7 +78,7 @@ std::string shape_message(const Scene& scene, std::size_t component, const Refer
   const int nodes = nodes_for_shape(reference.shape, reference.curve.side, tolerance,
                                     reference.resolution.n_nodes);
   return component_name(scene, component) + ": " + std::to_string(reference.curve.size()) +
-         " nodes resolve its shape to " + short_number(reference.rigid_motion_residual) + " only" +
+         " nodes resolve its shape to " + short_number(reference.shape_residual) + " only" +
          (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
                           "; give it n_nodes = " + std::to_string(nodes) + " at least"
                     : "; " + unresolved_shape(reference.shape, tolerance));
@@ -186,8 +186,8 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
 }
 
 std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
-                             const std::vector<TailEstimate>& tails, double error,
-                             const std::vector<Gap>& gaps) {
+                             const Resolutions& least, const std::vector<TailEstimate>& tails,
+                             double error, const std::vector<Gap>& gaps) {
   const double tolerance = scene.solver.tolerance;
   if (!std::isfinite(error)) {
     return "nothing is known of the error of the velocities: what more nodes would change is lost "
@@ -196,6 +196,13 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
   }
   const std::string estimate = "estimated error " + short_number(error) +
                                " of the velocities, solver.tolerance = " + short_number(tolerance);
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    if (resolutions[k].n_nodes >= least[k].n_nodes) continue;
+    return component_name(scene, k) + " has densities that " +
+           std::to_string(resolutions[k].n_nodes) +
+           " nodes do not see, as it is slender or lobed: " + estimate +
+           "; give it n_nodes = " + std::to_string(least[k].n_nodes) + " at least";
+  }
   const auto worst = std::ranges::max_element(tails, {}, &TailEstimate::error);
   if (worst->error < tolerance) {
     return estimate +
@@ -243,7 +250,7 @@ std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
                              const Configuration& configuration, const References& references) {
   const double tolerance = scene.solver.tolerance;
   for (std::size_t k = 0; k < references.size(); ++k) {
-    if (references[k]->rigid_motion_residual > hopeless * tolerance) {
+    if (references[k]->shape_residual > hopeless * tolerance) {
       return shape_message(scene, k, *references[k]);
     }
   }

@@ -70,18 +70,20 @@ std::string separation_refusal(double separation, const Configuration& start,
 /// @return          a message naming values and what to change; empty when nothing is wrong
 std::string data_refusal(const Scene& scene, const StokesProblem& problem);
 
-/// Explains that a solution is not as accurate as was asked, and what would help: nodes on the
-/// component whose density has the largest tail, or else fewer digits.
+/// Explains that a solution is not as accurate as was asked, and what would help: nodes on a
+/// component that has fewer than its softest mode asks for, or on that whose density has the largest
+/// tail, or else fewer digits.
 ///
 /// @param  scene        names components, and says whose nodes are automatic
 /// @param  resolutions  of each component
+/// @param  least        what the softest mode of each asks for
 /// @param  tails        of the density on each component
 /// @param  error        the solution's estimate, above the tolerance
 /// @param  gaps         in ascending order; names the neighbour that asks for nodes
 /// @return              a message with the estimate and a node count that should do
 std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
-                             const std::vector<TailEstimate>& tails, double error,
-                             const std::vector<Gap>& gaps);
+                             const Resolutions& least, const std::vector<TailEstimate>& tails,
+                             double error, const std::vector<Gap>& gaps);
 
 /// @}
 

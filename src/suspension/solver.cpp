@@ -62,7 +62,7 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
     tails.push_back(tail_estimate(rest.segment(offsets[k], offsets[k + 1] - offsets[k]),
                                   solution.velocity_scale));
     // What aliases in the kernel, tails do not show.
-    tails[k].error = std::max(tails[k].error, solution.references[k]->rigid_motion_residual);
+    tails[k].error = std::max(tails[k].error, solution.references[k]->shape_residual);
   }
   return tails;
 }
@@ -81,6 +81,14 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
+  refuse(limit_refusal(scene_, own, {}));
+  references_ = references(own);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Reference& reference = *references_[k];
+    least_.push_back(
+        {nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes)});
+    if (given_nodes(scene_, k) == automatic_nodes) own[k] = least_[k];
+  }
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
   refuse(separation_refusal(separation(), initial_configuration(), references_));
@@ -136,7 +144,8 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
                                          const Configuration& configuration,
                                          const Solution& solution, double drive) const {
   if (solution.velocity_scale == 0.0) return {};
-  const References finer = references(stokesbook::finer(resolutions_of(solution.references)));
+  const References finer =
+      references(at_least(least_, stokesbook::finer(resolutions_of(solution.references))));
   const DiscreteProblem fine =
       unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
   try {
@@ -191,8 +200,8 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
     const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
     Effort next = greater(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
-      throw ConfigurationRefused(
-          accuracy_refusal(scene_, effort.resolutions, tails, solution.error_estimate, gaps));
+      throw ConfigurationRefused(accuracy_refusal(scene_, effort.resolutions, least_, tails,
+                                                  solution.error_estimate, gaps));
     }
     DensityHistory found(1);
     found.add(0.0, configuration, solution.references, solution.density);

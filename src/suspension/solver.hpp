@@ -308,6 +308,7 @@ class SuspensionSolver {
   Plan plan_;
   std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
   References references_;
+  Resolutions least_;  // that resolve the softest mode of each component, for estimates
 };
 
 /// @}

@@ -69,7 +69,13 @@ BOOST_AUTO_TEST_CASE(points_at_uneven_distances_are_told_how_to_lie) {
 }
 
 BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) {
-  check_refused(pair(1e-7, automatic_nodes, 1e-12), {"nothing is known of the error", "rounding"});
+  const Scene close = pair(1e-7, 64, 1e-12);
+  const Resolutions nodes(2, {64, {}});
+  const double unknown = std::numeric_limits<double>::infinity();
+  const std::string message =
+      accuracy_refusal(close, nodes, nodes, {{1e-15, 1.0}, {1e-15, 1.0}}, unknown, {});
+  BOOST_TEST(message.starts_with("nothing is known of the error"), message);
+  BOOST_TEST(message.find("inf") == std::string::npos, message);
 }
 
 BOOST_AUTO_TEST_CASE(impossible_data) {

@@ -1,6 +1,7 @@
 // How far estimates are from errors, on random scenes with random nodes.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "experiments.hpp"
 #include "scenes.hpp"
@@ -116,7 +117,87 @@ Measure errors_over(EstimateKind estimate) {
   };
 }
 
+// What is known of a scene of hard shapes, against automatic nodes for a thousandth of its tolerance.
+struct JudgedScene {
+  double tolerance;
+  std::optional<double> accepted;  // error of the solution that is accepted, if one is
+  double unestimated;              // error on the nodes that the solver begins with
+};
+
+JudgedScene judge_hard_scene(const Scene& scene) {
+  Scene closer = with_nodes(scene, automatic_nodes, automatic_nodes);
+  closer.solver.tolerance = std::max(1e-10, 1e-3 * scene.solver.tolerance);
+  const SuspensionSolver solver(scene), reference(closer);
+  const Configuration start = solver.initial_configuration();
+  const Solution right = reference.solve(start);
+  const auto error_of = [&](const Solution& found) {
+    const StokesProblem problem = solver.problem(start, found.references);
+    return *relative_change(problem, {found.motions, found.loads, found.uniform_velocity},
+                            {right.motions, right.loads, right.uniform_velocity},
+                            found.velocity_scale);
+  };
+  JudgedScene judged{scene.solver.tolerance, {}, error_of(solver.solve_nearby(start, {}))};
+  try {
+    judged.accepted = error_of(solver.solve(start));
+  } catch (const NumericsRefused&) {
+    // The given nodes do not do.
+  }
+  return judged;
+}
+
+const std::vector<JudgedScene>& judged_hard_scenes(Size size) {
+  const auto judge_all = [](int count) {
+    std::mt19937_64 random(125);
+    std::vector<JudgedScene> found;
+    for (int k = 0; k < count; ++k) {
+      const Scene scene = hard_scene(random);
+      try {
+        found.push_back(judge_hard_scene(scene));
+      } catch (const NumericsRefused&) {
+        // The nodes are hopeless, or bodies overlap, or rounding rules.
+      }
+    }
+    return found;
+  };
+  static const std::vector<JudgedScene> quick = judge_all(6);
+  if (size == Size::quick) return quick;
+  static const std::vector<JudgedScene> full = judge_all(4000);
+  return full;
+}
+
+Measure errors_of_hard_scenes(bool estimated) {
+  return [=](Size size) {
+    std::vector<Measurement> points;
+    for (const JudgedScene& one : judged_hard_scenes(size)) {
+      if (estimated && !one.accepted) continue;
+      points.push_back({.x = one.tolerance, .error = estimated ? *one.accepted : one.unestimated});
+    }
+    std::ranges::sort(points, {}, &Measurement::x);
+    return points;
+  };
+}
+
 }  // namespace
+
+Experiment hard_shapes() {
+  return {.key = "hard_shapes",
+          .title = "Slender, lobed and angular bodies: errors of what is not refused",
+          .x = "tolerance asked for e",
+          .error = "error of motions and loads, relative to the largest",
+          .lines = {{.key = "accepted",
+                     .label = "accepted by the solver",
+                     .measure = errors_of_hard_scenes(true),
+                     .claim = Claim{.id = "12_59",
+                                    .statement = "No solution is accepted whose error is more than "
+                                                 "twice the tolerance.",
+                                    .law = ErrorBelowTolerance{2.0, 0.0},
+                                    .reason = "estimates are made on nodes that resolve the "
+                                              "softest mode of each body; twice, because they are "
+                                              "estimates",
+                                    .api = {"stokesbook::estimate_error",
+                                            "stokesbook::softest_mode_error"}},
+                     .control = Control{"no estimates", errors_of_hard_scenes(false)}}}};
+}
 
 Experiment spread_of_estimates() {
   return {

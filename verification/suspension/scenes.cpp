@@ -33,19 +33,36 @@ Shape random_shape(std::mt19937_64& random) {
   }
 }
 
-SmoothCurve curve_of(const Body& body) {
-  return test::smooth_body(body.shape, 64, body.position, body.orientation);
+// Slender or lobed, as no scene of the book is.
+Shape hard_shape(std::mt19937_64& random) {
+  switch (random() % 3) {
+    case 0:
+      return Ellipse{1.0, log_uniform(random, 0.01, 1.0)};
+    case 1: {
+      const int arms = 2 + static_cast<int>(random() % 17);
+      return Star{1.0, uniform(random, -0.5, 0.5), arms};
+    }
+    default: {
+      const int power = 4 + 2 * static_cast<int>(random() % 5);
+      return Superellipse{1.0, log_uniform(random, 0.1, 1.0), power};
+    }
+  }
+}
+
+SmoothCurve curve_of(const Body& body, int nodes) {
+  return test::smooth_body(body.shape, nodes, body.position, body.orientation);
 }
 
 // Moves a body along a ray from the origin until it is a gap away from the others.
-void move_to_gap(Body& body, const std::vector<Body>& others, double angle, double gap) {
+void move_to_gap(Body& body, const std::vector<Body>& others, double angle, double gap,
+                 int nodes = 64) {
   std::vector<SmoothCurve> obstacles;
-  for (const Body& other : others) obstacles.push_back(curve_of(other));
+  for (const Body& other : others) obstacles.push_back(curve_of(other, nodes));
   double low = 0.0, high = 12.0;
   for (int bisection = 0; bisection < 30; ++bisection) {
     const double middle = 0.5 * (low + high);
     body.position = std::polar(middle, angle);
-    const SmoothCurve curve = curve_of(body);
+    const SmoothCurve curve = curve_of(body, nodes);
     const bool too_close = std::ranges::any_of(obstacles, [&](const SmoothCurve& obstacle) {
       return closest_points(curve, obstacle).gap < gap;
     });
@@ -115,6 +132,28 @@ Scene random_scene(std::mt19937_64& random) {
   scene.flow = ShearFlow{1.0};
   if (random() % 2 == 0) scene.flow = ExtensionalFlow{1.0};
   if (loaded && std::ranges::none_of(scene.bodies, &Body::held)) scene.gauge_length = 30.0;
+  return scene;
+}
+
+Scene hard_scene(std::mt19937_64& random) {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  if (random() % 2 == 0) scene.flow = ExtensionalFlow{1.0};
+  scene.solver.tolerance = log_uniform(random, 1e-6, 3e-2);
+  const bool is_automatic = random() % 2 == 0;
+  const std::size_t count = 2 + random() % 2;
+  for (std::size_t k = 0; k < count; ++k) {
+    Body body{.shape = hard_shape(random), .n_nodes = automatic_nodes};
+    if (!is_automatic) body.n_nodes = 2 * static_cast<int>(log_uniform(random, 4.0, 100.0));
+    body.orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
+    const double angle = uniform(random, 0.0, 2.0 * std::numbers::pi);
+    if (k > 0) move_to_gap(body, scene.bodies, angle, log_uniform(random, 1e-2, 3.0), 400);
+    scene.bodies.push_back(body);
+  }
+  if (random() % 4 == 0) {
+    scene.bodies[0].force = random_in_square(random);
+    scene.bodies[1].force = -scene.bodies[0].force;
+  }
   return scene;
 }
 

@@ -13,6 +13,7 @@ study::Study suspension_study() {
       .title = "The suspension solver: error estimates, automatic nodes, contact, experiments",
       .experiments = {spread_of_estimates(),
                       estimates(),
+                      hard_shapes(),
                       errors_on_automatic_nodes(),
                       pair_speeds(),
                       lubrication(),
