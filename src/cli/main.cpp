@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "cli/build_info.hpp"
+#include "cli/message.hpp"
 #include "cli/run_command.hpp"
 #include "cli/sweep_command.hpp"
 #include "record/record_error.hpp"
@@ -105,19 +106,21 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_done : exit_bad_usage;
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+    std::cerr << for_terminal(error.what()) << "\nRun with --help for more information.\n";
+    return exit_bad_usage;
   }
   options.once = solve.parsed();
   try {
     return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
   } catch (const SceneError& error) {
-    std::cerr << "stokes: " << error.what() << '\n';
+    std::cerr << "stokes: " << for_terminal(error.what()) << '\n';
     return exit_bad_usage;
   } catch (const NumericsRefused& error) {
-    std::cerr << "stokes: refused: " << error.what() << '\n';
+    std::cerr << "stokes: refused: " << for_terminal(error.what()) << '\n';
     return exit_refused;
   } catch (const RecordError& error) {
-    std::cerr << "stokes: " << error.what() << '\n';
+    std::cerr << "stokes: " << for_terminal(error.what()) << '\n';
     return exit_io;
   }
 }
@@ -137,10 +140,11 @@ int main(int argc, char** argv) {
     std::cerr << "stokes: out of memory\n";
     return stokesbook::exit_refused;
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "stokes: " << error.path1().string() << ": " << error.code().message() << '\n';
+    std::cerr << "stokes: " << stokesbook::for_terminal(error.path1().string()) << ": "
+              << error.code().message() << '\n';
     return stokesbook::exit_io;
   } catch (const std::exception& error) {
-    std::cerr << "stokes: internal error: " << error.what() << '\n';
+    std::cerr << "stokes: internal error: " << stokesbook::for_terminal(error.what()) << '\n';
     return stokesbook::exit_internal;
   }
 }

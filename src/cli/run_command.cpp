@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 
 #include "cli/build_info.hpp"
+#include "cli/message.hpp"
 #include "cli/progress.hpp"
 #include "record/atomic_file.hpp"
 #include "record/number_text.hpp"
@@ -208,7 +209,7 @@ int run_scene(const RunOptions& options) {
   const SuspensionSolver solver(scene);
   const std::vector<std::string> plan = describe(solver);
   if (!options.quiet) {
-    if (!scene.title.empty()) std::printf("%s\n", scene.title.c_str());
+    if (!scene.title.empty()) std::printf("%s\n", for_terminal(scene.title).c_str());
     for (const std::string& line : plan) std::printf("  %s\n", line.c_str());
     std::fflush(stdout);
   }

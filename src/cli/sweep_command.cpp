@@ -11,6 +11,7 @@
 
 #include <omp.h>
 
+#include "cli/message.hpp"
 #include "cli/run_command.hpp"
 #include "record/atomic_file.hpp"
 #include "scene/error.hpp"
@@ -156,7 +157,7 @@ class LocalSweep {
     const TaskFolder folder(options_.out, number);
     std::string message = folder.failure();
     if (message.empty()) message = "see " + folder.log().string();
-    std::fprintf(stderr, "stokes: %s: failed: %s\n", task.c_str(), message.c_str());
+    std::fprintf(stderr, "stokes: %s: failed: %s\n", task.c_str(), for_terminal(message).c_str());
     ++failed_;
   }
 

@@ -14,7 +14,7 @@ constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 // In separations: pairs that a step may press.
 constexpr double in_contact = 1.1;
 
-constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 80,
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 400,
                        most_nodes_in_clusters = 256;
 
 bool is_inner(const std::shared_ptr<const Reference>& reference) {

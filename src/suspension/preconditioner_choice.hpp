@@ -14,7 +14,7 @@ namespace stokesbook {
 /// Tells whether a factorisation of the whole system takes less time than the iterations that it
 /// saves: for 1000 nodes or fewer, where a third as many pairs as there are components, or more,
 /// have gaps below 0.02 of the smaller radius of gyration; or where so many pairs are in contact,
-/// each of which may ask for the response to its force, that there are 80 nodes a pair or fewer.
+/// each of which may ask for the response to its force, that there are 400 nodes a pair or fewer.
 ///
 /// @param  gaps        from find_gaps()
 /// @param  references  of each component

@@ -10,6 +10,7 @@
 #include "near_singular/near_test.hpp"
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
+#include "suspension/memory.hpp"
 #include "suspension/node_choice.hpp"
 #include "suspension/scene_components.hpp"
 
@@ -239,7 +240,9 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
            "; \"auto\" takes up to " + std::to_string(most_nodes_of_a_component) +
            ": give the number yourself, or raise the tolerance";
   }
-  if (!chosen || all <= most_nodes_in_all) return {};
+  if (!chosen || all <= most_nodes_in_all) {
+    return memory_refusal(scene, resolutions, available_memory());
+  }
   return "the components would need " + std::to_string(all) +
          " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
          "; \"auto\" takes up to " + std::to_string(most_nodes_in_all) +

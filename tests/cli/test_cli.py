@@ -219,6 +219,24 @@ class Records(Program):
         self.assertNotIn("uniform_velocity", (self.folder / "given" / "run.json").read_text())
         self.assertNotIn("infinity", result.stdout)
 
+    def test_messages_show_no_control_characters_and_no_long_values(self):
+        """What a terminal would obey is escaped, and a megabyte is cut in the middle."""
+        evil = "\x1b[2J\x07\nstokes: done\x7f"
+        for text in (f"[flow]\nkind = {json.dumps(evil)}\n", f"{json.dumps(evil)} = 1\n"):
+            message = self.run_scene(text=text, code=1).stderr
+            self.assertTrue(message.removesuffix("\n").isprintable(), message)
+            self.assertIn("stokes: done", message)
+        title = self.run_scene("--dry-run", text=f"title = {json.dumps(evil)}\n" + PAIR).stdout
+        self.assertTrue(title.startswith("\\x1b[2J"))
+        for arguments in ((f"--set=time.dt={'x' * 10**5}",), ("--threads", "x" * 10**5), (evil,)):
+            message = self.run_scene(*arguments, code=1).stderr
+            self.assertLess(len(message), 2500)
+            self.assertTrue(message.replace("\n", "").isprintable(), message)
+        message = self.run_scene(text="[flow]\nkind = \"" + "x" * 10**6 + "\"\n", code=1).stderr
+        self.assertIn("flow.kind", message)
+        self.assertIn("must be one of", message)
+        self.assertLess(len(message), 2500)
+
     def test_closed_standard_streams_leave_the_files_alone(self):
         def close_streams():
             for stream in range(3):

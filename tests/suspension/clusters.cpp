@@ -179,9 +179,9 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
   BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
-  Scene two_of_many = disk_hexagon(2, 1e-1);
+  Scene two_of_many = disk_hexagon(2, 1.0);
+  two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position *= 10.0;
-  two_of_many.bodies.front().position *= 10.0;
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position += 2.05;
   BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs

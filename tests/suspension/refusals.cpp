@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "suspension/memory.hpp"
 #include "suspension/random_scenes.hpp"
 #include "suspension/refusal.hpp"
 #include "suspension/trajectories.hpp"
@@ -76,6 +77,19 @@ BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) 
       accuracy_refusal(close, nodes, nodes, {{1e-15, 1.0}, {1e-15, 1.0}}, unknown, {});
   BOOST_TEST(message.starts_with("nothing is known of the error"), message);
   BOOST_TEST(message.find("inf") == std::string::npos, message);
+}
+
+BOOST_AUTO_TEST_CASE(memory_that_is_not_there) {
+  const Scene large = scene({body(Circle{1.0}, 64, {}), body(Circle{1.0}, 1'000'000, 4.0)});
+  check_refused(large, {"body 1", "1000000 nodes", "9.6e+04 GB", "n_nodes"});
+  // A shape counts once.
+  const Scene twins = scene({body(Circle{1.0}, 1000, {}), body(Circle{1.0}, 1000, 4.0)});
+  const Resolutions nodes(2, {1000, {}});
+  BOOST_TEST(memory_refusal(twins, nodes, 1.1 * memory_of_reference(1000)).empty());
+  Scene others = twins;
+  others.bodies[1].shape = Circle{2.0};
+  BOOST_TEST(!memory_refusal(others, nodes, 1.1 * memory_of_reference(1000)).empty());
+  BOOST_TEST(available_memory() > 1e8);
 }
 
 BOOST_AUTO_TEST_CASE(impossible_data) {
