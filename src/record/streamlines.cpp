@@ -72,8 +72,12 @@ class Neighbourhood {
   Index buckets(Index points) const {
     return 1 + static_cast<Index>(static_cast<double>(points) / separation_);
   }
-  Index column(Complex point) const { return static_cast<Index>(point.real() / separation_); }
-  Index row(Complex point) const { return static_cast<Index>(point.imag() / separation_); }
+  // The last step of a line may leave the grid.
+  Index place(double coordinate, Index count) const {
+    return std::clamp<Index>(static_cast<Index>(coordinate / separation_), 0, count - 1);
+  }
+  Index column(Complex point) const { return place(point.real(), columns_); }
+  Index row(Complex point) const { return place(point.imag(), rows_); }
   std::size_t bucket(Index i, Index j) const { return static_cast<std::size_t>(j * columns_ + i); }
 
   double separation_;

@@ -162,6 +162,7 @@ class Simulation {
   double instant(const Solution& solution) const;
   double planned_dt() const;
   double planned_end() const;
+  double end_within_scene(const Solution& solution, double t_end) const;
   double end_within_reach(const Configuration& configuration, const Eigen::VectorXd& free_velocity,
                           double t_end) const;
   double shortened(double t_end, double factor, const std::string& reason);

@@ -7,6 +7,7 @@
 
 #include "record/number_text.hpp"
 #include "suspension/node_choice.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/simulation.hpp"
 #include "suspension/step_counts.hpp"
 
@@ -33,11 +34,30 @@ constexpr int most_raised = 8;
 // for them any more, and each step on them takes its time.
 constexpr int most_kept = 8;
 
+// The longest path in a step, in units of the distance that holds all components.
+constexpr double scenes_in_a_step = 10.0;
+
 // What a solve without a step of its own moves the fastest boundary by.
 constexpr double separations_in_an_instant = 0.01;
 
 std::string refusal_of(double t, const ContactOutcome& outcome) {
   return at_time(t) + "contact is not resolved: " + outcome.result.reason;
+}
+
+struct FastestComponent {
+  std::size_t component = 0;
+  double speed = 0.0;  // of its boundary, at most
+};
+
+FastestComponent fastest(const Solution& solution) {
+  FastestComponent found;
+  for (std::size_t k = 0; k < solution.motions.size(); ++k) {
+    const auto& [velocity, omega] = solution.motions[k];
+    const double radius = outer_radius(solution.references[k]->curve, 0.0);
+    const double speed = std::abs(velocity) + std::abs(omega) * radius;
+    if (speed > found.speed) found = {k, speed};
+  }
+  return found;
 }
 
 // By how much a step is to be longer, for an error in units of what is allowed.
@@ -49,13 +69,8 @@ double contact_step_factor(double error) {
 
 // So short that only gaps as narrow as the separation close: all others stay open.
 double Simulation::instant(const Solution& solution) const {
-  double fastest = 0.0;
-  for (std::size_t k = 0; k < solution.motions.size(); ++k) {
-    const auto& [velocity, omega] = solution.motions[k];
-    const double radius = solution.references[k]->curve.x.cwiseAbs().maxCoeff();
-    fastest = std::max(fastest, std::abs(velocity) + std::abs(omega) * radius);
-  }
-  return fastest > 0.0 ? separations_in_an_instant * contact_->separation() / fastest : 1.0;
+  const double speed = fastest(solution).speed;
+  return speed > 0.0 ? separations_in_an_instant * contact_->separation() / speed : 1.0;
 }
 
 double Simulation::planned_dt() const {
@@ -156,6 +171,7 @@ void Simulation::put_on_more_nodes(const Stage& stage, InContact& found) {
 Simulation::Begun Simulation::begin_in_contact(Solved first, double t_end) {
   const Configuration configuration = to_configuration(now_.state);
   const VectorXd at_rest = VectorXd::Zero(now_.state.size());
+  t_end = end_within_scene(first.solution, t_end);
   if (time_.tolerance) t_end = end_within_reach(configuration, to_rate(first.solution), t_end);
   SolveCost cost;
   double seconds = 0.0;
@@ -175,6 +191,27 @@ Simulation::Begun Simulation::begin_in_contact(Solved first, double t_end) {
     ++totals_.halved_by_contact;
     t_end = shortened(t_end, 0.5, refusal_of(now_.t, stage.outcome));
   }
+}
+
+// Paths are searched for contact bit by bit: none is to be longer than the scene by far.
+double Simulation::end_within_scene(const Solution& solution, double t_end) const {
+  const Configuration configuration = to_configuration(now_.state);
+  double size = 0.0;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    size = std::max(size, std::abs(configuration[k].position - configuration[0].position) +
+                              outer_radius(solution.references[k]->curve, 0.0));
+  }
+  const auto [component, speed] = fastest(solution);
+  const double dt = t_end - now_.t, longest = scenes_in_a_step * size / speed;
+  if (!(dt > longest)) return t_end;
+  if (longest < stepping_.dt_min) {
+    throw NumericsRefused(at_time(now_.t) + component_name(solver_.scene(), component) +
+                          " moves by " + short_number(speed * stepping_.dt_min) +
+                          " in a step of time.dt_min = " + short_number(stepping_.dt_min) +
+                          ", and all components lie within " + short_number(size) +
+                          ": give shorter steps, or drive it less");
+  }
+  return now_.t + longest;
 }
 
 // Forces act where they are at the beginning: components must not move far past each other.

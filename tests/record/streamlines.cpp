@@ -59,6 +59,19 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
   BOOST_TEST(closed >= 8);
 }
 
+// On a coarse grid lines are much closer than its points, and their last steps leave it by far.
+BOOST_AUTO_TEST_CASE(lines_closer_than_points_end_at_the_edge) {
+  for (const Complex direction : {Complex{1.0, 0.0}, Complex{-1.0, 0.3}, Complex{0.2, -1.0}}) {
+    const Field field = square([&](Complex) { return direction; }, 5);
+    for (const Streamline& line : streamlines(field, 0.03)) {
+      for (const Complex point : line.points) {
+        BOOST_TEST(std::abs(point.real()) < 1.0 + 0.26);
+        BOOST_TEST(std::abs(point.imag()) < 1.0 + 0.26);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(lines_keep_apart_and_leave_no_hole) {
   const Field field = square([](Complex x) {
     return Complex{std::sin(3 * x.real()) * std::cos(2 * x.imag()),

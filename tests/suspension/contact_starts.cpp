@@ -113,6 +113,27 @@ BOOST_AUTO_TEST_CASE(starts_may_lack_a_thousandth_of_the_separation) {
 }
 
 // Across the wall, and beyond it.
+// The path of a step is searched for contact: one of a billion turns would take a billion times as
+// long.
+BOOST_AUTO_TEST_CASE(steps_longer_than_the_scene_are_shortened_or_refused) {
+  Scene cell;
+  cell.bodies = {body_at(Circle{0.5}, {1.0, 0.0}, 32)};
+  cell.walls = {{.role = WallRole::outer, .shape = Circle{3.0}, .n_nodes = 64}};
+  cell.solver.tolerance = 1e-2;
+  cell.contact = ContactSettings{0.05};
+  cell.walls[0].motion = RotatingWall{1e18};
+  const auto tells = [](const NumericsRefused& refusal) {
+    const std::string message = refusal.what();
+    return message.find("wall 0 moves by") != std::string::npos &&
+           message.find("time.dt_min") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(recorded_run(over(cell, 1.0, 0.1)), NumericsRefused, tells);
+  cell.walls[0].motion = RotatingWall{1e3};
+  for (const StepInfo& step : recorded_run(over(cell, 0.1, 0.1)).steps) {
+    BOOST_TEST(step.dt * 1e3 * 3.0 <= 40.0 * (1.0 + 1e-12));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(starts_outside_of_the_container_are_refused) {
   for (const double x : {1.8, 5.0}) {
     const Scene scene = over(in_container(2.0,
