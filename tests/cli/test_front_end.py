@@ -111,7 +111,9 @@ class FrontEnd(unittest.TestCase):
                          r"stokes: in all: \d+ CPU seconds\n$")
         self.assertEqual(asked("--full")[1], [f"--build {builds}/release --target all", "ctest ",
                                               f"--build {builds}/asan --target all",
-                                              "ctest -LE full"])
+                                              "ctest -LE full",
+                                              f"--build {builds}/tsan --target races",
+                                              "ctest -R ^races$"])
         self.assertEqual(asked("--preset", "debug", "-R", "fmm")[1],
                          [f"--build {builds}/debug --target all", "ctest -R fmm"])
 
