@@ -159,6 +159,12 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
                 short_number(info.resolution.configuration_error).c_str());
   }
   std::printf("\n");
+  const char* before = "error estimates of fields, relative to their largest values: ";
+  for (const auto& [quantity, error] : info.resolution.field_errors) {
+    std::printf("%s%s %s", before, quantity.c_str(), short_number(error).c_str());
+    before = ", ";
+  }
+  if (!info.resolution.field_errors.empty()) std::printf("\n");
   if (const auto& uniform = info.uniform_velocity) {
     std::printf(
         "the fluid at infinity has the velocity (%s, %s) beside [flow], for zero net force: "
@@ -177,6 +183,13 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
 
 // With forces of contact, and by the lagged coupling: all others are refused.
 void warn_of_estimate(const RunInfo& info, double tolerance) {
+  for (const auto& [quantity, error] : info.resolution.field_errors) {
+    if (error <= tolerance) continue;
+    std::fprintf(stderr,
+                 "stokes: the error estimate of the field %s is up to %s, above solver.tolerance = "
+                 "%s: given nodes are too few, or automatic ones have come to their limit\n",
+                 quantity.c_str(), short_number(error).c_str(), short_number(tolerance).c_str());
+  }
   if (info.resolution.velocity_error <= tolerance) return;
   if (std::isinf(info.resolution.velocity_error)) {
     std::fprintf(stderr,

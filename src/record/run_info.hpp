@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +38,8 @@ struct RunResolution {
   double velocity_error = 0.0;       ///< largest estimate of all its solves
   double configuration_error = 0.0;  ///< of the errors of its steps, estimated and added up, the
                                      ///< largest: of positions in radii, and of angles
+  std::map<std::string, double, std::less<>> field_errors{};  ///< by quantity, the largest estimate
+                                                              ///< of all frames
 };
 
 /// Where a run came from, what it decided and how it ended.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "stress/stress.hpp"
+#include "suspension/numerics_refused.hpp"
+#include "suspension/scene_components.hpp"
 #include "suspension/side_test.hpp"
 
 namespace stokesbook {
@@ -41,6 +43,35 @@ double pressure_datum(const SuspensionSolver& solver, const Configuration& confi
   }
   return 0.0;
 }
+
+// The largest difference of two fields of one quantity, over the largest value.
+double relative_difference(const auto& p, const auto& q) {
+  double difference = 0.0, largest = 0.0;
+  for (Index i = 0; i < p.size(); ++i) {
+    if (std::isnan(std::abs(p[i]))) continue;  // no fluid
+    difference = std::max(difference, std::abs(p[i] - q[i]));
+    largest = std::max(largest, std::abs(q[i]));
+  }
+  return largest > 0.0 ? difference / largest : 0.0;
+}
+
+// Where both are resolved, the one of more nodes is far better; where they are not, it errs too.
+constexpr double safety_of_fields = 2.0;
+
+FieldErrors errors_of(const Field& coarse, const Field& fine) {
+  FieldErrors errors = field_differences(coarse, fine);
+  for (auto& [quantity, error] : errors) error *= safety_of_fields;
+  return errors;
+}
+
+FieldErrors unknown_errors(const Field& field) {
+  FieldErrors errors = field_differences(field, field);
+  for (auto& [quantity, error] : errors) error = std::numeric_limits<double>::infinity();
+  return errors;
+}
+
+// By a quarter each, to four times as many.
+constexpr int most_raised = 6;
 
 }  // namespace
 
@@ -95,6 +126,46 @@ Field evaluate_field(const SuspensionSolver& solver, const Configuration& config
   fill(FieldQuantity::dissipation, field.dissipation,
        [&](const FlowDerivatives& at) { return dissipation_density(at, mu); });
   return field;
+}
+
+FieldErrors field_differences(const Field& p, const Field& q) {
+  FieldErrors differences;
+  const auto compare = [&](std::string_view name, const auto& a, const auto& b) {
+    if (a.size() > 0) differences[std::string(name)] = relative_difference(a, b);
+  };
+  compare("velocity", p.velocity, q.velocity);
+  for (const FieldScalar& scalar : field_scalars) {
+    compare(scalar.name, p.*scalar.values, q.*scalar.values);
+  }
+  return differences;
+}
+
+EstimatedField estimated_field(const SuspensionSolver& solver, const Configuration& configuration,
+                               const Solution& solution, double drive) {
+  EstimatedField found{evaluate_field(solver, configuration, solution, drive), {}};
+  bool may_raise = false;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    may_raise = may_raise || given_nodes(solver.scene(), k) == automatic_nodes;
+  }
+  Solution latest = solution;
+  while (true) {
+    try {
+      latest = solver.refined(configuration, latest, drive);
+    } catch (const NumericsRefused&) {
+      if (found.solves == 0) found.errors = unknown_errors(found.field);
+      return found;
+    }
+    ++found.solves;
+    found.cost += {latest.gmres.iterations, latest.gmres.applications};
+    Field finer = evaluate_field(solver, configuration, latest, drive);
+    found.errors = errors_of(found.field, finer);
+    if (!may_raise) return found;
+    found.field = std::move(finer);
+    const bool met = std::ranges::all_of(found.errors, [&](const auto& error) {
+      return error.second <= solver.scene().solver.tolerance;
+    });
+    if (met || found.solves == most_raised) return found;
+  }
 }
 
 }  // namespace stokesbook

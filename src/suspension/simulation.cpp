@@ -203,12 +203,24 @@ void Simulation::write(double t, const VectorXd& state, const Solution& solution
     if (!rheometer_) rheometer_.emplace(solver_);
     frame.rheology = (*rheometer_)(configuration, solution, drive_);
     if (solver_.scene().output.fields) {
-      frame.field = evaluate_field(solver_, configuration, solution, drive_);
+      EstimatedField found = estimated_field(solver_, configuration, solution, drive_);
+      frame.field = std::move(found.field);
+      note_field(found);
     }
     observer_.frame(frame);
   }
   written_ = t;
   if (observer_.checkpoint) observer_.checkpoint(checkpoint());
+}
+
+void Simulation::note_field(const EstimatedField& found) {
+  totals_.solves += found.solves;
+  totals_.gmres_iterations += found.cost.gmres_iterations;
+  totals_.matvecs += found.cost.matvecs;
+  for (const auto& [quantity, error] : found.errors) {
+    double& largest = resolution_.field_errors[quantity];
+    largest = std::max(largest, error);
+  }
 }
 
 void Simulation::write_within(const Step& step) {

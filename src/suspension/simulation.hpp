@@ -9,6 +9,7 @@
 #include "record/run_info.hpp"
 #include "suspension/contact.hpp"
 #include "suspension/density_history.hpp"
+#include "suspension/fields.hpp"
 #include "suspension/passing.hpp"
 #include "suspension/rheology.hpp"
 #include "suspension/stepping.hpp"
@@ -173,6 +174,7 @@ class Simulation {
   void note_solve(const Solution& solution);
   void note_response(const LoadResponse& response);
   void note_step(StepInfo step, const Eigen::VectorXd& error);
+  void note_field(const EstimatedField& found);
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);

@@ -10,6 +10,9 @@ using Eigen::VectorXd;
 
 namespace {
 
+// What names of errors of fields begin with.
+constexpr std::string_view field_error = "field_error_";
+
 // Vectors of any number in a checkpoint.
 void keep(History& history, const std::string& name, const std::vector<VectorXd>& vectors) {
   for (std::size_t k = 0; k < vectors.size(); ++k) {
@@ -50,6 +53,11 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   resolution_ = {to_counts(checkpoint.history.at("first_nodes")),
                  to_counts(checkpoint.history.at("most_nodes")),
                  checkpoint.history.at("largest_estimate")[0]};
+  for (const auto& [name, error] : checkpoint.history) {
+    if (name.starts_with(field_error)) {
+      resolution_.field_errors[name.substr(field_error.size())] = error[0];
+    }
+  }
   errors_ = checkpoint.history.at("errors");
   resolution_.configuration_error = stepping_.bound.in_units_of_scale(errors_);
   memory_ = to_memory(checkpoint.history);
@@ -83,6 +91,9 @@ Checkpoint Simulation::checkpoint() const {
   checkpoint.history["most_nodes"] = to_numbers(resolution_.most_nodes);
   checkpoint.history["largest_estimate"] = VectorXd::Constant(1, resolution_.velocity_error);
   checkpoint.history["errors"] = errors_;
+  for (const auto& [quantity, error] : resolution_.field_errors) {
+    checkpoint.history[std::string(field_error) + quantity] = VectorXd::Constant(1, error);
+  }
   checkpoint.history["written"] = VectorXd::Constant(1, written_);
   checkpoint.history["estimate"] =
       VectorXd{{begun_.error_estimate, static_cast<double>(begun_.since)}};

@@ -123,29 +123,54 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
 Solution SuspensionSolver::attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
                                    const Effort& effort, double drive) const {
   const System system = this->system(configuration, gaps, effort.resolutions, drive);
-  const ComplexVector rhs = system.discrete->system.right_hand_side();
   const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
-  GmresResult gmres = stokesbook::solve(
-      *system.discrete, rhs, {effort.gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
-  if (!gmres.converged) {
-    throw NumericsRefused("GMRES stopped at a relative residual of " +
-                          short_number(gmres.history.back()) + " after " +
-                          std::to_string(gmres.iterations) + " iterations, asked " +
-                          short_number(effort.gmres_tolerance) +
-                          ": raise solver.gmres_max_iterations or solver.tolerance");
-  }
-  Solution solution = completed(system, std::move(gmres), drive);
-  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
+  Solution solution = converged(system, effort.gmres_tolerance, guess, drive);
+  solution.velocity_scale = system.discrete->system.right_hand_side().cwiseAbs().maxCoeff();
   solution.gaps = gaps;
   return solution;
+}
+
+Solution SuspensionSolver::converged(const System& system, double gmres_tolerance,
+                                     const ComplexVector& guess, double drive) const {
+  GmresResult gmres =
+      stokesbook::solve(*system.discrete, system.discrete->system.right_hand_side(),
+                        {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
+  if (!gmres.converged) {
+    throw NumericsRefused(
+        "GMRES stopped at a relative residual of " + short_number(gmres.history.back()) +
+        " after " + std::to_string(gmres.iterations) + " iterations, asked " +
+        short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
+  }
+  return completed(system, std::move(gmres), drive);
+}
+
+// A quarter more nodes, and as many as the softest modes ask for.
+Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
+  return at_least(least_, finer(resolutions_of(solution.references)));
+}
+
+Solution SuspensionSolver::refined(const Configuration& configuration, const Solution& solution,
+                                   double drive) const {
+  const Resolutions resolutions = finer_than(solution);
+  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, solution.gaps));
+  System system{references(resolutions), {}};
+  const StokesProblem problem = loaded_problem(configuration, system.references, solution, drive);
+  system.discrete = std::make_shared<const DiscreteProblem>(
+      discretise(problem, configuration, solution.gaps, system.references));
+  DensityHistory found(1);
+  found.add(0.0, configuration, solution.references, solution.density);
+  Solution finer = converged(system, least_gmres_tolerance(plan_),
+                             found.guess(0.0, configuration, system.references), drive);
+  finer.velocity_scale = solution.velocity_scale;
+  finer.gaps = solution.gaps;
+  return finer;
 }
 
 ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
                                          const Configuration& configuration,
                                          const Solution& solution, double drive) const {
   if (solution.velocity_scale == 0.0) return {};
-  const References finer =
-      references(at_least(least_, stokesbook::finer(resolutions_of(solution.references))));
+  const References finer = references(finer_than(solution));
   const DiscreteProblem fine =
       unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
   try {

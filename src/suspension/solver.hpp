@@ -174,6 +174,17 @@ class SuspensionSolver {
   SolvedFlow disturbance(const Configuration& configuration, const Solution& solution,
                          double drive = 1.0) const;
 
+  /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration, with forces of contact or none
+  /// @param  drive          as in solve()
+  /// @return                the same, without an estimate
+  /// @throws NumericsRefused when GMRES does not converge, or there are too many nodes
+  /// @par Cost      that of a solve with a good guess
+  Solution refined(const Configuration& configuration, const Solution& solution,
+                   double drive = 1.0) const;
+
   /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
   /// included.
   ///
@@ -287,6 +298,7 @@ class SuspensionSolver {
                    const Effort& effort, double drive) const;
   ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
                          const Solution& solution, double drive) const;
+  Resolutions finer_than(const Solution& solution) const;
   Complex frame_velocity(double drive) const;
   StokesProblem loaded_problem(const Configuration& configuration, const References& references,
                                const Solution& solution, double drive) const;
@@ -300,6 +312,8 @@ class SuspensionSolver {
   System system(const Configuration& configuration, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions, double drive) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
+  Solution converged(const System& system, double gmres_tolerance, const ComplexVector& guess,
+                     double drive) const;
   Solution completed(const System& system, GmresResult gmres, double drive) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;

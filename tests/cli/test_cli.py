@@ -165,7 +165,7 @@ class Plan(Program):
 
 class Records(Program):
     def test_tables_are_read_by_numpy(self):
-        self.run_scene()
+        told = self.run_scene().stdout
         folder = self.folder / "out" / "pair"
         table = numpy.genfromtxt(folder / "trajectory.csv", names=True, delimiter=",")
         self.assertEqual(table.dtype.names, tuple("t,body,x,y,theta,ux,uy,omega,fx,fy,torque".split(",")))
@@ -194,6 +194,8 @@ class Records(Program):
         self.assertGreaterEqual(resolution["velocity_error"], steps["velocity_error"].max())
         self.assertTrue((steps["step_error"] > 0.0).all())
         self.assertLessEqual(resolution["configuration_error"], steps["step_error"].sum() * (1 + 1e-12))
+        self.assertEqual(set(resolution["field_errors"]), {"velocity", "pressure"})
+        self.assertIn("error estimates of fields, relative to their largest values: pressure ", told)
 
     def test_the_error_of_steps_is_told_beside_that_of_velocities(self):
         """Steps by Euler err by far more than the velocities, which are right to 1e-5."""

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(python_reads_every_file) {
                           .plan = {"no walls: no N_0", "direct sum"},
                           .has_contact = true,
                           .totals = {1, 5, 2, 3, 4000000000, 6, 7, 0.5, 8, 1e-16, 2e-16, -0.25},
-                          .resolution = {{32, 64}, {48, 64}, 2.5e-9, 1.5e-3},
+                          .resolution = {{32, 64}, {48, 64}, 2.5e-9, 1.5e-3, {{"pressure", 0.25}}},
                           .uniform_velocity = Complex{0.25, -3.0},
                           .wall_seconds = 1.5,
                           .peak_memory = 5000000000,

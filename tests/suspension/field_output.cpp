@@ -181,6 +181,49 @@ BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   BOOST_TEST(std::abs(back.pressure[at] + field.pressure[at]) < 1e-10);
 }
 
+// A disk that is driven through a container with arms: stress peaks at the walls.
+Scene lobed_container(int nodes_a_body, int nodes_a_wall, double tolerance) {
+  Scene result = scene({body(Circle{0.6}, nodes_a_body, {0.5, 0.2}, 0.0, {1.0, 0.3})}, {},
+                       {outer_wall(Star{2.0, 0.2, 5}, nodes_a_wall)});
+  result.solver.tolerance = tolerance;
+  result.output.fields = everything({-2.2, -2.2, 2.2, 2.2}, 25);
+  return result;
+}
+
+EstimatedField estimated(const Scene& scene) {
+  const Solved solved(scene);
+  return estimated_field(solved.solver, solved.configuration, solved.solution);
+}
+
+BOOST_AUTO_TEST_CASE(fields_on_automatic_nodes_meet_the_tolerance) {
+  const Field right = estimated(lobed_container(automatic_nodes, automatic_nodes, 1e-8)).field;
+  for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+    const EstimatedField found =
+        estimated(lobed_container(automatic_nodes, automatic_nodes, tolerance));
+    BOOST_TEST(found.errors.size() == 5u);
+    for (const auto& [quantity, error] : field_differences(found.field, right)) {
+      BOOST_TEST(found.errors.at(quantity) <= tolerance, quantity);
+      BOOST_TEST(error <= tolerance, quantity << ": " << error << " for " << tolerance);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fields_on_given_nodes_stay_and_are_estimated) {
+  const Field right = estimated(lobed_container(automatic_nodes, automatic_nodes, 1e-8)).field;
+  const Solved solved(lobed_container(32, 96, 1e-2));
+  const EstimatedField found =
+      estimated_field(solved.solver, solved.configuration, solved.solution);
+  const Field plain = evaluate_field(solved.solver, solved.configuration, solved.solution);
+  BOOST_TEST(found.solves == 1);
+  for (const auto& [quantity, change] : field_differences(found.field, plain)) {
+    BOOST_TEST(change == 0.0, quantity);
+  }
+  for (const auto& [quantity, error] : field_differences(found.field, right)) {
+    BOOST_TEST(error <= 2.0 * found.errors.at(quantity), quantity);
+    BOOST_TEST(error >= 0.02 * found.errors.at(quantity), quantity);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stokesbook::test

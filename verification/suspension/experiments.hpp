@@ -9,6 +9,7 @@ namespace stokesbook::verification::suspension {
 study::Experiment spread_of_estimates();
 study::Experiment estimates();
 study::Experiment hard_shapes();
+study::Experiment field_errors();
 study::Experiment errors_on_automatic_nodes();
 study::Experiment pair_speeds();
 study::Experiment lubrication();

@@ -42,8 +42,16 @@ Completion reference_of(Scene scene) {
   return solved_at(solver, finer(finer(first)), 1e-14).completion;
 }
 
+// Every other unbounded scene lies up to a thousand lengths away from the centre of its flow.
+void move_away(Scene& scene, std::mt19937_64& random) {
+  const Complex way = std::polar(log_uniform(random, 1.0, 1e3), uniform(random, 0.0, 6.28));
+  if (!scene.walls.empty() || random() % 2 == 0) return;
+  for (Body& body : scene.bodies) body.position += way;
+}
+
 JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
   Scene scene = random_scene(random);
+  move_away(scene, random);
   scene.solver.preconditioner = PreconditionerKind::none;
   const SuspensionSolver solver(scene);
   Resolutions resolutions = resolutions_of(solver.references());

@@ -14,6 +14,7 @@ study::Study suspension_study() {
       .experiments = {spread_of_estimates(),
                       estimates(),
                       hard_shapes(),
+                      field_errors(),
                       errors_on_automatic_nodes(),
                       pair_speeds(),
                       lubrication(),
