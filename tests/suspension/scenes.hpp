@@ -10,6 +10,7 @@
 
 #include "support/distance.hpp"
 #include "support/lopsided_curve.hpp"
+#include "suspension/background_flow.hpp"
 #include "suspension/solver.hpp"
 
 namespace stokesbook::test {
@@ -77,6 +78,15 @@ struct Solved {
            normals(curve).cwiseProduct(density).cwiseProduct(weights(curve)).sum();
   }
 };
+
+/// Converts a residual that is relative to the whole flow, as published ones are, to ours, which
+/// are relative to what strains the bodies.
+inline double relative_to_whole_flow(const SuspensionSolver& solver, double published) {
+  const StokesProblem problem = solver.problem(solver.initial_configuration(), solver.references());
+  const ComplexVector flow =
+      background_velocity(solver.scene().flow, all_nodes(curves_of(problem)));
+  return published * flow.norm() / problem.background.norm();
+}
 
 /// Solves, and checks that the refusal mentions all words.
 inline void check_refused(const Scene& scene, const std::vector<std::string>& words) {
