@@ -30,7 +30,8 @@ struct TextOfLaw {
   }
   std::string operator()(const Cost& law) const { return "operations = C" + power(x, law.order); }
   std::string operator()(const ErrorBelowTolerance& law) const {
-    return short_number(law.least) + " " + x + " <= error <= " + short_number(law.most) + " " + x;
+    const std::string most = "error <= " + short_number(law.most) + " " + x;
+    return law.least > 0.0 ? short_number(law.least) + " " + x + " <= " + most : most;
   }
 };
 

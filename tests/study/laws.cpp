@@ -175,6 +175,7 @@ BOOST_AUTO_TEST_CASE(laws_as_text) {
   BOOST_TEST(law_text(Algebraic{-1.5}, "N") == "error = C N^1.5");
   BOOST_TEST(law_text(Geometric{0.5, 0.05, 1.0}, "N") == "error = C N exp(-0.5 N)");
   BOOST_TEST(law_text(ErrorBelowTolerance{2.0, 0.1}, "eps") == "0.1 eps <= error <= 2 eps");
+  BOOST_TEST(law_text(ErrorBelowTolerance{2.0, 0.0}, "eps") == "error <= 2 eps");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -55,7 +55,7 @@ Experiment step_errors() {
   const Motion motion = known_at_its_end(jeffery_in_shear(8.0));
   return {.key = "step_errors",
           .title = "Error found for the error estimated, fixed steps: an ellipse 3:1 in shear",
-          .x = "estimates of all steps, added up",
+          .x = "sum of the estimates of all steps e",
           .error = "error of the angle at the end",
           .lines = {estimate_line(motion, Method::euler, "euler", "Euler", 200, "09_36"),
                     estimate_line(motion, Method::adams_bashforth2, "adams_bashforth2",
