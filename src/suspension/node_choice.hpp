@@ -39,8 +39,8 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 /// @param  shape    in its own frame
 /// @param  kind     of the component
 /// @param  n_nodes  where the search starts, <= most_nodes_of_a_component
-/// @return          the same number where it does, or one from nodes_for_shape(); the last one
-///                  tried where no number up to most_nodes_of_a_component does
+/// @return          the same number where it does, or a multiple of 4; the last one tried where no
+///                  number up to most_nodes_of_a_component does
 /// @par Cost        softest_mode_error() of two or three counts, O(N^3)
 int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
                            int n_nodes);

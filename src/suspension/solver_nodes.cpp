@@ -51,8 +51,11 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
   }
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     if (given_nodes(scene_, k) != automatic_nodes || demands[k].empty()) continue;
-    resolutions[k] = nodes_for_gaps(demands[k], resolutions[k].n_nodes, scene_.solver.tolerance);
-    resolutions[k].n_nodes = rounded_nodes(resolutions[k].n_nodes);
+    const int own = resolutions[k].n_nodes;
+    resolutions[k] = nodes_for_gaps(demands[k], own, scene_.solver.tolerance);
+    if (resolutions[k].n_nodes > own) {
+      resolutions[k].n_nodes = rounded_nodes(resolutions[k].n_nodes);
+    }
   }
   return resolutions;
 }

@@ -204,7 +204,7 @@ class Source:
         if token.kind != "number" or self.at(i - 1) == "=" and self.at(i - 2) in (
                 ")", "const", "noexcept", "override"):  # a function without a body
             return
-        digits = re.fullmatch(r"(0[xXbB][\w']+|[\d.']+(?:[eE][+-]?\d+)?)([uUlLfFzZ]*)", token.text)
+        digits = re.fullmatch(r"(0[xX][\da-fA-F']+|0[bB][01']+|[\d.']+(?:[eE][+-]?\d+)?)([uUlLfFzZ]*)", token.text)
         if digits is None:
             return
         try:
