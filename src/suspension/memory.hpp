@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "scene/scene.hpp"
 #include "suspension/configuration.hpp"
 #include "suspension/reference.hpp"
 

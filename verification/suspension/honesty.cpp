@@ -125,7 +125,7 @@ Measure errors_over(EstimateKind estimate) {
   };
 }
 
-// What is known of a scene of hard shapes, against automatic nodes for a thousandth of its tolerance.
+// What is known of a scene of hard shapes, against automatic nodes for a hundredth of its tolerance.
 struct JudgedScene {
   double tolerance;
   std::optional<double> accepted;  // error of the solution that is accepted, if one is
@@ -134,7 +134,7 @@ struct JudgedScene {
 
 JudgedScene judge_hard_scene(const Scene& scene) {
   Scene closer = with_nodes(scene, automatic_nodes, automatic_nodes);
-  closer.solver.tolerance = std::max(1e-10, 1e-3 * scene.solver.tolerance);
+  closer.solver.tolerance = std::max(1e-9, 1e-2 * scene.solver.tolerance);
   const SuspensionSolver solver(scene), reference(closer);
   const Configuration start = solver.initial_configuration();
   const Solution right = reference.solve(start);
@@ -154,11 +154,11 @@ JudgedScene judge_hard_scene(const Scene& scene) {
 }
 
 const std::vector<JudgedScene>& judged_hard_scenes(Size size) {
-  const auto judge_all = [](int count) {
+  const auto judge_all = [](int count, double slenderest) {
     std::mt19937_64 random(125);
     std::vector<JudgedScene> found;
     for (int k = 0; k < count; ++k) {
-      const Scene scene = hard_scene(random);
+      const Scene scene = hard_scene(random, slenderest);
       try {
         found.push_back(judge_hard_scene(scene));
       } catch (const NumericsRefused&) {
@@ -167,9 +167,9 @@ const std::vector<JudgedScene>& judged_hard_scenes(Size size) {
     }
     return found;
   };
-  static const std::vector<JudgedScene> quick = judge_all(6);
+  static const std::vector<JudgedScene> quick = judge_all(6, 0.05);
   if (size == Size::quick) return quick;
-  static const std::vector<JudgedScene> full = judge_all(4000);
+  static const std::vector<JudgedScene> full = judge_all(4000, 0.01);
   return full;
 }
 

@@ -34,10 +34,10 @@ Shape random_shape(std::mt19937_64& random) {
 }
 
 // Slender or lobed, as no scene of the book is.
-Shape hard_shape(std::mt19937_64& random) {
+Shape hard_shape(std::mt19937_64& random, double slenderest) {
   switch (random() % 3) {
     case 0:
-      return Ellipse{1.0, log_uniform(random, 0.01, 1.0)};
+      return Ellipse{1.0, log_uniform(random, slenderest, 1.0)};
     case 1: {
       const int arms = 2 + static_cast<int>(random() % 17);
       return Star{1.0, uniform(random, -0.5, 0.5), arms};
@@ -135,7 +135,7 @@ Scene random_scene(std::mt19937_64& random) {
   return scene;
 }
 
-Scene hard_scene(std::mt19937_64& random) {
+Scene hard_scene(std::mt19937_64& random, double slenderest) {
   Scene scene;
   scene.flow = ShearFlow{1.0};
   if (random() % 2 == 0) scene.flow = ExtensionalFlow{1.0};
@@ -143,7 +143,7 @@ Scene hard_scene(std::mt19937_64& random) {
   const bool is_automatic = random() % 2 == 0;
   const std::size_t count = 2 + random() % 2;
   for (std::size_t k = 0; k < count; ++k) {
-    Body body{.shape = hard_shape(random), .n_nodes = automatic_nodes};
+    Body body{.shape = hard_shape(random, slenderest), .n_nodes = automatic_nodes};
     if (!is_automatic) body.n_nodes = 2 * static_cast<int>(log_uniform(random, 4.0, 100.0));
     body.orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
     const double angle = uniform(random, 0.0, 2.0 * std::numbers::pi);

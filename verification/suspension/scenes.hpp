@@ -36,8 +36,9 @@ Scene random_scene(std::mt19937_64& random);
 
 /// Two or three slender, lobed or angular bodies at gaps from 1e-2 to 3, in shear or extension, free
 /// or pushed against each other. Half of the scenes have automatic nodes, the others 8 to 200 a
-/// body, with tolerances from 1e-6 to 3e-2.
-Scene hard_scene(std::mt19937_64& random);
+/// body, with tolerances from 1e-6 to 3e-2. Ellipses are as slender as a ratio of their axes, and
+/// take the square of the nodes that it asks for.
+Scene hard_scene(std::mt19937_64& random, double slenderest);
 
 /// A solution of a scene's start at given nodes.
 struct Solved {
