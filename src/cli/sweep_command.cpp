@@ -1,3 +1,4 @@
+// Runs a sweep: its tasks as processes of their own, side by side, and collects their table.
 #include "cli/sweep_command.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Interpolates the colours of pictures.
 #include "record/colour_map.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Draws fields of the flow: a map of colours, streamlines, and bodies on top.
 #include "record/field_picture.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Writes fields of the flow for ParaView.
 #include "record/field_vti.hpp"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// Draws a configuration: walls, bodies by speed, and contacts.
 #include "record/picture.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Draws what all pictures of a run have: the title, the time and the bar of colours.
 #include "record/picture_parts.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Follows lines of flow on a grid so that they cover it evenly.
 #include "record/streamlines.hpp"
 
 #include <algorithm>

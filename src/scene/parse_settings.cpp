@@ -1,3 +1,4 @@
+// Reads how a scene is solved, how it moves, and what it writes.
 #include <string>
 
 #include "scene/joined.hpp"

@@ -1,3 +1,4 @@
+// Writes the law of a claim as text for the pages.
 #include "study/claim.hpp"
 
 #include "record/number_text.hpp"

@@ -1,3 +1,4 @@
+// Evaluates the undisturbed flow (chapter 12).
 #include "suspension/background_flow.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Turns bodies and walls of a scene into data of the boundary value problem (chapter 12).
 #include "suspension/component_data.hpp"
 
 #include "suspension/background_flow.hpp"

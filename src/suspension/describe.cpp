@@ -1,3 +1,4 @@
+// Tells what a scene needs and gets, for people (chapter 12).
 #include "suspension/describe.hpp"
 
 #include <algorithm>

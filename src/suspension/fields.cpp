@@ -1,3 +1,4 @@
+// Evaluates the flow on a grid, and estimates how wrong that is (chapter 12).
 #include "suspension/fields.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Chooses numbers of nodes: for shapes, for their softest modes, and for tails of densities (chapter 12).
 #include "suspension/node_choice.hpp"
 
 #include <algorithm>

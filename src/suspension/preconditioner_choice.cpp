@@ -1,3 +1,4 @@
+// Chooses the preconditioner that takes the least time for a configuration (chapters 05 and 12).
 #include "suspension/preconditioner_choice.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Prepares once what all components of one shape share (chapter 12).
 #include "suspension/reference.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Explains what cannot be solved as it was asked, and what would help (chapter 12).
 #include "suspension/refusal.hpp"
 
 #include <algorithm>

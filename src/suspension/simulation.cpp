@@ -1,3 +1,4 @@
+// Moves a scene in time, and tells observers what happens (chapter 12).
 #include "suspension/simulation.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// What names of errors of fields begin with.
+// Names of errors of fields begin with this.
 constexpr std::string_view field_error = "field_error_";
 
 // Vectors of any number in a checkpoint.

@@ -1,3 +1,4 @@
+// Solves one instant on as many nodes as its tolerance asks for (chapter 12).
 #include "suspension/solver.hpp"
 
 #include <algorithm>

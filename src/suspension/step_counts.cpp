@@ -1,3 +1,4 @@
+// Counts what a step has done, for its row in steps.csv.
 #include "suspension/step_counts.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Holds the coefficients of Runge-Kutta schemes, and evaluates their stages (chapter 09).
 #include "time_stepping/runge_kutta.hpp"
 
 namespace stokesbook {

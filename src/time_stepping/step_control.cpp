@@ -1,3 +1,4 @@
+// Measures errors of steps, and chooses how long the next one is (chapter 09).
 #include "time_stepping/step_control.hpp"
 
 #include <algorithm>

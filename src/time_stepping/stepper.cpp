@@ -1,3 +1,4 @@
+// Takes one step by any of the methods, and a shorter one where it fails (chapter 09).
 #include "time_stepping/stepper.hpp"
 
 #include <algorithm>

@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   refuse_or_read([&] {
     scene_text::parse_csv(text, "bodies.csv", {"x,y", "x,y,theta", "cx,cy,semi_a,semi_b,theta"});
   });
-  // What is read is written as a scene that reads as the same.
+  // A scene that could be read is written, and reads as the same.
   refuse_or_read([&] {
     const Scene scene = parse_scene(text, "scene.toml", "nowhere");
     if (parse_scene(to_toml(scene), "written.toml", "nowhere") != scene) __builtin_trap();

@@ -68,7 +68,7 @@ void check_orders(double long_step, double short_step, double reference_step) {
   const auto error = [&](double dt, SteppingMethod method) {
     const auto [distance, estimate] = end(dt, method);
     const double apart = std::abs(distance - reference);
-    // Of two bodies, in radii.
+    // The distance is that of two bodies of radius 1/2, so it is theirs in radii.
     BOOST_TEST(apart < 10.0 * estimate, apart << ", estimated " << estimate);
     BOOST_TEST(estimate < (method == euler ? 20.0 : 1e3) * apart);
     return apart;

@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(approaching_circles_have_the_order_of_the_stepper) {
   check_order([](double dt) { return circles_error(SteppingMethod::rk4, dt); }, 0.1, 4.0);
 }
 
-// What steps add up to is what a run ends with, as far as the flow makes errors neither grow nor decay,
-// and more where estimates are those of a lower order.
+// The estimates of steps add up to the error at the end, as far as the flow makes errors neither grow
+// nor decay, and to more where they are those of a lower order.
 BOOST_AUTO_TEST_CASE(estimates_of_steps_add_up_to_the_error_of_the_end) {
   using enum SteppingMethod;
   for (const SteppingMethod method : {euler, adams_bashforth2, heun, rk4, bogacki_shampine32,

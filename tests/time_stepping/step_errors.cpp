@@ -1,4 +1,5 @@
-// What estimates of a step's error are worth: near the error itself for fixed steps of low order.
+// Estimates of a step's error are near the error itself for fixed steps of low order, and too large
+// for all others.
 
 #include <functional>
 

@@ -1,3 +1,4 @@
+// Runs the published Couette cells, and keeps what their tables and claims ask for.
 #include "couette_series.hpp"
 
 #include <chrono>

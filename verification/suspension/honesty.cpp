@@ -125,7 +125,7 @@ Measure errors_over(EstimateKind estimate) {
   };
 }
 
-// What is known of a scene of hard shapes, against automatic nodes for a hundredth of its tolerance.
+// A scene of hard shapes is judged against automatic nodes for a hundredth of its tolerance.
 struct JudgedScene {
   double tolerance;
   std::optional<double> accepted;  // error of the solution that is accepted, if one is

@@ -1,3 +1,4 @@
+// Makes the scenes of the study: those that are shipped, and random ones.
 #include "scenes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Runs motions by the steppers, and measures their errors and costs.
 #include "runs.hpp"
 
 #include <algorithm>

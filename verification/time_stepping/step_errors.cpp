@@ -1,4 +1,4 @@
-// What the estimates of steps add up to: the error estimated for a run, and the one found.
+// Compares what the estimates of steps add up to with the error at the end.
 #include <cmath>
 
 #include "experiments.hpp"
