@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
@@ -55,6 +56,15 @@ Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
   return resolutions;
 }
 
+// The density of a solution, on other nodes of the same configuration.
+DensityGuess guess_from(const Configuration& configuration, const Solution& solution) {
+  DensityHistory found(1);
+  found.add(0.0, configuration, solution.references, solution.density);
+  return [configuration, found](const References& references) {
+    return found.guess(0.0, configuration, references);
+  };
+}
+
 std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
   const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
   const std::vector<Index>& offsets = discrete.system.offsets();
@@ -84,10 +94,15 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
+  std::map<const Reference*, int> least;
   for (std::size_t k = 0; k < count; ++k) {
     const Reference& reference = *references_[k];
-    least_.push_back(
-        {nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes)});
+    const auto [entry, is_new] = least.try_emplace(&reference);
+    if (is_new) {
+      entry->second =
+          nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes);
+    }
+    least_.push_back({entry->second});
     if (given_nodes(scene_, k) == automatic_nodes) own[k] = least_[k];
   }
   refuse(limit_refusal(scene_, own, {}));
@@ -158,10 +173,8 @@ Solution SuspensionSolver::refined(const Configuration& configuration, const Sol
   const StokesProblem problem = loaded_problem(configuration, system.references, solution, drive);
   system.discrete = std::make_shared<const DiscreteProblem>(
       discretise(problem, configuration, solution.gaps, system.references));
-  DensityHistory found(1);
-  found.add(0.0, configuration, solution.references, solution.density);
   Solution finer = converged(system, least_gmres_tolerance(plan_),
-                             found.guess(0.0, configuration, system.references), drive);
+                             guess_from(configuration, solution)(system.references), drive);
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
   return finer;
@@ -229,11 +242,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
       throw ConfigurationRefused(accuracy_refusal(scene_, effort.resolutions, least_, tails,
                                                   solution.error_estimate, gaps));
     }
-    DensityHistory found(1);
-    found.add(0.0, configuration, solution.references, solution.density);
-    next.guess = [&configuration, found](const References& references) {
-      return found.guess(0.0, configuration, references);
-    };
+    next.guess = guess_from(configuration, solution);
     effort = std::move(next);
   }
 }
