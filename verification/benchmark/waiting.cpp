@@ -57,11 +57,11 @@ class BusyProcesses {
   std::vector<pid_t> children_;
 };
 
-// Runs a command, which prints wall and CPU seconds, some times, and returns the times of the run
+// Runs a command, which prints wall and CPU seconds, three times, and returns the times of the run
 // with the least wall time.
-WorkTime least_of_runs(int runs, const std::string& command) {
+WorkTime least_of_three_runs(const std::string& command) {
   WorkTime least{};
-  for (int k = 0; k < runs; ++k) {
+  for (int k = 0; k < 3; ++k) {
     const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
     WorkTime time{};
     if (!output || std::fscanf(output.get(), "%lf %lf", &time.wall, &time.cpu) != 2) {
@@ -80,10 +80,9 @@ WorkTime solve_often(int solves) {
   return {wall, cpu_seconds() - cpu};
 }
 
-Table time_waiting(const std::string& program, int solves, int runs) {
-  const std::string work = "'" + program + "' --solves " + std::to_string(solves);
-  Table table{"Waiting threads, Taylor-Green start solved " + std::to_string(solves) +
-                  " times with two threads",
+Table time_waiting(const std::string& program) {
+  const std::string work = "'" + program + "' --solves 50";
+  Table table{"Waiting threads, Taylor-Green start solved 50 times with two threads",
               {"busy processes beside", "own choice s", "own choice CPU s", "spinning s",
                "spinning CPU s", "own/spinning"},
               {},
@@ -92,8 +91,8 @@ Table time_waiting(const std::string& program, int solves, int runs) {
     const BusyProcesses busy(beside);
     const std::string environment =
         "env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT -u KMP_BLOCKTIME OMP_NUM_THREADS=2 ";
-    const WorkTime own = least_of_runs(runs, environment + work);
-    const WorkTime spinning = least_of_runs(runs, environment + "OMP_WAIT_POLICY=active " + work);
+    const WorkTime own = least_of_three_runs(environment + work);
+    const WorkTime spinning = least_of_three_runs(environment + "OMP_WAIT_POLICY=active " + work);
     table.rows.push_back({static_cast<double>(beside), own.wall, own.cpu, spinning.wall,
                           spinning.cpu, own.wall / spinning.wall});
   }

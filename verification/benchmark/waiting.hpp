@@ -23,8 +23,6 @@ WorkTime solve_often(int solves);
 ///
 /// The policy holds for a whole process, so that each time comes from a process of its own.
 /// @param  program  path of this program, whose option --solves calls solve_often()
-/// @param  solves   how often to solve
-/// @param  runs     how many runs of each kind; the table shows the one with the least wall time
-Table time_waiting(const std::string& program, int solves, int runs);
+Table time_waiting(const std::string& program);
 
 }  // namespace stokesbook
