@@ -176,6 +176,8 @@ class SuspensionSolver {
 
   /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
   ///
+  /// It tells how wrong a quantity is that has no estimate of its own, such as a traction: by twice
+  /// what it changes.
   /// @param  configuration  where the components are
   /// @param  solution       from solve() in this configuration, with forces of contact or none
   /// @param  drive          as in solve()

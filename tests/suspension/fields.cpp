@@ -1,8 +1,12 @@
 // The velocity field of a solution is a Stokes flow: free of divergence, with a biharmonic
 // velocity, continuous up to the boundary, decaying as its loads and stresslets say.
 
+#include <numbers>
+
 #include "circle_averages.hpp"
+#include "stress/traction.hpp"
 #include "suspension/background_flow.hpp"
+#include "trapezoid/fourier.hpp"
 #include "units.hpp"
 
 namespace stokesbook::test {
@@ -42,6 +46,24 @@ Complex derivative(const Solved& solved, Complex point, Complex step) {
   const ComplexVector u = solved.velocity(
       ComplexVector{{point - 2.0 * step, point - step, point + step, point + 2.0 * step}});
   return (u[0] - 8.0 * u[1] + 8.0 * u[2] - u[3]) / (12.0 * std::abs(step));
+}
+
+// Tractions of the whole flow at the nodes of a solution.
+ComplexVector tractions(const Solved& solved, const Solution& solution) {
+  const StokesProblem problem = solved.solver.problem(solved.configuration, solution.references);
+  const ComplexVector& nodes = problem.components[0].curve.x;
+  return boundary_traction(problem,
+                           solved.solver.derivatives(solved.configuration, solution, nodes));
+}
+
+// The largest difference of two functions on a curve, over the largest value of the second.
+double relative_difference(const ComplexVector& f, const ComplexVector& g) {
+  std::vector<double> parameters;
+  for (Eigen::Index j = 0; j < g.size(); ++j) {
+    parameters.push_back(2.0 * std::numbers::pi * static_cast<double>(j) /
+                         static_cast<double>(g.size()));
+  }
+  return (interpolated(f, parameters) - g).cwiseAbs().maxCoeff() / g.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -225,6 +247,27 @@ BOOST_AUTO_TEST_CASE(uniform_velocity_at_infinity) {
   };
   BOOST_TEST(remainder(1e4) < 1e-3);
   BOOST_TEST(remainder(1e3) / remainder(1e4) == 10.0, boost::test_tools::tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(errors_of_tractions_by_a_refined_solution) {
+  for (const Shape& shape : std::vector<Shape>{Ellipse{1, 0.25}, Star{0.8, 0.1, 3}}) {
+    const auto alone = [&](int n_nodes) {
+      return scene({body(shape, n_nodes, {2.0, 1.0}, 0.3)}, ShearFlow{0.7});
+    };
+    const Solved right(alone(256));
+    const ComplexVector exact = tractions(right, right.solution);
+    Scene rough = alone(automatic_nodes);
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+      rough.solver.tolerance = tolerance;
+      const Solved solved(rough);
+      const Solution refined = solved.solver.refined(solved.configuration, solved.solution);
+      const ComplexVector found = tractions(solved, solved.solution);
+      const double estimate = 2.0 * relative_difference(found, tractions(solved, refined));
+      const double error = relative_difference(found, exact);
+      BOOST_TEST(error < estimate);
+      BOOST_TEST(estimate < 10.0 * error);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
