@@ -168,6 +168,18 @@ BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
   BOOST_TEST(run.totals.rejected_steps <= 2);
 }
 
+BOOST_AUTO_TEST_CASE(steps_too_long_for_a_crowd_are_halved) {
+  std::vector<Body> bodies{body_at(Ellipse{0.3, 0.12}, {}, automatic_nodes)};
+  for (int k = 0; k < 6; ++k) {
+    bodies.push_back(turned(Ellipse{0.3, 0.12}, std::polar(0.62, k * pi / 3), k * pi / 3 + 1.8));
+  }
+  Scene scene = over(in_turning_container(0.85, bodies, 0.01), 1.0, 1.0);
+  scene.solver.tolerance = 1e-2;
+  const RecordedRun run = recorded_run(scene);
+  check_contact(scene, run);
+  BOOST_TEST(run.totals.halved_by_contact > 0);
+}
+
 // A disk rests in a container on sixteen times the nodes that it needs, as a film before may have
 // asked for.
 BOOST_AUTO_TEST_CASE(lasting_contact_gives_back_nodes) {
