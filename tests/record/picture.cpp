@@ -60,6 +60,16 @@ BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(pictures_do_not_tell_where_a_scene_lies) {
+  const Frame here = sample_frame(0);
+  Frame far = here;
+  const Complex way{4096.0, 1024.0};
+  for (BodyState& body : far.bodies) body.position += way;
+  for (WallLoad& wall : far.walls) wall.position += way;
+  for (ContactForce& contact : far.contacts) contact.point += way;
+  BOOST_TEST((draw(far) == draw(here)));
+}
+
 BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
   const std::string picture = draw(sample_frame(0));
   const std::regex path(

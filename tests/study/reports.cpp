@@ -132,6 +132,23 @@ BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
 }
 
+BOOST_AUTO_TEST_CASE(work_precision_tables_have_a_row_for_every_measurement) {
+  const StudyResult result = sample_result();
+  const std::string table =
+      work_precision_table(result.study.experiments[0], result.experiments[0]);
+  std::size_t measurements = 0;
+  for (const LineResult& line : result.experiments[0]) {
+    measurements += line.measurements.size();
+    for (const Measurement& point : line.measurements) {
+      BOOST_TEST(contains(
+          table, "<td>" + html_number(point.x) + "</td><td>" + html_number(point.error) + "</td>"));
+    }
+  }
+  const std::regex row("<tr>");
+  const std::sregex_iterator first(table.begin(), table.end(), row), end;
+  BOOST_TEST(std::distance(first, end) == static_cast<std::ptrdiff_t>(1 + measurements));
+}
+
 BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
   Study study = sample_study();
   const StudyResult result = sample_result();

@@ -154,6 +154,19 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(separations_are_compared_with_the_largest_body) {
+  Scene disks = scene({body(Circle{1.0}, 32, {}), body(Circle{0.01}, 32, {3.0, 0.0})});
+  for (int order = 0; order < 2; ++order) {
+    const SuspensionSolver solver(disks);
+    const auto refusal = [&](double separation) {
+      return separation_refusal(separation, solver.initial_configuration(), solver.references());
+    };
+    BOOST_TEST(refusal(1.01e-8).empty());
+    BOOST_TEST(!refusal(0.99e-8).empty());
+    std::swap(disks.bodies[0], disks.bodies[1]);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(failed_iterations) {
   Scene hard = mixed_bodies(1);
   hard.solver.gmres_max_iterations = 3;
