@@ -165,7 +165,7 @@ def unproved_accuracy(name, text):
 def source_violations(root):
     violations = []
     for study in sorted(root.glob("verification/*/study.cpp")):
-        for path in sorted((root / "src" / study.parent.name).glob("*.hpp")):
+        for path in sorted((root / "src" / study.parent.name).rglob("*.hpp")):
             violations += unproved_accuracy(path.relative_to(root).as_posix(), path.read_text())
     for path in sorted([*root.glob("chapters/*/chapter.md"), *root.glob("docs/*.md"),
                         *root.glob("chapters/*/exercises/*/README.md")]):

@@ -12,8 +12,8 @@
 
 #include "record/atomic_file.hpp"
 #include "record/svg.hpp"
-#include "suspension/density_history.hpp"
-#include "suspension/stepping.hpp"
+#include "suspension/motion/stepping.hpp"
+#include "suspension/solver/density_history.hpp"
 
 using namespace stokesbook;
 using Eigen::VectorXd;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "suspension/describe.hpp"
-#include "suspension/simulation.hpp"
+#include "suspension/motion/describe.hpp"
+#include "suspension/motion/simulation.hpp"
 
 using namespace stokesbook;
 

@@ -17,7 +17,7 @@
 #include "cli/sweep_command.hpp"
 #include "record/record_error.hpp"
 #include "scene/error.hpp"
-#include "suspension/numerics_refused.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
 
 namespace stokesbook {
 

@@ -21,10 +21,10 @@
 #include "scene/error.hpp"
 #include "scene/parse.hpp"
 #include "scene/write.hpp"
-#include "suspension/contact.hpp"
-#include "suspension/describe.hpp"
-#include "suspension/fill.hpp"
-#include "suspension/simulation.hpp"
+#include "suspension/contact/contact.hpp"
+#include "suspension/motion/describe.hpp"
+#include "suspension/motion/simulation.hpp"
+#include "suspension/nodes/fill.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {

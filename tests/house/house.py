@@ -41,7 +41,8 @@ BUILD_OUTPUT = re.compile(
 
 def included_rooms(source):
     """Room of every quoted include of one source file; "" where the include names none."""
-    return {name.rpartition("/")[0] for name in INCLUDE.findall(source.read_text())}
+    return {name.partition("/")[0] if "/" in name else ""
+            for name in INCLUDE.findall(source.read_text())}
 
 
 def declared_uses(cmake_lists):
@@ -66,15 +67,16 @@ def use_violations(root):
             violations.append(f"src/{room.name}: this room is not in the table")
             continue
         included = set()
-        for source in sorted([*room.glob("*.hpp"), *room.glob("*.cpp")]):
+        for source in sorted([*room.rglob("*.hpp"), *room.rglob("*.cpp")]):
             for used in sorted(included_rooms(source) - {room.name}):
+                name = source.relative_to(root).as_posix()
                 if used == "":
-                    violations.append(f"src/{room.name}/{source.name}: an include without its room")
+                    violations.append(f"{name}: an include without its room")
                     continue
                 included.add(used)
                 if used not in MAY_USE[room.name]:
-                    violations.append(f"src/{room.name}/{source.name} includes from {used}, "
-                                      f"which {room.name} may not use")
+                    violations.append(
+                        f"{name} includes from {used}, which {room.name} may not use")
         cmake_lists = room / "CMakeLists.txt"
         linked = declared_uses(cmake_lists) if cmake_lists.exists() else None
         if linked is None:

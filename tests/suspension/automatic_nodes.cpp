@@ -3,7 +3,7 @@
 
 #include "scenes.hpp"
 #include "support/closed_forms.hpp"
-#include "suspension/node_choice.hpp"
+#include "suspension/nodes/node_choice.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -1,6 +1,6 @@
 // Every background flow is the formula of the scene format, and none has divergence.
 
-#include "suspension/background_flow.hpp"
+#include "suspension/bodies/background_flow.hpp"
 
 #include <boost/test/unit_test.hpp>
 

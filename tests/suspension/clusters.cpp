@@ -1,13 +1,13 @@
 // Clusters of neighbours: the counts of nearly touching bodies, and the same solutions as without.
 
-#include "suspension/clusters.hpp"
+#include "suspension/system/clusters.hpp"
 
 #include <omp.h>
 
 #include "double_layer/double_layer.hpp"
 #include "support/touching.hpp"
-#include "suspension/preconditioner_choice.hpp"
 #include "suspension/scenes.hpp"
+#include "suspension/system/preconditioner_choice.hpp"
 
 namespace stokesbook::test {
 

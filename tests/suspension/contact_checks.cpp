@@ -8,7 +8,7 @@
 #include "double_layer/double_layer.hpp"
 #include "support/contact_balance.hpp"
 #include "support/exact_gaps.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::test {
 

@@ -7,7 +7,7 @@
 #include "contact_setup.hpp"
 #include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
-#include "suspension/load_response.hpp"
+#include "suspension/contact/load_response.hpp"
 
 namespace stokesbook::test {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "scene/parse.hpp"
-#include "suspension/rheology.hpp"
 #include "suspension/scenes.hpp"
+#include "suspension/solver/rheology.hpp"
 
 namespace stokesbook::test {
 

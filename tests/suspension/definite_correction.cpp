@@ -1,6 +1,6 @@
 // Computed mobilities that are not definite, and those that are.
 
-#include "suspension/definite_correction.hpp"
+#include "suspension/contact/definite_correction.hpp"
 
 #include <random>
 

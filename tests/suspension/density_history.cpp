@@ -1,6 +1,6 @@
 // Densities are extrapolated as polynomials in time, in the frames of bodies that move and turn,
 // between nodes that differ; a guess changes iterations, not solutions.
-#include "suspension/density_history.hpp"
+#include "suspension/solver/density_history.hpp"
 
 #include "scenes.hpp"
 #include "support/vectors.hpp"

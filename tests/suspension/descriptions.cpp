@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suspension/describe.hpp"
+#include "suspension/motion/describe.hpp"
 #include "suspension/scenes.hpp"
 
 namespace stokesbook::test {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "support/recorded_run.hpp"
-#include "suspension/rheology.hpp"
 #include "suspension/scenes.hpp"
+#include "suspension/solver/rheology.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "scene/parse.hpp"
-#include "suspension/error_estimate.hpp"
-#include "suspension/fill.hpp"
+#include "suspension/nodes/fill.hpp"
 #include "suspension/random_scenes.hpp"
-#include "suspension/side_test.hpp"
+#include "suspension/solver/side_test.hpp"
+#include "suspension/system/error_estimate.hpp"
 
 namespace stokesbook::test {
 namespace {

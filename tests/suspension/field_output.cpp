@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "suspension/fields.hpp"
 #include "suspension/scenes.hpp"
-#include "suspension/side_test.hpp"
+#include "suspension/solver/fields.hpp"
+#include "suspension/solver/side_test.hpp"
 
 namespace stokesbook::test {
 namespace {

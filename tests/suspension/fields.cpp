@@ -5,7 +5,7 @@
 
 #include "circle_averages.hpp"
 #include "stress/traction.hpp"
-#include "suspension/background_flow.hpp"
+#include "suspension/bodies/background_flow.hpp"
 #include "trapezoid/fourier.hpp"
 #include "units.hpp"
 

@@ -9,8 +9,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/smooth_curve.hpp"
-#include "suspension/fill.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/nodes/fill.hpp"
+#include "suspension/solver/solver.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

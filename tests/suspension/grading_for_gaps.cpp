@@ -1,6 +1,6 @@
 // Nodes chosen for gaps: equidistant where that serves, few where it does not, and enough: motions
 // of bodies that nearly touch have the digits asked for.
-#include "suspension/grading_for_gaps.hpp"
+#include "suspension/nodes/grading_for_gaps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
 #include "support/smooth_curve.hpp"
-#include "suspension/density_decay.hpp"
-#include "suspension/operator.hpp"
+#include "suspension/nodes/density_decay.hpp"
+#include "suspension/system/operator.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

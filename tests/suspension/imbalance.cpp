@@ -1,7 +1,7 @@
 // The measure of how contact forces balance sees what they leave over, and not where the origin is.
 
 #include "scenes.hpp"
-#include "suspension/contact.hpp"
+#include "suspension/contact/contact.hpp"
 
 namespace stokesbook::test {
 

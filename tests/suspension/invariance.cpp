@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "expected.hpp"
-#include "suspension/component_data.hpp"
+#include "suspension/bodies/component_data.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -2,7 +2,7 @@
 // block-diagonal preconditioner pays for slender bodies.
 
 #include "double_layer/double_layer.hpp"
-#include "suspension/background_flow.hpp"
+#include "suspension/bodies/background_flow.hpp"
 #include "suspension/scenes.hpp"
 
 namespace stokesbook::test {

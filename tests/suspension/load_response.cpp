@@ -1,6 +1,6 @@
 // Responses to loads: by earlier ones, corrected, the same as by solves for each.
 
-#include "suspension/load_response.hpp"
+#include "suspension/contact/load_response.hpp"
 
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>

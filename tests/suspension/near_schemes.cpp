@@ -2,7 +2,7 @@
 // close pairs of two bodies, of a body and a wall, and of two walls.
 
 #include "scenes.hpp"
-#include "suspension/describe.hpp"
+#include "suspension/motion/describe.hpp"
 
 namespace stokesbook::test {
 namespace {

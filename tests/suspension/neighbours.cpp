@@ -8,9 +8,9 @@
 
 #include "near_singular/barycentric.hpp"
 #include "near_singular/near_test.hpp"
-#include "suspension/gaps.hpp"
+#include "suspension/bodies/gaps.hpp"
 #include "suspension/scenes.hpp"
-#include "suspension/side_test.hpp"
+#include "suspension/solver/side_test.hpp"
 
 namespace stokesbook::test {
 

@@ -1,7 +1,7 @@
 // The matrix-free operator is the dense system that closure and null_space assemble, and its
 // iteration counts on nine circles are those of the specification, unresolved and resolved.
 
-#include "suspension/operator.hpp"
+#include "suspension/system/operator.hpp"
 
 #include "double_layer/double_layer.hpp"
 #include "scenes.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "suspension/memory.hpp"
+#include "suspension/nodes/memory.hpp"
 #include "suspension/random_scenes.hpp"
-#include "suspension/refusal.hpp"
+#include "suspension/solver/refusal.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

@@ -1,6 +1,6 @@
 // Rheology: closed forms, reference numbers of the specification, and what is not defined.
 
-#include "suspension/rheology.hpp"
+#include "suspension/solver/rheology.hpp"
 
 #include "suspension/expected.hpp"
 #include "suspension/trajectories.hpp"

@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "suspension/numerics_refused.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

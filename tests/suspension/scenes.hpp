@@ -10,8 +10,8 @@
 
 #include "support/distance.hpp"
 #include "support/lopsided_curve.hpp"
-#include "suspension/background_flow.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/bodies/background_flow.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::test {
 

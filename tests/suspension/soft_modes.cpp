@@ -3,7 +3,7 @@
 // tolerances.
 
 #include "scenes.hpp"
-#include "suspension/node_choice.hpp"
+#include "suspension/nodes/node_choice.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/known_motions.hpp"
-#include "suspension/numerics_refused.hpp"
-#include "suspension/passing.hpp"
-#include "suspension/step_counts.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/motion/passing.hpp"
+#include "suspension/motion/step_counts.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

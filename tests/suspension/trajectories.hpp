@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "suspension/simulation.hpp"
+#include "suspension/motion/simulation.hpp"
 
 namespace stokesbook::test {
 

@@ -1,7 +1,7 @@
 #include "taylor_green.hpp"
 
 #include "stopwatch.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::verification::hard_cases {
 

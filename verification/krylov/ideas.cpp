@@ -7,7 +7,7 @@
 #include "support/dense.hpp"
 #include "support/once.hpp"
 #include "support/touching.hpp"
-#include "suspension/clusters.hpp"
+#include "suspension/system/clusters.hpp"
 
 namespace stokesbook::verification::krylov {
 

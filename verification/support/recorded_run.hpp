@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "suspension/simulation.hpp"
+#include "suspension/motion/simulation.hpp"
 
 namespace stokesbook::test {
 

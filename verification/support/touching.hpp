@@ -1,7 +1,7 @@
 #pragma once
 
-#include "suspension/clusters.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
+#include "suspension/system/clusters.hpp"
 
 namespace stokesbook::test {
 

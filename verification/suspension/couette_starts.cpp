@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "scenes.hpp"
 #include "support/once.hpp"
-#include "suspension/rheology.hpp"
+#include "suspension/solver/rheology.hpp"
 
 namespace stokesbook::verification::suspension {
 

@@ -3,7 +3,7 @@
 
 #include "experiments.hpp"
 #include "scenes.hpp"
-#include "suspension/fields.hpp"
+#include "suspension/solver/fields.hpp"
 
 namespace stokesbook::verification::suspension {
 

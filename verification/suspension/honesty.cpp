@@ -5,7 +5,7 @@
 
 #include "experiments.hpp"
 #include "scenes.hpp"
-#include "suspension/numerics_refused.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
 
 namespace stokesbook::verification::suspension {
 

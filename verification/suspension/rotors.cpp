@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "experiments.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::verification::suspension {
 

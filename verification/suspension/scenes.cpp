@@ -9,8 +9,8 @@
 #include "double_layer/double_layer.hpp"
 #include "scene/parse.hpp"
 #include "support/smooth_curve.hpp"
-#include "suspension/fill.hpp"
-#include "suspension/gaps.hpp"
+#include "suspension/bodies/gaps.hpp"
+#include "suspension/nodes/fill.hpp"
 
 namespace stokesbook::verification::suspension {
 

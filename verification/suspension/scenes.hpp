@@ -4,9 +4,9 @@
 #include <random>
 #include <string>
 
-#include "suspension/error_estimate.hpp"
-#include "suspension/node_choice.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/nodes/node_choice.hpp"
+#include "suspension/solver/solver.hpp"
+#include "suspension/system/error_estimate.hpp"
 
 namespace stokesbook::verification::suspension {
 

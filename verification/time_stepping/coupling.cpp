@@ -8,8 +8,8 @@
 #include "experiments.hpp"
 #include "support/once.hpp"
 #include "support/point_sets.hpp"
-#include "suspension/density_history.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/density_history.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::verification::time_stepping {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "support/known_motions.hpp"
-#include "suspension/solver.hpp"
-#include "suspension/stepping.hpp"
+#include "suspension/motion/stepping.hpp"
+#include "suspension/solver/solver.hpp"
 #include "time_stepping/stepper.hpp"
 
 namespace stokesbook::verification::time_stepping {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "experiments.hpp"
-#include "suspension/density_history.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/density_history.hpp"
+#include "suspension/solver/solver.hpp"
 
 namespace stokesbook::verification::time_stepping {
 

@@ -5,7 +5,7 @@
 #include "experiments.hpp"
 #include "multistep.hpp"
 #include "support/once.hpp"
-#include "suspension/simulation.hpp"
+#include "suspension/motion/simulation.hpp"
 
 namespace stokesbook::verification::time_stepping {
 

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 int main() {
   using namespace stokesbook;

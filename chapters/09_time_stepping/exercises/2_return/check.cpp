@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "study/plot.hpp"
-#include "suspension/stepping.hpp"
+#include "suspension/motion/stepping.hpp"
 #include "time_stepping/runge_kutta.hpp"
 
 using namespace stokesbook;

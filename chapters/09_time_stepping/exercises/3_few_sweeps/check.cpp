@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 using namespace stokesbook;
 using Eigen::VectorXd;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "study/plot.hpp"
-#include "suspension/solver.hpp"
+#include "suspension/solver/solver.hpp"
 
 using namespace stokesbook;
 using exercise::expect;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suspension/simulation.hpp"
+#include "suspension/motion/simulation.hpp"
 
 using namespace stokesbook;
 using Eigen::VectorXd;

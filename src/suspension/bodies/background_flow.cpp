@@ -1,0 +1,75 @@
+// Evaluates the undisturbed flow (chapter 12).
+#include "suspension/bodies/background_flow.hpp"
+
+#include <cmath>
+
+namespace stokesbook {
+
+namespace {
+
+struct VelocityAt {
+  Complex x;
+
+  Complex operator()(const QuiescentFlow&) const { return 0.0; }
+  Complex operator()(const UniformFlow& flow) const { return flow.velocity; }
+  Complex operator()(const ShearFlow& flow) const { return flow.rate * x.imag(); }
+  Complex operator()(const ExtensionalFlow& flow) const { return flow.rate * std::conj(x); }
+  Complex operator()(const TaylorGreenFlow& flow) const {
+    return flow.rate * Complex{std::cos(x.real()) * std::sin(x.imag()),
+                               -std::sin(x.real()) * std::cos(x.imag())};
+  }
+  Complex operator()(const LinearFlow& flow) const {
+    const Eigen::Vector2d u = flow.gradient * Eigen::Vector2d{x.real(), x.imag()};
+    return {u[0], u[1]};
+  }
+};
+
+struct DerivativesAt {
+  Complex x;
+
+  FlowDerivatives operator()(const QuiescentFlow&) const { return {}; }
+  FlowDerivatives operator()(const UniformFlow&) const { return {}; }
+  FlowDerivatives operator()(const ShearFlow& flow) const {
+    return {0.0, -flow.rate, imaginary * flow.rate};
+  }
+  FlowDerivatives operator()(const ExtensionalFlow& flow) const {
+    return {0.0, 0.0, 2.0 * flow.rate};
+  }
+  FlowDerivatives operator()(const TaylorGreenFlow& flow) const {
+    return {0.0, -2.0 * flow.rate * std::cos(x.real()) * std::cos(x.imag()),
+            -2.0 * flow.rate * std::sin(x.real()) * std::sin(x.imag())};
+  }
+  FlowDerivatives operator()(const LinearFlow& flow) const {
+    const Eigen::Matrix2d& g = flow.gradient;
+    return {0.0, g(1, 0) - g(0, 1), {g(0, 0) - g(1, 1), g(0, 1) + g(1, 0)}};
+  }
+};
+
+}  // namespace
+
+ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points) {
+  ComplexVector velocity(points.size());
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    velocity[i] = std::visit(VelocityAt{points[i]}, flow);
+  }
+  return velocity;
+}
+
+ComplexVector background_about(const BackgroundFlow& flow, Complex centre,
+                               const ComplexVector& offsets) {
+  if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
+  if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
+  const Complex at_centre = background_velocity(flow, ComplexVector::Constant(1, centre))[0];
+  return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
+}
+
+std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
+                                                    const ComplexVector& points) {
+  std::vector<FlowDerivatives> derivatives;
+  for (const Complex point : points) {
+    derivatives.push_back(std::visit(DerivativesAt{point}, flow));
+  }
+  return derivatives;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,164 @@
+#include "suspension/bodies/gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "near_singular/near_test.hpp"
+#include "stiv/component_pair.hpp"
+#include "trapezoid/rectangle_index.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+bool encloses(const Reference& reference) {
+  return reference.curve.side == Side::fluid_inside;
+}
+
+// Squares about the components' bounding circles; an enclosing wall is a neighbour of all.
+std::vector<Rectangle> rectangles_of(const Configuration& configuration,
+                                     const References& references) {
+  std::vector<Rectangle> rectangles;
+  ComplexVector corners(2 * static_cast<Eigen::Index>(references.size()));
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    rectangles.push_back(
+        square_about(configuration[k].position, outer_radius(references[k]->curve, 0.0)));
+    corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles[k].lower,
+        rectangles[k].upper;
+  }
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    if (encloses(*references[k])) rectangles[k] = bounding_rectangle(corners);
+  }
+  return rectangles;
+}
+
+// Bounding circles of all components and the reach of their trapezoid rules.
+class BroadPhase {
+ public:
+  BroadPhase(const Configuration& configuration, const References& references, double tolerance)
+      : configuration_(configuration),
+        references_(references),
+        rectangles_(rectangles_of(configuration, references)),
+        index_(rectangles_) {
+    for (const auto& reference : references) {
+      radius_.push_back(outer_radius(reference->curve, 0.0));
+      reach_.push_back(near_reach(reference->curve, tolerance));
+    }
+  }
+
+  // Lower bound of a gap; an enclosing wall need not be convex, its bounding circle says nothing.
+  double least_gap(const ComponentPair& pair) const {
+    const auto [a, b] = pair;
+    if (encloses(*references_[a]) || encloses(*references_[b])) return 0.0;
+    return std::abs(configuration_[a].position - configuration_[b].position) - radius_[a] -
+           radius_[b];
+  }
+
+  bool in_reach(const ComponentPair& pair) const {
+    return least_gap(pair) < std::max(reach_[pair.first], reach_[pair.second]);
+  }
+
+  std::vector<ComponentPair> pairs_in_reach() const { return pairs_within(reach_); }
+
+  // Pairs out of reach whose gap may be less than a distance, the least lower bounds first.
+  std::vector<ComponentPair> pairs_beyond_reach(double distance) const {
+    std::vector<ComponentPair> pairs = pairs_within(std::vector<double>(reach_.size(), distance));
+    std::erase_if(pairs, [&](const ComponentPair& pair) { return in_reach(pair); });
+    std::ranges::stable_sort(pairs, {}, [&](const ComponentPair& pair) { return least_gap(pair); });
+    return pairs;
+  }
+
+  double smallest_reach() const { return std::ranges::min(reach_); }
+
+ private:
+  // Pairs nearer than the distance that goes with either component, ascending.
+  std::vector<ComponentPair> pairs_within(const std::vector<double>& distance) const {
+    std::vector<ComponentPair> pairs;
+    for (std::size_t a = 0; a < distance.size(); ++a) {
+      for (const std::size_t b : index_.meeting(widened(rectangles_[a], distance[a]))) {
+        const ComponentPair pair = std::minmax(a, b);
+        const double gap = least_gap(pair);
+        // Where either finds the other, the lesser counts the pair.
+        if (b != a && gap < distance[a] && (a < b || gap >= distance[b])) pairs.push_back(pair);
+      }
+    }
+    std::ranges::sort(pairs);
+    return pairs;
+  }
+
+  const Configuration& configuration_;
+  const References& references_;
+  std::vector<Rectangle> rectangles_;
+  RectangleIndex index_;
+  std::vector<double> radius_, reach_;
+};
+
+bool is_narrower(const Gap& p, const Gap& q) {
+  return p.points.gap < q.points.gap;
+}
+
+// The closest of the pairs out of reach, where it is closer than a bound.
+std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
+                                        const std::vector<SmoothCurve>& curves, double bound) {
+  std::optional<Gap> closest;
+  // Further and further, as among distant bodies no bound is known.
+  for (double within = std::min(bound, broad.smallest_reach());;
+       within = std::min(bound, 2.0 * within)) {
+    for (const ComponentPair& pair : broad.pairs_beyond_reach(within)) {
+      if (broad.least_gap(pair) >= bound) break;
+      const Gap gap{pair.first, pair.second,
+                    closest_points(curves[pair.first], curves[pair.second])};
+      if (gap.points.gap >= bound) continue;
+      closest = gap;
+      bound = gap.points.gap;
+    }
+    if (within >= bound) return closest;
+  }
+}
+
+}  // namespace
+
+std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
+                           double tolerance) {
+  if (configuration.size() < 2) return {};
+  const BroadPhase broad(configuration, references, tolerance);
+  std::vector<SmoothCurve> curves;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    curves.push_back(smooth_curve(*references[k], configuration[k]));
+  }
+  std::vector<Gap> gaps;
+  for (const auto& [a, b] : broad.pairs_in_reach()) gaps.push_back({a, b, {}});
+  const auto close_pairs = static_cast<std::ptrdiff_t>(gaps.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::ptrdiff_t i = 0; i < close_pairs; ++i) {
+    Gap& gap = gaps[static_cast<std::size_t>(i)];
+    gap.points = closest_points(curves[gap.a], curves[gap.b]);
+  }
+  std::ranges::stable_sort(gaps, is_narrower);
+  // A pair out of reach matters only where it is the closest of all.
+  const double bound =
+      gaps.empty() ? std::numeric_limits<double>::infinity() : gaps.front().points.gap;
+  if (const std::optional<Gap> closest = closest_beyond_reach(broad, curves, bound)) {
+    gaps.insert(gaps.begin(), *closest);
+  }
+  return gaps;
+}
+
+GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
+                             const References& references) {
+  const Reference& a = *references[gap.a];
+  const Reference& b = *references[gap.b];
+  const DensityDecay decay = density_decay(smooth_curve(a, configuration[gap.a]),
+                                           smooth_curve(b, configuration[gap.b]), gap.points);
+  const auto error = [](const Reference& reference, double parameter, double depth) {
+    if (std::isinf(depth)) return 0.0;
+    const Resolution& nodes = reference.resolution;
+    return resolution_error(graded_depth(nodes.grading, parameter, depth), nodes.n_nodes);
+  };
+  return {decay, std::max(error(a, gap.points.parameter_a, decay.a),
+                          error(b, gap.points.parameter_b, decay.b))};
+}
+
+}  // namespace stokesbook

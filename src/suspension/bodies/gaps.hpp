@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "near_singular/closest_points.hpp"
+#include "suspension/bodies/configuration.hpp"
+#include "suspension/bodies/reference.hpp"
+#include "suspension/nodes/density_decay.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Two components and where they come closest.
+struct Gap {
+  std::size_t a = 0,     ///< one component
+      b = 0;             ///< the other, after it
+  ClosestPoints points;  ///< point_a on a, point_b on b
+};
+
+/// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
+/// and the closest pair.
+///
+/// @param  configuration  placements of all components
+/// @param  references     of each component
+/// @param  tolerance      of velocities, > 0; sets the reach
+/// @return                in ascending order of the gap; empty for a single component
+/// @par Cost           a search in a RectangleIndex a component, N_a N_b distances a close pair
+std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
+                           double tolerance);
+
+/// What a gap asks of the nodes on its two curves.
+struct GapResolution {
+  DensityDecay decay;  ///< of the densities on gap.a and gap.b
+  double error;        ///< estimate for the nodes they have, relative to the velocity scale
+};
+
+/// Estimates how well a gap is resolved, before any solve.
+///
+/// @param  gap            of two components, > 0
+/// @param  configuration  placements of all components
+/// @param  references     of each component
+/// @return                rates of decay and estimated error
+GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
+                             const References& references);
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,301 @@
+#include "suspension/contact/contact.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "double_layer/double_layer.hpp"
+#include "record/number_text.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/contact/stage_rows.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+// Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
+constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
+
+// Starts are written down by others: a gap of the separation to three digits is wide enough.
+constexpr double relative_slack_of_starts = 1e-3;
+
+std::vector<Pose> poses_of(const Configuration& configuration) {
+  std::vector<Pose> poses;
+  for (const auto& [position, orientation] : configuration) {
+    poses.push_back({position, orientation});
+  }
+  return poses;
+}
+
+void append(std::string& list, const std::string& text) {
+  list += (list.empty() ? "" : ", ") + text;
+}
+
+bool is_close(const ContactResult& result, double separation) {
+  return result.status == ContactStatus::not_converged && result.violations.back() < separation;
+}
+
+// Makes a response that does not do one that may; false where there is none to be had.
+bool make_better(LoadResponse& response, ContactStatus status) {
+  const bool unsolved = status == ContactStatus::no_linear_solution;
+  if (!unsolved && status != ContactStatus::response_not_seen) return false;
+  return response.tighten() || (unsolved && response.keep_correction());
+}
+
+}  // namespace
+
+Imbalance imbalance(const VectorXd& force, const Configuration& acting,
+                    const ContactShapes& shapes) {
+  std::vector<std::size_t> loaded;
+  Complex centre{};
+  for (std::size_t k = 0; k < acting.size(); ++k) {
+    if (force.segment<3>(static_cast<Index>(3 * k)).isZero(0.0)) continue;
+    loaded.push_back(k);
+    centre += acting[k].position;
+  }
+  if (loaded.empty()) return {0.0, 0.0};
+  centre /= static_cast<double>(loaded.size());
+  Complex net{};
+  double torque = 0.0, largest = 0.0, farthest = 0.0, radius = 0.0;
+  for (const std::size_t k : loaded) {
+    const auto first = static_cast<Index>(3 * k);
+    const Complex own(force[first], force[first + 1]), arm = acting[k].position - centre;
+    net += own;
+    torque += force[first + 2] + cross(arm, own);
+    // Two contacts of a body may cancel but for their torque.
+    largest = std::max({largest, std::abs(own), std::abs(force[first + 2]) / shapes[k]->radius});
+    farthest = std::max(farthest, std::abs(arm));
+    radius = std::max(radius, shapes[k]->radius);
+  }
+  return {std::abs(net) / largest, std::abs(torque) / (largest * (farthest + radius))};
+}
+
+VectorXd to_numbers(const CloserPairs& pairs) {
+  VectorXd numbers(static_cast<Index>(3 * pairs.size()));
+  Index i = 0;
+  for (const auto& [pair, gap] : pairs) {
+    numbers.segment<3>(i) << static_cast<double>(pair.first), static_cast<double>(pair.second), gap;
+    i += 3;
+  }
+  return numbers;
+}
+
+CloserPairs to_pairs(const VectorXd& numbers) {
+  CloserPairs pairs;
+  for (Index i = 0; i < numbers.size(); i += 3) {
+    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
+        numbers[i + 2];
+  }
+  return pairs;
+}
+
+ContactShapes contact_shapes(const References& references, double sag_limit) {
+  ContactShapes shapes;
+  for (const auto& reference : references) {
+    const auto is_equal = [&](const std::shared_ptr<const Reference>& earlier) {
+      return earlier->shape == reference->shape && earlier->curve.side == reference->curve.side;
+    };
+    const auto known =
+        static_cast<std::size_t>(std::ranges::find_if(references, is_equal) - references.begin());
+    shapes.push_back(known < shapes.size()
+                         ? shapes[known]
+                         : std::make_shared<const ContactShape>(
+                               contact_shape(reference->shape, reference->curve.side, sag_limit)));
+  }
+  return shapes;
+}
+
+SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
+    : solver_(solver),
+      separation_(solver.separation()),
+      shapes_(contact_shapes(solver.references(), relative_sag * separation_)) {
+  double sag = 0.0;
+  for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
+  polygon_separation_ = separation_ + 2.0 * sag;
+}
+
+bool SuspensionContact::is_free(std::size_t component) const {
+  return solver_.references()[component]->kind == ComponentKind::free_body;
+}
+
+std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
+  return component_name(solver_.scene(), a) + " and " + component_name(solver_.scene(), b);
+}
+
+// Of pairs that can be moved apart, and of overlaps.
+std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
+  std::vector<PolygonGap> gaps =
+      polygon_gaps(shapes_, poses_of(configuration), polygon_separation_);
+  std::erase_if(gaps, [this](const PolygonGap& found) {
+    return found.gap > 0.0 && !is_free(found.a) && !is_free(found.b);
+  });
+  return gaps;
+}
+
+double SuspensionContact::curve_gap(const PolygonGap& found,
+                                    const Configuration& configuration) const {
+  const auto curve = [&](std::size_t k) {
+    return smooth_curve(*solver_.references()[k], configuration[k]);
+  };
+  return closest_points(curve(found.a), curve(found.b)).gap;
+}
+
+ContactParty SuspensionContact::party(std::size_t component) const {
+  const std::size_t bodies = solver_.scene().bodies.size();
+  return component < bodies ? ContactParty{false, component}
+                            : ContactParty{true, component - bodies};
+}
+
+ContactRules SuspensionContact::rules(const CloserPairs& closer) const {
+  return {{polygon_separation_, closer}, relative_tolerance * separation_};
+}
+
+CloserPairs SuspensionContact::admit_start(const Configuration& configuration) const {
+  std::string overlaps, narrow;
+  CloserPairs closer;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const std::string pair = names(found.a, found.b);
+    if (found.gap <= 0.0) {
+      append(overlaps, pair + " by " + short_number(-found.gap));
+    } else {
+      const double gap = curve_gap(found, configuration);
+      closer[{found.a, found.b}] = gap;
+      if (gap < (1.0 - relative_slack_of_starts) * separation_) {
+        append(narrow, pair + " are " + short_number(gap) + " apart");
+      }
+    }
+  }
+  if (!overlaps.empty()) throw ConfigurationRefused("bodies overlap at the start: " + overlaps);
+  if (!narrow.empty() && !solver_.scene().contact->allow_close) {
+    throw ConfigurationRefused("pairs are closer at the start than contact.minimum_separation = " +
+                               short_number(separation_) + ": " + narrow +
+                               "; set contact.allow_close = true, or move them");
+  }
+  return closer;
+}
+
+CloserPairs SuspensionContact::widened(const CloserPairs& closer,
+                                       const Configuration& configuration) const {
+  if (closer.empty()) return {};
+  CloserPairs result;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const auto earlier = closer.find({found.a, found.b});
+    if (earlier == closer.end()) continue;
+    result[earlier->first] = std::max(earlier->second, curve_gap(found, configuration));
+  }
+  return result;
+}
+
+std::string SuspensionContact::too_close(const Configuration& configuration,
+                                         const CloserPairs& closer) const {
+  const Separation kept{separation_, closer};
+  std::string pairs;
+  for (const PolygonGap& found : gaps(configuration)) {
+    const double gap = found.gap > 0.0 ? curve_gap(found, configuration) : found.gap;
+    // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points
+    // from elsewhere.
+    const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
+    if (gap >= least) continue;
+    append(pairs, names(found.a, found.b) + " are " + short_number(gap) + " apart");
+  }
+  return pairs;
+}
+
+double SuspensionContact::relative_displacement(const Configuration& start,
+                                                const VectorXd& velocity, double dt) const {
+  const std::vector<RigidPath> paths = straight_paths(start, velocity, dt);
+  const auto area_over_perimeter = [this](std::size_t k) {
+    const Curve& curve = solver_.references()[k]->curve;
+    return area(curve) / perimeter(curve);
+  };
+  double largest = 0.0;
+  for (const Contact& contact : interferences(shapes_, paths, rules({})).contacts) {
+    const std::size_t a = contact.a, b = contact.b;
+    if (!is_free(a) && !is_free(b)) continue;
+    const double way = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
+    const double width = std::min(area_over_perimeter(a), area_over_perimeter(b));
+    largest = std::max(largest, way / width);
+  }
+  return largest;
+}
+
+ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadResponse& response,
+                                          const CloserPairs& closer) const {
+  const auto begun = std::chrono::steady_clock::now();
+  const StageRules rules{this->rules(closer),
+                         {separation_, closer},
+                         [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); }};
+  StageRows rows(stage, solver_.references(), shapes_, rules);
+  const ContactStep step{
+      .free_velocity = stage.free_velocity,
+      .dt = stage.dt,
+      .separation = separation_,
+      .tolerance = rules.polygons.tolerance,
+      .rows = {},
+      .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
+        return stage.share * response(forces);
+      },
+      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); },
+      .guess =
+          stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{},
+      .name =
+          [&](const ContactKey& key) {
+            const StageRow& row = rows.seen(key);
+            return names(row.a, row.b);
+          }};
+  ContactOutcome outcome{};
+  const auto attempt = [&] {
+    outcome.result = rows.resolved(step);
+    outcome.iterations += outcome.result.iterations;
+  };
+  attempt();
+  // With all pairs that were pressed from the beginning, what was close to an end often gets there.
+  if (is_close(outcome.result, separation_)) attempt();
+  while (make_better(response, outcome.result.status)) attempt();
+  const ContactResult& result = outcome.result;
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    const double force = result.multipliers[static_cast<Index>(i)];
+    if (force <= 0.0) continue;
+    const StageRow& row = rows.seen(result.keys[i]);
+    outcome.forces.push_back(
+        {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
+         rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
+  }
+  if (result.status == ContactStatus::resolved) {
+    outcome.corrected = response.corrected_by(result.multipliers);
+  }
+  const bool solved = result.status != ContactStatus::no_linear_solution &&
+                      outcome.corrected <= solver_.scene().solver.tolerance;
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
+    const StageRow& row = rows.seen(result.keys[i]);
+    outcome.unseen.emplace_back(row.a, row.b);
+  }
+  const auto [net_force, net_torque] = imbalance(result.force, stage.acting, shapes_);
+  outcome.force_imbalance = net_force;
+  outcome.torque_imbalance = net_torque;
+  outcome.kkt_residual = result.kkt_residual / separation_;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
+  outcome.seconds = passed.count();
+  return outcome;
+}
+
+Solution SuspensionContact::with_forces(Solution free, const ContactOutcome& outcome,
+                                        const LoadResponse& response) const {
+  if (outcome.forces.empty()) return free;
+  const LoadSolution added = response.combined(outcome.result.multipliers);
+  free.density += added.density;
+  free.uniform_velocity += added.completion.uniform_velocity;
+  for (std::size_t k = 0; k < free.motions.size(); ++k) {
+    free.loads[k].force += added.completion.loads[k].force;
+    free.loads[k].torque += added.completion.loads[k].torque;
+    free.motions[k].velocity += added.completion.motions[k].velocity;
+    free.motions[k].omega += added.completion.motions[k].omega;
+  }
+  return free;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,350 @@
+#include "suspension/contact/load_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "double_layer/double_layer.hpp"
+#include "suspension/contact/definite_correction.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::SparseMatrix;
+using Eigen::SparseVector;
+using Eigen::VectorXd;
+
+namespace {
+
+// Relative difference of loads that count as one: what it changes is below the solver's tolerance.
+constexpr double same_load = 1e-9;
+
+// Residual to which columns are solved, at most.
+constexpr double most_solved_tolerance = 1e-2;
+
+// Cosine of the angle between loads so alike that the answer to one tells that to the other to
+// AnsweredLoads::most_tolerance.
+constexpr double alike_from = 0.995;
+
+// So many times as many answers as were asked for are kept for the next configuration, at most.
+constexpr std::size_t most_kept = 2;
+
+// What columns ten times as close take, about. Where refinements have taken as many, or residuals
+// grow as weights go to and fro, as between flat gaps, columns are too coarse.
+constexpr int iterations_of_closer_column = 5;
+
+// Part of the solver's tolerance by which what keeps the mobility definite may move components.
+constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
+
+// Columns then, and those of the next configuration.
+constexpr double tightening = 0.1, loosening = 10.0;
+
+// Of each load, the part that no other of them tells, up to a factor: 1 where all are well apart.
+VectorXd parts_apart(const SparseMatrix<double>& loads) {
+  const SparseMatrix<double> products = loads.transpose() * loads;
+  const VectorXd squares = products.diagonal();
+  VectorXd parts = VectorXd::Ones(loads.cols());
+  for (Index j = 0; j < products.outerSize(); ++j) {
+    for (SparseMatrix<double>::InnerIterator product(products, j); product; ++product) {
+      const Index i = product.row();
+      const double cosine_squared = product.value() * product.value() / (squares[i] * squares[j]);
+      const bool same = cosine_squared > 1.0 - same_load;
+      if (!same) parts[i] = std::min(parts[i], 2.0 * std::sqrt(1.0 - cosine_squared));
+    }
+  }
+  return parts;
+}
+
+// Loads whose forces turn with the components, by a part of their orientations.
+VectorXd turned(VectorXd load, const Configuration& configuration, double part) {
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    auto force = load.segment<2>(static_cast<Index>(3 * k));
+    force = Eigen::Rotation2Dd(part * configuration[k].orientation) * force.eval();
+  }
+  return load;
+}
+
+// The same components at rest, under some loads and nothing else.
+StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
+  problem.background.resize(0);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    Component& component = problem.components[k];
+    component.velocity = ComplexVector::Zero(component.velocity.size());
+    const auto first = static_cast<Index>(3 * k);
+    component.force = {load.coeff(first), load.coeff(first + 1)};
+    component.torque = load.coeff(first + 2);
+  }
+  return problem;
+}
+
+}  // namespace
+
+LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configuration,
+                           const Solution& solution, AnsweredLoads earlier,
+                           std::optional<double> exact)
+    : solver_(solver),
+      configuration_(std::move(configuration)),
+      references_(solution.references),
+      earlier_(std::move(earlier)),
+      exact_(exact.value_or(solver.plan().gmres_tolerance)),
+      tolerance_(std::max(earlier_.tolerance, exact_)),
+      discrete_(solution.system),
+      velocity_scale_(solution.velocity_scale),
+      most_correction_(most_correction * solver.scene().solver.tolerance) {}
+
+void LoadResponse::begin() {
+  flow_ = discrete_->system.right_hand_side().norm();
+  over_lengths_ = VectorXd::Zero(static_cast<Index>(3 * references_.size()));
+  for (std::size_t k = 0; k < references_.size(); ++k) {
+    const Reference& reference = *references_[k];
+    if (reference.kind != ComponentKind::free_body) continue;
+    over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0,
+        1.0 / reference.gyration_radius;
+  }
+  if (discrete_->is_factorised) return;  // which needs no guesses
+  const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
+  for (Index i = 0; i < earlier_.loads.cols(); ++i) {
+    const VectorXd at_bodies = earlier_.loads.col(i);
+    const SparseVector<double> load = turned(at_bodies, configuration_, 1.0).sparseView();
+    guesses_.push_back(
+        {load, over_lengths_.asDiagonal() * load, guesses.col(i), {}, 1.0, earlier_.flows[i]});
+  }
+}
+
+Closure LoadResponse::closure(const SparseVector<double>& load) const {
+  return Closure(under_loads(discrete_->problem, load));
+}
+
+// Cosine of the angle between two loads.
+double LoadResponse::likeness(const Answer& p, const Answer& q) {
+  return std::abs(p.forces.dot(q.forces)) / (p.forces.norm() * q.forces.norm());
+}
+
+void LoadResponse::take_over(Answer& asked) const {
+  const Answer* nearest = nullptr;
+  double most = 0.0;
+  for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
+    for (const Answer& answer : known) {
+      const double likeness = this->likeness(asked, answer);
+      if (!(likeness > most)) continue;
+      most = likeness;
+      nearest = &answer;
+    }
+  }
+  if (nearest == nullptr) return;
+  const double part = asked.forces.dot(nearest->forces) / nearest->forces.squaredNorm();
+  asked.density = part * nearest->density;
+  if (most > alike_from) {
+    asked.tolerance = AnsweredLoads::most_tolerance;
+    complete(asked, std::abs(part) * nearest->flow);
+  }
+}
+
+void LoadResponse::solve_by_factors(Answer& asked) const {
+  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
+  asked.tolerance = exact_;
+  complete(asked, rhs.norm());
+}
+
+// Motions of free bodies are those that the density has, whatever the load.
+void LoadResponse::complete(Answer& answer, double flow) const {
+  answer.flow = flow;
+  answer.motions = discrete_->system.closure().complete(answer.density).motions;
+}
+
+GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
+                                const ComplexVector& guess) {
+  const GmresOptions options{tolerance, solver_.scene().solver.gmres_max_iterations};
+  GmresResult result = stokesbook::solve(*discrete_, rhs, options, guess);
+  if (!result.converged) {
+    throw NumericsRefused("GMRES did not converge for a contact force in " +
+                          std::to_string(result.iterations) +
+                          " iterations: raise solver.gmres_max_iterations or solver.tolerance");
+  }
+  ++solves_;
+  cost_.gmres_iterations += result.iterations;
+  cost_.matvecs += result.applications;
+  return result;
+}
+
+std::size_t LoadResponse::index_of(Answer asked) {
+  const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+    return (asked.forces - answer.forces).norm() <= same_load * asked.forces.norm();
+  });
+  if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
+  if (discrete_->is_factorised) {
+    solve_by_factors(asked);
+  } else {
+    take_over(asked);
+  }
+  answers_.push_back(std::move(asked));
+  spent_ = 0;
+  return answers_.size() - 1;
+}
+
+// Loads that are nearly parallel, of two points of a flat gap, are told apart by as closer solves.
+void LoadResponse::answer(Answer& asked, double part_apart) {
+  if (asked.tolerance <= std::max(exact_, part_apart * tolerance_)) return;
+  asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
+  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
+  complete(asked, rhs.norm());
+}
+
+MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
+  if (over_lengths_.size() == 0) begin();
+  velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  const SparseMatrix<double> forces = over_lengths_.asDiagonal() * loads;
+  const VectorXd parts = parts_apart(forces);
+  latest_.clear();
+  for (Index column = 0; column < loads.cols(); ++column) {
+    latest_.push_back(index_of({loads.col(column), forces.col(column), {}}));
+    Answer& asked = answers_[latest_.back()];
+    answer(asked, parts[column]);
+    for (std::size_t k = 0; k < asked.motions.size(); ++k) {
+      const auto& [velocity, omega] = asked.motions[k];
+      velocities_.block<3, 1>(static_cast<Index>(3 * k), column) << velocity.real(),
+          velocity.imag(), omega;
+    }
+  }
+  correction_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  if (corrects_) {
+    const MatrixXd works = loads.transpose() * velocities_;
+    correction_ = over_lengths_.asDiagonal() * definite_correction(forces, works);
+  }
+  return velocities_ + correction_;
+}
+
+double LoadResponse::fastest(const VectorXd& velocities) const {
+  double largest = 0.0;
+  for (Index i = 0; i < velocities.size(); i += 3) {
+    if (over_lengths_[i] == 0.0) continue;
+    const double omega = velocities[i + 2] / over_lengths_[i + 2];
+    largest = std::max({largest, std::hypot(velocities[i], velocities[i + 1]), std::abs(omega)});
+  }
+  return largest;
+}
+
+double LoadResponse::corrected_by(const VectorXd& multipliers) const {
+  if (multipliers.isZero(0.0)) return 0.0;
+  const double scale = std::max(velocity_scale_, fastest(velocities_ * multipliers));
+  return fastest(correction_ * multipliers) / scale;
+}
+
+// The columns of the latest call that share an answer count together.
+VectorXd LoadResponse::weights(const VectorXd& multipliers) const {
+  VectorXd weights = VectorXd::Zero(static_cast<Index>(answers_.size()));
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
+    weights[static_cast<Index>(latest_[i])] += multipliers[static_cast<Index>(i)];
+  }
+  return weights;
+}
+
+// How much of a residual weights have brought in since the combination was exact, at most.
+double LoadResponse::residual_since(const VectorXd& weights) const {
+  double residual = 0.0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    const double before = i < refined_.size() ? refined_[i] : 0.0;
+    residual += std::abs(weights[i] - before) * answer.tolerance * answer.flow;
+  }
+  return residual;
+}
+
+bool LoadResponse::refine(const VectorXd& multipliers) {
+  if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
+  if (improve(multipliers)) return true;
+  if (corrected_by(multipliers) <= most_correction_) return false;
+  return tighten() || std::exchange(corrects_, false);
+}
+
+bool LoadResponse::improve(const VectorXd& multipliers) {
+  const VectorXd weights = this->weights(multipliers);
+  const double missing = residual_since(weights);
+  if (refined_.size() > 0 && missing <= allowed_) return false;
+  const auto columns = static_cast<int>((weights.array() != 0.0).count());
+  if (spent_ > iterations_of_closer_column * columns) return tighten();
+  const LoadSolution sum = combined(multipliers);
+  const ComplexVector rhs = closure(combined_load(multipliers)).right_hand_side();
+  const double strength = std::max(flow_, rhs.norm());
+  const GmresResult found = solve(rhs, exact_ * strength / rhs.norm(), sum.density);
+  refined_ = weights;
+  allowed_ = 0.5 * exact_ * strength;
+  if (found.iterations == 0) return false;
+  const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
+  const bool diverges = residual > std::exchange(missing_, residual) && spent_ > 0;
+  spent_ += found.iterations;
+  if (diverges) tighten();
+  const ComplexVector change =
+      (deinterleaved(found.solution) - sum.density) / weights.squaredNorm();
+  for (std::size_t i = 0; i < answers_.size(); ++i) {
+    const double weight = weights[static_cast<Index>(i)];
+    if (weight == 0.0) continue;
+    Answer& answer = answers_[i];
+    answer.tolerance *= std::max(1.0, more_than_known);
+    answer.density += weight * change;
+    complete(answer, answer.flow);
+  }
+  return true;
+}
+
+bool LoadResponse::keep_correction() {
+  corrects_ = true;
+  return std::exchange(most_correction_, infinite) < infinite;
+}
+
+bool LoadResponse::tighten() {
+  if (tolerance_ <= exact_) return false;
+  tolerance_ = std::max(exact_, tightening * tolerance_);
+  spent_ = 0;
+  return true;
+}
+
+SparseVector<double> LoadResponse::combined_load(const VectorXd& multipliers) const {
+  SparseVector<double> load(answers_.front().load.size());
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
+    load += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].load;
+  }
+  return load;
+}
+
+LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
+  ComplexVector density = ComplexVector::Zero(answers_.front().density.size());
+  for (std::size_t i = 0; i < latest_.size(); ++i) {
+    density += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].density;
+  }
+  const Completion completion = closure(combined_load(multipliers)).complete(density);
+  return {std::move(density), completion};
+}
+
+AnsweredLoads LoadResponse::answered() const {
+  if (answers_.empty()) return earlier_;
+  std::vector<const Answer*> known;
+  for (const Answer& answer : answers_) known.push_back(&answer);
+  for (const Answer& guess : guesses_) {
+    if (known.size() == most_kept * answers_.size()) break;
+    const bool is_answered = std::ranges::any_of(
+        answers_, [&](const Answer& answer) { return likeness(answer, guess) > alike_from; });
+    if (!is_answered) known.push_back(&guess);
+  }
+  const auto m = static_cast<Index>(known.size());
+  Eigen::MatrixXcd densities(answers_.front().density.size(), m);
+  AnsweredLoads result{MatrixXd(answers_.front().load.size(), m), VectorXd(m)};
+  for (Index i = 0; i < m; ++i) {
+    const Answer& answer = *known[static_cast<std::size_t>(i)];
+    result.loads.col(i) = turned(answer.load, configuration_, -1.0);
+    result.flows[i] = answer.flow;
+    densities.col(i) = answer.density;
+  }
+  result.densities.add(0.0, configuration_, references_, std::move(densities));
+  result.tolerance = std::min(AnsweredLoads::most_tolerance, loosening * tolerance_);
+  return result;
+}
+
+}  // namespace stokesbook

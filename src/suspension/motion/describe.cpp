@@ -1,0 +1,189 @@
+// Tells what a scene needs and gets, for people (chapter 12).
+#include "suspension/motion/describe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "fmm/fmm_settings.hpp"
+#include "record/number_text.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/motion/stepping.hpp"
+#include "suspension/nodes/node_choice.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+struct ShapeName {
+  std::string operator()(const Circle& circle) const {
+    return "circle " + short_number(circle.radius);
+  }
+  std::string operator()(const Ellipse& ellipse) const {
+    return "ellipse " + short_number(ellipse.a) + " x " + short_number(ellipse.b);
+  }
+  std::string operator()(const Star& star) const {
+    return std::to_string(star.arms) + "-armed star " + short_number(star.radius);
+  }
+  std::string operator()(const Superellipse& shape) const {
+    return "superellipse " + short_number(shape.a) + " x " + short_number(shape.b);
+  }
+  std::string operator()(const NodalCurve& curve) const {
+    return "curve through " + std::to_string(curve.points.size()) + " points";
+  }
+};
+
+std::string aligned(const std::string& topic, const std::string& text) {
+  constexpr std::size_t width = 17;
+  return topic + std::string(topic.size() < width ? width - topic.size() : 1, ' ') + text;
+}
+
+// To the reader: where nodes crowd, is another place on each body.
+bool alike(const Resolution& a, const Resolution& b) {
+  return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
+}
+
+// Of nodes that are given; `most` is the largest number recommended, 0 where none is.
+std::string recommendation(int most) {
+  return most > 0 ? "; " + std::to_string(most) + " recommended for shape and gaps"
+                  : "; no number up to " + std::to_string(most_nodes_for_shape) +
+                        " resolves the shape to solver.tolerance";
+}
+
+// One line for all components that share a shape and a resolution, given or chosen.
+std::vector<std::string> component_lines(const SuspensionSolver& solver,
+                                         const Resolutions& resolutions,
+                                         const std::vector<int>& recommended) {
+  const References& references = solver.references();
+  std::vector<std::string> lines;
+  const auto is_chosen = [&](std::size_t component) {
+    return given_nodes(solver.scene(), component) == automatic_nodes;
+  };
+  std::vector<bool> done(references.size(), false);
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    if (done[k]) continue;
+    int members = 0, most = 0;
+    for (std::size_t j = k; j < references.size(); ++j) {
+      if (references[j] != references[k] || !alike(resolutions[j], resolutions[k]) ||
+          is_chosen(j) != is_chosen(k)) {
+        continue;
+      }
+      done[j] = true;
+      ++members;
+      most = std::max(most, recommended[j]);
+    }
+    lines.push_back(aligned(
+        "components",
+        std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
+            std::to_string(resolutions[k].n_nodes) + " nodes" +
+            (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
+            (is_chosen(k) ? " to begin with, chosen for shape and gaps" : recommendation(most))));
+  }
+  return lines;
+}
+
+std::string sum_text(const Plan& plan, Eigen::Index nodes) {
+  const bool asked = plan.summation != Summation::automatic;
+  switch (plan.sum_method(nodes)) {
+    case SumMethod::stored:
+      return "direct, stored matrix: few nodes, the matrix stays in the cache";
+    case SumMethod::streamed:
+      return "direct, streamed: evaluating the kernel beats reading a stored matrix";
+    case SumMethod::fast:
+      break;
+  }
+  const FmmSettings settings = FmmSettings::for_tolerance(plan.sum_tolerance);
+  return "fast multipole method of order " + std::to_string(settings.order) + ": " +
+         (asked ? "solver.summation"
+                : "more nodes than the " + std::to_string(break_even(settings)) + " of break-even");
+}
+
+// What the nodes make the system.
+std::vector<std::string> size_lines(const Plan& plan, const Resolutions& resolutions) {
+  long long nodes = 0;
+  for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
+  return {aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
+                                  " nodes; motions and loads are functionals of the density "
+                                  "(reduced closure)"),
+          aligned("summation", sum_text(plan, nodes))};
+}
+
+std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& gaps) {
+  if (gaps.empty()) return {};
+  return {aligned("closest pair", component_name(scene, gaps.front().a) + " and " +
+                                      component_name(scene, gaps.front().b) + ", " +
+                                      short_number(gaps.front().points.gap) + " apart")};
+}
+
+std::string late_reversals(const Scene& scene) {
+  const auto late = std::ranges::upper_bound(scene.reverse_at, scene.time->t_final);
+  if (late == scene.reverse_at.end()) return {};
+  return "; reverse_at = " + short_number(*late, 6) + " is after the end";
+}
+
+std::string steps_line(const Scene& scene) {
+  constexpr const char* names[] = {
+      "explicit Euler",      "Adams-Bashforth 2",  "Heun", "Runge-Kutta 4", "Bogacki-Shampine 3(2)",
+      "Dormand-Prince 5(4)", "Prince-Dormand 8(7)"};
+  const TimeSettings& time = *scene.time;
+  const std::string method = names[static_cast<int>(time.method)];
+  const std::string end = " to t = " + short_number(time.t_final, 6);
+  if (adapts_steps(time)) {
+    const double velocities = scene.solver.tolerance, positions = step_tolerance(time);
+    return method + ", steps for a tolerance of " + short_number(positions) + end +
+           (positions < velocities ? "; solver.tolerance = " + short_number(velocities) +
+                                         " is above it, and limits what is reached"
+                                   : "");
+  }
+  if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
+  const double steps = std::ceil(time.t_final / *time.dt - 1e-9);
+  return method + ", about " + short_number(steps, 9) + " steps of " + short_number(*time.dt) + end;
+}
+
+std::string time_line(const Scene& scene) {
+  if (!scene.time) return "none: one solve at t = 0";
+  return steps_line(scene) + late_reversals(scene);
+}
+
+}  // namespace
+
+std::string shape_name(const Shape& shape) {
+  return std::visit(ShapeName{}, shape);
+}
+
+std::vector<std::string> describe(const SuspensionSolver& solver) {
+  std::vector<std::string> lines;
+  for (const Plan::Line& line : solver.plan().lines) {
+    lines.push_back(aligned(line.topic, line.decision + ": " + line.reason));
+  }
+  lines.push_back(aligned("time", time_line(solver.scene())));
+  const Configuration start = solver.initial_configuration();
+  const std::vector<Gap> gaps = solver.gaps(start);
+  const Resolutions resolutions = solver.first_resolutions(start, gaps);
+  const auto add = [&](std::vector<std::string> more) {
+    std::ranges::move(more, std::back_inserter(lines));
+  };
+  add(size_lines(solver.plan(), resolutions));
+  add(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)));
+  add(gap_lines(solver.scene(), gaps));
+  return lines;
+}
+
+std::string describe(const SuspensionSolver& solver, const Solution& solution) {
+  std::map<int, int> components;  // by their nodes
+  for (const Resolution& resolution : resolutions_of(solution.references)) {
+    ++components[resolution.n_nodes];
+  }
+  std::string nodes;
+  for (const auto& [count, members] : components) {
+    nodes += (nodes.empty() ? "" : ", ") + std::to_string(members) + " x " + std::to_string(count);
+  }
+  return aligned("resolution",
+                 "estimated error " + short_number(solution.error_estimate) +
+                     " of the velocities at the start, " +
+                     short_number(solver.scene().solver.tolerance) + " asked; nodes " + nodes +
+                     "; " + std::to_string(solution.cost.gmres_iterations) + " GMRES iterations");
+}
+
+}  // namespace stokesbook

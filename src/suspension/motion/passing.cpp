@@ -1,0 +1,62 @@
+// Steps that take bodies through each other: without contact nothing else would see them. Where the
+// paths lead is tested by the space-time interference of chapter 10, with polygons as coarse as an
+// overlap that matters allows.
+#include "suspension/motion/passing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stiv/interferences.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/contact/stage_rows.hpp"
+#include "suspension/motion/stepping.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+constexpr double relative_sag = 1e-3;   // of polygons, in radii of gyration of the smallest body
+constexpr double accepted_sags = 10.0;  // depth of an overlap that is not seen
+
+double smallest_radius(const References& references) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& reference : references)
+    smallest = std::min(smallest, reference->gyration_radius);
+  return smallest;
+}
+
+}  // namespace
+
+PassingTest::PassingTest(const SuspensionSolver& solver)
+    : solver_(solver),
+      sag_(relative_sag * smallest_radius(solver.references())),
+      shapes_(contact_shapes(solver.references(), sag_)) {}
+
+std::string PassingTest::refusal(const Configuration& start, const Configuration& end,
+                                 double closest) const {
+  if (is_short(start, end, closest)) return {};
+  const Eigen::VectorXd displacement = to_state(end) - to_state(start);
+  const ContactRules rules{{sag_}, accepted_sags * sag_};
+  const Interferences found =
+      interferences(shapes_, straight_paths(start, displacement, 1.0), rules);
+  const auto passing = std::ranges::find_if(found.contacts, &Contact::is_violated);
+  if (passing == found.contacts.end()) return {};
+  return component_name(solver_.scene(), passing->a) + " and " +
+         component_name(solver_.scene(), passing->b) +
+         " overlap or pass through each other within a step: take smaller steps, or give [contact]";
+}
+
+// Two components come nearer to each other by no more than both of them move.
+bool PassingTest::is_short(const Configuration& start, const Configuration& end,
+                           double closest) const {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    const double turn = std::abs(end[k].orientation - start[k].orientation);
+    longest = std::max(longest,
+                       std::abs(end[k].position - start[k].position) + turn * shapes_[k]->radius);
+  }
+  return 2.0 * longest < closest;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,133 @@
+#include "suspension/motion/stepping.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+Method to_method(SteppingMethod method) {
+  switch (method) {
+    case SteppingMethod::euler:
+      return Method::euler;
+    case SteppingMethod::adams_bashforth2:
+      return Method::adams_bashforth2;
+    case SteppingMethod::heun:
+      return Method::heun;
+    case SteppingMethod::rk4:
+      return Method::rk4;
+    case SteppingMethod::bogacki_shampine32:
+      return Method::bogacki_shampine32;
+    case SteppingMethod::dormand_prince54:
+      return Method::dormand_prince54;
+    default:
+      return Method::prince_dormand87;
+  }
+}
+
+// Largest distance of a body's boundary from its position.
+double largest_radius(const SuspensionSolver& solver) {
+  double radius = 0.0;
+  for (std::size_t k = 0; k < solver.scene().bodies.size(); ++k) {
+    radius = std::max(radius, bounding_radius(solver.references()[k]->curve, 0.0));
+  }
+  return radius > 0.0 ? radius : 1.0;
+}
+
+// The error of a step that is allowed, as a part of that of a run: errors add up while the flow
+// does not contract, and with half of it runs of ten and twenty units of time stay within.
+constexpr double error_of_a_step = 0.5;
+
+VectorXd one(double number) {
+  return VectorXd::Constant(1, number);
+}
+
+}  // namespace
+
+VectorXd to_state(const Configuration& configuration) {
+  VectorXd state(3 * static_cast<Index>(configuration.size()));
+  for (Index k = 0; k < state.size() / 3; ++k) {
+    const auto [position, orientation] = configuration[static_cast<std::size_t>(k)];
+    state.segment<3>(3 * k) << position.real(), position.imag(), orientation;
+  }
+  return state;
+}
+
+Configuration to_configuration(const VectorXd& state) {
+  Configuration configuration;
+  for (Index k = 0; k < state.size(); k += 3) {
+    configuration.push_back({{state[k], state[k + 1]}, state[k + 2]});
+  }
+  return configuration;
+}
+
+VectorXd to_rate(const Solution& solution) {
+  Configuration rate;
+  for (const auto& [velocity, omega] : solution.motions) rate.push_back({velocity, omega});
+  return to_state(rate);
+}
+
+double step_tolerance(const TimeSettings& time) {
+  return time.tolerance.value_or(default_step_tolerance);
+}
+
+double largest_distance(const References& references, const Configuration& p,
+                        const Configuration& q) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const auto at = [&](const Placement& placement) {
+      return (placement.position +
+              std::polar(1.0, placement.orientation) * references[k]->curve.x.array())
+          .eval();
+    };
+    largest = std::max(largest, (at(p[k]) - at(q[k])).abs().maxCoeff());
+  }
+  return largest;
+}
+
+SteppingSettings stepping_settings(const SuspensionSolver& solver) {
+  const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
+  SteppingSettings settings{.method = to_method(time.method), .dt = time.dt};
+  const double none = std::numeric_limits<double>::infinity();
+  const double longest =
+      std::min({time.t_final, time.dt.value_or(none), time.dt_max.value_or(none)});
+  settings.dt_min = time.dt_min.value_or(1e-6 * longest);
+  if (time.dt_max) settings.dt_max = *time.dt_max;
+  Configuration scale(solver.references().size(),
+                      {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
+  settings.bound = {error_of_a_step * step_tolerance(time), to_state(scale)};
+  return settings;
+}
+
+History to_history(const StepMemory& memory) {
+  History history{{"error", one(memory.error)}};
+  if (memory.dt) history["dt"] = one(*memory.dt);
+  if (memory.previous) {
+    history["previous_dt"] = one(memory.previous->dt);
+    history["previous_rate"] = memory.previous->rate;
+  }
+  if (memory.detour) {
+    history["detour_end"] = one(memory.detour->end);
+    history["detour_dt"] = one(memory.detour->dt);
+  }
+  return history;
+}
+
+StepMemory to_memory(const History& history) {
+  const auto number = [&](const char* name) { return history.at(name)[0]; };
+  StepMemory memory{.error = number("error")};
+  if (history.contains("dt")) memory.dt = number("dt");
+  if (history.contains("previous_dt")) {
+    memory.previous = PreviousStep{number("previous_dt"), history.at("previous_rate")};
+  }
+  if (history.contains("detour_end")) {
+    memory.detour = Detour{number("detour_end"), number("detour_dt")};
+  }
+  return memory;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,66 @@
+// Refuses scenes whose matrices do not fit, before any is made.
+#include "suspension/nodes/memory.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "record/number_text.hpp"
+#include "suspension/bodies/scene_components.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// Fewer are not worth looking for others of the same shape.
+constexpr int few_nodes = 128;
+
+const Shape& shape_of(const Scene& scene, std::size_t component) {
+  const std::size_t bodies = scene.bodies.size();
+  return component < bodies ? scene.bodies[component].shape : scene.walls[component - bodies].shape;
+}
+
+std::string gigabytes(double bytes) {
+  return short_number(bytes / 1e9) + " GB";
+}
+
+}  // namespace
+
+double available_memory() {
+  const double machine =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;
+}
+
+std::string memory_refusal(const Scene& scene, const Resolutions& resolutions, double available) {
+  std::map<int, std::vector<std::size_t>> distinct;  // components by nodes, one of each shape
+  double bytes = 0.0;
+  std::size_t largest = 0;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const int nodes = resolutions[k].n_nodes;
+    if (nodes > resolutions[largest].n_nodes) largest = k;
+    if (nodes < few_nodes) continue;
+    std::vector<std::size_t>& others = distinct[nodes];
+    if (std::ranges::any_of(others, [&](std::size_t other) {
+          return shape_of(scene, other) == shape_of(scene, k);
+        })) {
+      continue;
+    }
+    others.push_back(k);
+    bytes += memory_of_reference(nodes);
+  }
+  if (bytes <= available) return {};
+  const int most = resolutions[largest].n_nodes;
+  return component_name(scene, largest) + " has " + std::to_string(most) +
+         " nodes, whose matrices take " + gigabytes(memory_of_reference(most)) +
+         ", and those of all shapes " + gigabytes(bytes) + " of the " + gigabytes(available) +
+         " there are: give fewer n_nodes, or raise solver.tolerance = " +
+         short_number(scene.solver.tolerance);
+}
+
+}  // namespace stokesbook

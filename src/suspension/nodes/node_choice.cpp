@@ -1,0 +1,124 @@
+// Chooses numbers of nodes: for shapes, for their softest modes, and for tails of densities (chapter 12).
+#include "suspension/nodes/node_choice.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "double_layer/double_layer.hpp"
+#include "record/number_text.hpp"
+#include "suspension/bodies/scene_components.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// Of the tolerance: what a component may leave, and what is aimed at where it leaves more.
+constexpr double share_allowed = 0.1, share_aimed_at = 0.05;
+
+// By how much nodes are raised at least.
+constexpr double least_factor = 1.125;
+
+}  // namespace
+
+int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least) {
+  for (int n = 16 * ((at_least + 15) / 16); n <= most_nodes_for_shape;
+       n += std::max(16, n / 4 / 16 * 16)) {
+    if (shape_residual(shape, sample(shape, n, side)) <= tolerance) return n;
+  }
+  return 0;
+}
+
+int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
+                           int n_nodes) {
+  constexpr double allowed = 0.1, aimed_at = 0.05;
+  while (true) {
+    const auto reference = shelf.get(shape, {n_nodes, {}}, kind);
+    const double error = softest_mode_error(*reference);
+    if (!(error > allowed)) return n_nodes;
+    // Few nodes show the mode stiffer than it is: what they recommend is tried again.
+    const double residual = reference->shape_residual * aimed_at / error;
+    const Side side = reference->curve.side;
+    int more = nodes_for_shape(shape, side, residual, n_nodes + 2);
+    if (more == 0 || more > most_nodes_of_a_component) return n_nodes;
+    // All bodies of the shape get so many: a few less are worth a look.
+    const auto do_as_well = [&](int n) {
+      return n > n_nodes && shape_residual(shape, sample(shape, n, side)) <= residual;
+    };
+    while (do_as_well(more - 4)) more -= 4;
+    n_nodes = more;
+  }
+}
+
+std::string unresolved_shape(const Shape& shape, double tolerance) {
+  // A trigonometric polynomial through points at uneven distances is not smooth.
+  const bool has_points = std::holds_alternative<NodalCurve>(shape);
+  return "even " + std::to_string(most_nodes_for_shape) +
+         " nodes do not resolve its shape to solver.tolerance = " + short_number(tolerance) +
+         (has_points
+              ? ": space its points evenly along the curve, smooth it, or raise the tolerance"
+              : ": smooth the curve or raise the tolerance");
+}
+
+int rounded_nodes(double nodes) {
+  const int least = static_cast<int>(std::ceil(std::clamp(nodes, 1.0, 1e9)));
+  const int unit = std::max(16, static_cast<int>(std::bit_floor(static_cast<unsigned>(least))) / 8);
+  return unit * ((least + unit - 1) / unit);
+}
+
+Resolutions finer(Resolutions resolutions) {
+  for (Resolution& resolution : resolutions) {
+    resolution.n_nodes += std::max(16, 2 * ((resolution.n_nodes + 7) / 8));
+  }
+  return resolutions;
+}
+
+Resolutions coarser(Resolutions resolutions) {
+  for (Resolution& resolution : resolutions) {
+    resolution.n_nodes = rounded_nodes(0.5 * resolution.n_nodes);
+  }
+  return resolutions;
+}
+
+Resolutions finer_automatic(const Scene& scene, Resolutions before) {
+  const Resolutions raised = finer(before);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (given_nodes(scene, k) == automatic_nodes) before[k] = raised[k];
+  }
+  return before;
+}
+
+Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
+                           const std::vector<ComponentPair>& pairs) {
+  std::set<std::size_t> components;
+  for (const auto& [a, b] : pairs) components.insert({a, b});
+  for (const std::size_t k : components) {
+    int& nodes = before[k].n_nodes;
+    if (given_nodes(scene, k) != automatic_nodes) continue;
+    nodes = std::min(rounded_nodes(1.5 * nodes), std::max(nodes, most_nodes_of_a_component));
+  }
+  return before;
+}
+
+double extrapolated_nodes(int n_nodes, double decay, double excess) {
+  const double nodes = n_nodes, orders = std::log(excess);
+  return nodes + std::min(orders / std::max(decay, 1e-300), 0.5 * nodes);
+}
+
+Resolutions raised(const Scene& scene, Resolutions before, const std::vector<TailEstimate>& tails,
+                   double error) {
+  const double tolerance = scene.solver.tolerance;
+  const double most = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  if (most < share_allowed * tolerance) return before;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double share = error * tails[k].error / most;
+    if (given_nodes(scene, k) != automatic_nodes || !(share > share_allowed * tolerance)) continue;
+    const double asked =
+        extrapolated_nodes(before[k].n_nodes, tails[k].decay, share / (share_aimed_at * tolerance));
+    before[k].n_nodes = rounded_nodes(std::max(asked, least_factor * before[k].n_nodes));
+  }
+  return before;
+}
+
+}  // namespace stokesbook

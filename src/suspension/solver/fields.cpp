@@ -1,0 +1,172 @@
+// Evaluates the flow on a grid, and estimates how wrong that is (chapter 12).
+#include "suspension/solver/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "stress/stress.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/solver/side_test.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Index> fluid_indices(const std::vector<std::uint8_t>& in_fluid) {
+  std::vector<Index> indices;
+  for (std::size_t i = 0; i < in_fluid.size(); ++i) {
+    if (in_fluid[i] == 1) indices.push_back(static_cast<Index>(i));
+  }
+  return indices;
+}
+
+// Mean pressure over the viscosity on the outer wall; zero without one.
+double pressure_datum(const SuspensionSolver& solver, const Configuration& configuration,
+                      const Solution& solution, double drive) {
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const Reference& reference = *solution.references[k];
+    if (reference.kind != ComponentKind::enclosing_wall) continue;
+    const auto [position, orientation] = configuration[k];
+    const Curve wall = place(reference.curve, position, orientation);
+    const std::vector<FlowDerivatives> flow =
+        solver.derivatives(configuration, solution, wall.x, drive);
+    const Eigen::VectorXd w = weights(wall);
+    double sum = 0.0;
+    for (Index j = 0; j < w.size(); ++j) sum += w[j] * flow[static_cast<std::size_t>(j)].pressure;
+    return sum / w.sum();
+  }
+  return 0.0;
+}
+
+// The largest difference of two fields of one quantity, over the largest value.
+double relative_difference(const auto& p, const auto& q) {
+  double difference = 0.0, largest = 0.0;
+  for (Index i = 0; i < p.size(); ++i) {
+    if (std::isnan(std::abs(p[i]))) continue;  // no fluid
+    difference = std::max(difference, std::abs(p[i] - q[i]));
+    largest = std::max(largest, std::abs(q[i]));
+  }
+  return largest > 0.0 ? difference / largest : 0.0;
+}
+
+// Where both are resolved, the one of more nodes is far better; where they are not, it errs too.
+constexpr double safety_of_fields = 2.0;
+
+FieldErrors errors_of(const Field& coarse, const Field& fine) {
+  FieldErrors errors = field_differences(coarse, fine);
+  for (auto& [quantity, error] : errors) error *= safety_of_fields;
+  return errors;
+}
+
+FieldErrors unknown_errors(const Field& field) {
+  FieldErrors errors = field_differences(field, field);
+  for (auto& [quantity, error] : errors) error = std::numeric_limits<double>::infinity();
+  return errors;
+}
+
+// By a quarter each, to four times as many.
+constexpr int most_raised = 6;
+
+}  // namespace
+
+FieldGrid field_grid(const FieldSettings& settings) {
+  const auto [left, bottom, right, top] = settings.box;
+  const double width = right - left, height = top - bottom;
+  const double spacing = std::max(width, height) / (settings.resolution - 1);
+  const auto cells = [&](double side) { return std::max(1.0, std::round(side / spacing)); };
+  const Complex size(cells(width), cells(height));
+  const Complex centre(0.5 * (left + right), 0.5 * (bottom + top));
+  return {centre - 0.5 * spacing * size, spacing, static_cast<Index>(size.real()) + 1,
+          static_cast<Index>(size.imag()) + 1};
+}
+
+Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
+                     const Solution& solution, double drive) {
+  if (!solver.scene().output.fields) {
+    throw std::invalid_argument("evaluate_field: the scene asks for no fields");
+  }
+  const FieldSettings& settings = *solver.scene().output.fields;
+  const auto asked = [&](FieldQuantity quantity) {
+    return std::ranges::count(settings.quantities, quantity) > 0;
+  };
+  Field field;
+  field.grid = field_grid(settings);
+  const ComplexVector all = field.grid.points();
+  field.in_fluid = in_fluid(configuration, solver.references(), all);
+  const std::vector<Index> fluid = fluid_indices(field.in_fluid);
+  const ComplexVector points = all(fluid);
+  if (asked(FieldQuantity::velocity)) {
+    field.velocity = ComplexVector::Constant(all.size(), {nowhere, nowhere});
+    field.velocity(fluid) = solver.velocity(configuration, solution, points, drive);
+  }
+  if (settings.quantities == std::vector{FieldQuantity::velocity}) return field;
+  const std::vector<FlowDerivatives> flow =
+      solver.derivatives(configuration, solution, points, drive);
+  const double mu = solver.scene().viscosity;
+  const auto fill = [&](FieldQuantity quantity, Eigen::VectorXd& values, const auto& value_of) {
+    if (!asked(quantity)) return;
+    values = Eigen::VectorXd::Constant(all.size(), nowhere);
+    for (std::size_t i = 0; i < fluid.size(); ++i) values[fluid[i]] = value_of(flow[i]);
+  };
+  if (asked(FieldQuantity::pressure)) {
+    const double datum = pressure_datum(solver, configuration, solution, drive);
+    fill(FieldQuantity::pressure, field.pressure,
+         [&](const FlowDerivatives& at) { return mu * (at.pressure - datum); });
+  }
+  fill(FieldQuantity::vorticity, field.vorticity,
+       [](const FlowDerivatives& at) { return at.vorticity; });
+  fill(FieldQuantity::shear_stress, field.shear_stress,
+       [&](const FlowDerivatives& at) { return stress(at, mu).s12; });
+  fill(FieldQuantity::dissipation, field.dissipation,
+       [&](const FlowDerivatives& at) { return dissipation_density(at, mu); });
+  return field;
+}
+
+FieldErrors field_differences(const Field& p, const Field& q) {
+  FieldErrors differences;
+  const auto compare = [&](std::string_view name, const auto& a, const auto& b) {
+    if (a.size() > 0) differences[std::string(name)] = relative_difference(a, b);
+  };
+  compare("velocity", p.velocity, q.velocity);
+  for (const FieldScalar& scalar : field_scalars) {
+    compare(scalar.name, p.*scalar.values, q.*scalar.values);
+  }
+  return differences;
+}
+
+EstimatedField estimated_field(const SuspensionSolver& solver, const Configuration& configuration,
+                               const Solution& solution, double drive) {
+  EstimatedField found{evaluate_field(solver, configuration, solution, drive), {}};
+  bool may_raise = false;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    may_raise = may_raise || given_nodes(solver.scene(), k) == automatic_nodes;
+  }
+  Solution latest = solution;
+  while (true) {
+    try {
+      latest = solver.refined(configuration, latest, drive);
+    } catch (const NumericsRefused&) {
+      if (found.solves == 0) found.errors = unknown_errors(found.field);
+      return found;
+    }
+    ++found.solves;
+    found.cost += {latest.gmres.iterations, latest.gmres.applications};
+    Field finer = evaluate_field(solver, configuration, latest, drive);
+    found.errors = errors_of(found.field, finer);
+    if (!may_raise) return found;
+    found.field = std::move(finer);
+    const bool met = std::ranges::all_of(found.errors, [&](const auto& error) {
+      return error.second <= solver.scene().solver.tolerance;
+    });
+    if (met || found.solves == most_raised) return found;
+  }
+}
+
+}  // namespace stokesbook

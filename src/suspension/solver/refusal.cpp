@@ -1,0 +1,274 @@
+// Explains what cannot be solved as it was asked, and what would help (chapter 12).
+#include "suspension/solver/refusal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "closure/bordered_system.hpp"
+#include "krylov/block_diagonal.hpp"
+#include "near_singular/near_test.hpp"
+#include "null_space/null_space.hpp"
+#include "record/number_text.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/memory.hpp"
+#include "suspension/nodes/node_choice.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// What shapes and gaps say before a solve is up to 1200 times the error, measured on 45 random
+// scenes: beyond that no solve is needed to know.
+constexpr double hopeless = 1e4;
+
+// Radius about their centroid of all components with prescribed velocity; 0 when there is none.
+double prescribed_extent(const StokesProblem& problem) {
+  std::vector<Complex> nodes;
+  for (const Component& component : problem.components) {
+    if (component.kind != ComponentKind::prescribed) continue;
+    nodes.insert(nodes.end(), component.curve.x.begin(), component.curve.x.end());
+  }
+  const Eigen::Map<const ComplexVector> x(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
+  return nodes.empty() ? 0.0 : (x.array() - x.mean()).abs().maxCoeff();
+}
+
+// The smaller eigenvalue of 4 pi mu M, U = M F, of a body that is alone in a fluid at rest.
+double least_mobility(const Component& body, const StokesProblem& problem) {
+  const StokesProblem unloaded{{body}, problem.viscosity, {}, problem.gauge_length};
+  const Eigen::MatrixXd inverse = invert_block(assemble(unloaded, ClosureForm::reduced).matrix);
+  const auto velocity = [&](Complex force) {
+    StokesProblem alone = unloaded;
+    alone.components[0].force = force;
+    alone.components[0].torque = 0.0;
+    const Eigen::VectorXd density = inverse * assemble(alone, ClosureForm::reduced).rhs;
+    return complete_dense(alone, ClosureForm::reduced, density).motions[0].velocity;
+  };
+  const Complex first = velocity(1.0), second = velocity(imaginary);
+  const double mean = 0.5 * (first.real() + second.imag());
+  const double deviation = std::hypot(0.5 * (first.real() - second.imag()), first.imag());
+  return 4.0 * std::numbers::pi * problem.viscosity * (mean - deviation);
+}
+
+// Whether a body that has a force would move against it if it were alone. Within the gauge length
+// none does.
+bool moves_against_its_force(const Component& body, const StokesProblem& problem) {
+  if (body.kind != ComponentKind::free_body || body.force == 0.0) return false;
+  constexpr double rounding = 1e-9;
+  return outer_radius(body.curve, body.centre) > *problem.gauge_length &&
+         least_mobility(body, problem) < -rounding;
+}
+
+// Curves that are apart by no more than rounding of their positions touch.
+bool overlaps(const Gap& gap, const Configuration& configuration) {
+  const Complex point = gap.points.point_a;
+  const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
+  return gap.points.gap <= 1e-14 * size;
+}
+
+std::string overlap_message(const Scene& scene, const Gap& gap) {
+  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) +
+         " overlap, touch or lie on the wrong side of each other, by about " +
+         short_number(-gap.points.gap) + " near (" + short_number(gap.points.point_a.real()) +
+         ", " + short_number(gap.points.point_a.imag()) +
+         "): move them apart, or take smaller steps if this happened during a run";
+}
+
+std::string shape_message(const Scene& scene, std::size_t component, const Reference& reference) {
+  const double tolerance = scene.solver.tolerance;
+  const int nodes = nodes_for_shape(reference.shape, reference.curve.side, tolerance,
+                                    reference.resolution.n_nodes);
+  return component_name(scene, component) + ": " + std::to_string(reference.curve.size()) +
+         " nodes resolve its shape to " + short_number(reference.shape_residual) + " only" +
+         (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
+                          "; give it n_nodes = " + std::to_string(nodes) + " at least"
+                    : "; " + unresolved_shape(reference.shape, tolerance));
+}
+
+// Without near corrections the trapezoid rule of either curve must do at the other's nearest point.
+std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothCurve& a,
+                               const SmoothCurve& b) {
+  const auto error = [](const Curve& curve, Complex target) {
+    return std::exp(near_cut(1.0) - preimage_depth(curve, target));
+  };
+  const double worst =
+      std::max(error(a.nodes, gap.points.point_b), error(b.nodes, gap.points.point_a));
+  if (worst <= scene.solver.tolerance) return {};
+  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) + " are " +
+         short_number(gap.points.gap) +
+         " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
+         ", solver.tolerance = " + short_number(scene.solver.tolerance) +
+         "; set solver.near_singular = \"auto\"";
+}
+
+std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
+  const double tolerance = scene.solver.tolerance;
+  const auto advice = [&](std::size_t component, double decay) {
+    return component_name(scene, component) +
+           " n_nodes = " + std::to_string(recommended_nodes(decay, tolerance));
+  };
+  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) + " are " +
+         short_number(gap.points.gap) + " apart, too close for their nodes: estimated error " +
+         short_number(resolution.error) +
+         " of the velocities, solver.tolerance = " + short_number(tolerance) + "; give " +
+         advice(gap.a, resolution.decay.a) + " and " + advice(gap.b, resolution.decay.b) +
+         " at least";
+}
+
+// " (nearest: body 3, 0.01 apart)", or nothing where no component is near.
+std::string nearest_neighbour(const Scene& scene, std::size_t component,
+                              const std::vector<Gap>& gaps) {
+  const auto nearest = std::ranges::find_if(
+      gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
+  if (nearest == gaps.end()) return {};
+  const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
+  return " (nearest: " + component_name(scene, other) + ", " + short_number(nearest->points.gap) +
+         " apart)";
+}
+
+}  // namespace
+
+std::string separation_refusal(double separation, const Configuration& start,
+                               const References& references) {
+  // Measured on pairs of disks pressed together: a gap of 1e-8 radii is kept to a part in 1e8, with
+  // polygons of 70 MB; of 1e-9, steps do not end. Gaps are kept to 1e-5 of themselves at 1e-10 of
+  // the distance from the origin; at 1e-11 steps are halved, and at 1e-12 gaps err by 3e-5.
+  constexpr double least_in_radii = 1e-8, least_in_distances = 1e-10;
+  double radius = 0.0, distance = 0.0;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const double own = outer_radius(references[k]->curve, 0.0);
+    radius = std::max(radius, own);
+    distance = std::max(distance, std::abs(start[k].position) + own);
+  }
+  const double least = std::max(least_in_radii * radius, least_in_distances * distance);
+  if (separation == 0.0 || !(separation < least)) return {};
+  return "contact.minimum_separation asks for gaps of " + short_number(separation) +
+         ", too narrow beside a radius of " + short_number(radius) + " and a distance of " +
+         short_number(distance) + " from the origin: give at least " + short_number(least);
+}
+
+std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
+  if (is_bounded(problem)) {
+    const double flux = net_flux(problem);
+    if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
+    return "the walls' velocities drive a net flux of " + short_number(flux) +
+           " out of the enclosed fluid, which is incompressible: make them balance";
+  }
+  const auto* uniform = std::get_if<UniformFlow>(&scene.flow);
+  if (uniform != nullptr && uniform->velocity != 0.0 && has_free_uniform_velocity(problem)) {
+    return "flow.kind = \"uniform\" has no effect beside a held body or inner wall without "
+           "flow.gauge_length: the fluid moves at infinity as it must for zero net force, "
+           "whatever the stream; give flow.gauge_length, the distance at which the stream is felt";
+  }
+  const double extent = prescribed_extent(problem);
+  if (scene.gauge_length && extent > 0.5 * *scene.gauge_length) {
+    return "flow.gauge_length = " + short_number(*scene.gauge_length) +
+           " is not large against the held components, which reach " + short_number(extent) +
+           " from their centre: near that size the problem is singular (Stokes' paradox); give at "
+           "least " +
+           short_number(2.0 * extent) + ", or leave it out for zero net force";
+  }
+  for (std::size_t k = 0; scene.gauge_length && k < problem.components.size(); ++k) {
+    if (!moves_against_its_force(problem.components[k], problem)) continue;
+    return component_name(scene, k) + " would move against its force with flow.gauge_length = " +
+           short_number(*scene.gauge_length) +
+           ", which is to be large against bodies (Stokes' paradox); give at least " +
+           short_number(2.0 *
+                        outer_radius(problem.components[k].curve, problem.components[k].centre));
+  }
+  if (extent == 0.0 && !scene.gauge_length && has_net_force(problem)) {
+    const Complex force = total_given_force(problem);
+    return "the loads have a net force of (" + short_number(force.real()) + ", " +
+           short_number(force.imag()) +
+           ") in an unbounded plane, where velocities grow like the logarithm of the distance "
+           "(Stokes' paradox): balance the forces, enclose the fluid, or give flow.gauge_length";
+  }
+  return {};
+}
+
+std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
+                             const Resolutions& least, const std::vector<TailEstimate>& tails,
+                             double error, const std::vector<Gap>& gaps) {
+  const double tolerance = scene.solver.tolerance;
+  if (!std::isfinite(error)) {
+    return "nothing is known of the error of the velocities: what more nodes would change is lost "
+           "in rounding; move the closest bodies apart, or raise solver.tolerance = " +
+           short_number(tolerance);
+  }
+  const std::string estimate = "estimated error " + short_number(error) +
+                               " of the velocities, solver.tolerance = " + short_number(tolerance);
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    if (resolutions[k].n_nodes >= least[k].n_nodes) continue;
+    return component_name(scene, k) + " has densities that " +
+           std::to_string(resolutions[k].n_nodes) +
+           " nodes do not see, as it is slender or lobed: " + estimate +
+           "; give it n_nodes = " + std::to_string(least[k].n_nodes) + " at least";
+  }
+  const auto worst = std::ranges::max_element(tails, {}, &TailEstimate::error);
+  if (worst->error < tolerance) {
+    return estimate +
+           ": nodes resolve the densities, rounding or GMRES leaves this error; lower "
+           "solver.gmres_tol if it is given, or raise solver.tolerance";
+  }
+  const auto component = static_cast<std::size_t>(worst - tails.begin());
+  const int nodes = resolutions[component].n_nodes;
+  const int advice = rounded_nodes(extrapolated_nodes(nodes, worst->decay, error / tolerance));
+  return "the density on " + component_name(scene, component) + " is not resolved" +
+         nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
+         std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
+}
+
+std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
+                            const Configuration& configuration) {
+  const bool apart = gaps.empty() || !overlaps(gaps.front(), configuration);
+  return apart ? std::string{} : overlap_message(scene, gaps.front());
+}
+
+std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
+                          const std::vector<Gap>& gaps) {
+  long long all = 0;
+  bool chosen = false;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const int nodes = resolutions[k].n_nodes;
+    all += nodes;
+    if (given_nodes(scene, k) != automatic_nodes) continue;
+    chosen = true;
+    if (nodes <= most_nodes_of_a_component) continue;
+    return component_name(scene, k) + nearest_neighbour(scene, k, gaps) +
+           " would need n_nodes = " + std::to_string(nodes) +
+           " for solver.tolerance = " + short_number(scene.solver.tolerance) +
+           "; \"auto\" takes up to " + std::to_string(most_nodes_of_a_component) +
+           ": give the number yourself, or raise the tolerance";
+  }
+  if (!chosen || all <= most_nodes_in_all) {
+    return memory_refusal(scene, resolutions, available_memory());
+  }
+  return "the components would need " + std::to_string(all) +
+         " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
+         "; \"auto\" takes up to " + std::to_string(most_nodes_in_all) +
+         ": give the numbers yourself, or raise the tolerance";
+}
+
+std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
+                             const Configuration& configuration, const References& references) {
+  const double tolerance = scene.solver.tolerance;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    if (references[k]->shape_residual > hopeless * tolerance) {
+      return shape_message(scene, k, *references[k]);
+    }
+  }
+  for (const Gap& gap : gaps) {
+    const GapResolution resolution = gap_resolution(gap, configuration, references);
+    if (resolution.error > hopeless * tolerance) return gap_message(scene, gap, resolution);
+    if (scene.solver.near_singular == NearSingular::off) {
+      const std::string message =
+          plain_rule_message(scene, gap, smooth_curve(*references[gap.a], configuration[gap.a]),
+                             smooth_curve(*references[gap.b], configuration[gap.b]));
+      if (!message.empty()) return message;
+    }
+  }
+  return {};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,189 @@
+#include "suspension/solver/rheology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "stress/dissipation.hpp"
+#include "stress/stresslet.hpp"
+#include "suspension/bodies/background_flow.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+const Wall* only_wall(const Scene& scene, WallRole role) {
+  const auto is_one = [&](const Wall& wall) { return wall.role == role; };
+  if (std::ranges::count_if(scene.walls, is_one) != 1) return nullptr;
+  return &*std::ranges::find_if(scene.walls, is_one);
+}
+
+// Angular velocity of a wall that is fixed or rotates; none of others.
+std::optional<double> rotation(const Wall& wall) {
+  if (std::holds_alternative<FixedWall>(wall.motion)) return 0.0;
+  const auto* rotating = std::get_if<RotatingWall>(&wall.motion);
+  return rotating ? std::optional(rotating->omega) : std::nullopt;
+}
+
+// Where a wall stands among all components.
+std::size_t component_of(const Scene& scene, const Wall& wall) {
+  return scene.bodies.size() + static_cast<std::size_t>(&wall - scene.walls.data());
+}
+
+double torque_without_bodies(Scene scene) {
+  scene.bodies.clear();
+  const SuspensionSolver solver(scene);
+  const Solution solution = solver.solve(solver.initial_configuration());
+  return solution.loads[component_of(scene, *only_wall(scene, WallRole::inner))].torque;
+}
+
+bool deforms(const Wall& wall) {
+  return std::holds_alternative<LinearWall>(wall.motion) ||
+         std::holds_alternative<RadialWall>(wall.motion);
+}
+
+bool has_outer_wall(const Scene& scene) {
+  return std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
+}
+
+bool is_sheared(const BackgroundFlow& flow) {
+  return std::holds_alternative<ShearFlow>(flow) || std::holds_alternative<ExtensionalFlow>(flow) ||
+         std::holds_alternative<LinearFlow>(flow);
+}
+
+// Without a net force the disturbance decays, and so does what it dissipates. Held bodies and walls
+// add up to one where a gauge length is given.
+bool forces_balance(const StokesProblem& problem) {
+  if (!problem.gauge_length) return true;
+  const bool all_free = std::ranges::all_of(problem.components, [](const Component& component) {
+    return component.kind == ComponentKind::free_body;
+  });
+  return all_free && !has_net_force(problem);
+}
+
+std::vector<Complex> stresslets_of(const StokesProblem& problem, const ComplexVector& density) {
+  std::vector<Complex> stresslets;
+  Index first = 0;
+  for (const Component& component : problem.components) {
+    const Index n = component.curve.size();
+    stresslets.push_back(
+        body_stresslet(component.curve, density.segment(first, n), problem.viscosity));
+    first += n;
+  }
+  return stresslets;
+}
+
+}  // namespace
+
+bool is_couette_cell(const Scene& scene) {
+  const Wall* outer = only_wall(scene, WallRole::outer);
+  const Wall* inner = only_wall(scene, WallRole::inner);
+  if (outer == nullptr || inner == nullptr) return false;
+  const std::optional<double> outer_rate = rotation(*outer), inner_rate = rotation(*inner);
+  return outer_rate && inner_rate && *outer_rate != *inner_rate;
+}
+
+std::optional<double> long_axis(const Curve& curve) {
+  const double h = 2.0 * std::numbers::pi / static_cast<double>(curve.size());
+  // By Green's theorem, int f dA = 1/(2i) oint F dz for f = dF / d conj(z).
+  const auto integral = [&](const auto& primitive) {
+    Complex sum{};
+    for (Index j = 0; j < curve.size(); ++j) sum += primitive(curve.x[j]) * curve.dx[j];
+    return h / (2.0 * imaginary) * sum;
+  };
+  const Complex area = integral([](Complex z) { return std::conj(z); });
+  const Complex centroid = integral([](Complex z) { return z * std::conj(z); }) / area;
+  const Complex moment =
+      integral([&](Complex z) { return (z - centroid) * std::norm(z - centroid); });
+  const Complex size =
+      integral([&](Complex z) { return 0.5 * std::conj(z - centroid) * std::norm(z - centroid); });
+  if (std::abs(moment) <= 1e-6 * std::abs(size)) return {};
+  return 0.5 * std::arg(moment);
+}
+
+Rheometer::Rheometer(const SuspensionSolver& solver) : solver_(solver) {
+  const Scene& scene = solver.scene();
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    long_axes_.push_back(long_axis(solver.references()[k]->curve));
+  }
+  if (is_couette_cell(scene)) empty_torque_ = torque_without_bodies(scene);
+}
+
+double Rheometer::order_parameter(const Configuration& configuration) const {
+  const Scene& scene = solver_.scene();
+  double sum = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < long_axes_.size(); ++k) {
+    if (!long_axes_[k]) continue;
+    double flow = 0.0;
+    if (empty_torque_) {
+      const Wall& outer = *only_wall(scene, WallRole::outer);
+      flow = std::arg(imaginary * (configuration[k].position - outer.position));
+    }
+    sum += std::cos(2.0 * (configuration[k].orientation + *long_axes_[k] - flow));
+    count += 1.0;
+  }
+  const bool defined = empty_torque_ || (!has_outer_wall(scene) && is_sheared(scene.flow));
+  return defined && count > 0.0 ? sum / count : Rheology::undefined;
+}
+
+double Rheometer::excess_dissipation(const Configuration& configuration, const Solution& solution,
+                                     const std::vector<Complex>& stresslets, double drive) const {
+  const Scene& scene = solver_.scene();
+  const bool linear = !std::holds_alternative<TaylorGreenFlow>(scene.flow);
+  if (!linear || std::ranges::any_of(scene.walls, deforms)) {
+    return Rheology::undefined;
+  }
+  ComplexVector centres(static_cast<Index>(configuration.size()));
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    centres[static_cast<Index>(k)] = configuration[k].position;
+  }
+  const ComplexVector stream = drive * background_velocity(scene.flow, centres);
+  const FlowDerivatives gradient = background_derivatives(scene.flow, centres.head(1))[0];
+  const Complex strain = drive * gradient.strain;
+  const double rotation = 0.5 * drive * gradient.vorticity;
+  double power = 0.0;
+  for (std::size_t k = 0; k < stresslets.size(); ++k) {
+    const RigidMotion& motion = solution.motions[k];
+    const Load& load = solution.loads[k];
+    power += dot(strain, stresslets[k]) +
+             dot(load.force, motion.velocity - stream[static_cast<Index>(k)]) +
+             load.torque * (motion.omega - rotation);
+  }
+  return power;
+}
+
+Rheology Rheometer::operator()(const Configuration& configuration, const Solution& solution,
+                               double drive) const {
+  const Scene& scene = solver_.scene();
+  Rheology rheology;
+  rheology.order_parameter = order_parameter(configuration);
+  // Only the power of walls that deform asks for tractions, and these for close evaluation.
+  const SolvedFlow flow =
+      std::ranges::any_of(scene.walls, deforms)
+          ? solver_.disturbance(configuration, solution, drive)
+          : SolvedFlow(solver_.problem(configuration, solution.references, drive), {},
+                       solution.density);
+  if (has_outer_wall(scene)) {
+    const std::vector<double> powers = power_of_loads(flow);
+    rheology.dissipation = std::accumulate(powers.begin(), powers.end(), 0.0);
+  } else {
+    const std::vector<Complex> stresslets = stresslets_of(flow.problem(), flow.density());
+    rheology.stresslet = std::accumulate(stresslets.begin(), stresslets.end(), Complex{});
+    if (forces_balance(flow.problem())) {
+      rheology.dissipation = excess_dissipation(configuration, solution, stresslets, drive);
+    }
+  }
+  if (has_free_uniform_velocity(flow.problem())) {
+    rheology.uniform_velocity = solution.uniform_velocity;
+  }
+  if (empty_torque_) {
+    const std::size_t inner = component_of(scene, *only_wall(scene, WallRole::inner));
+    rheology.torque_ratio = solution.loads[inner].torque / (drive * *empty_torque_);
+  }
+  return rheology;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "record/run_data.hpp"
+#include "suspension/solver/solver.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Tells whether a scene is a Couette cell: one outer and one inner wall, each fixed or rotating,
+/// at different rates.
+///
+/// @param  scene  any
+/// @return        whether its inner wall measures viscosity
+bool is_couette_cell(const Scene& scene);
+
+/// Finds the direction in which a curve is long: the principal axis of the area that it encloses,
+/// \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
+///
+/// @param  curve  N nodes
+/// @return        angle, radians; none where \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as
+///                for circles, and for stars of three arms or more
+/// @par Accuracy  that of the rule: geometric in N for analytic curves, @ref claim_01_9
+std::optional<double> long_axis(const Curve& curve);
+
+/// Measures the rheology of a scene's solutions.
+///
+/// - Dissipation, in an enclosed fluid: all of it, the power of all loads and moving walls. In an
+///   unbounded one whose background is linear and whose forces balance: what bodies and walls add
+///   to that of the undisturbed flow in the same plane,
+///   the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
+///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined where a wall deforms.
+/// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
+/// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
+///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear
+///   flow, and the azimuth about the outer wall's position in a Couette cell; elsewhere it is not
+///   defined.
+/// - Stresslet, in an unbounded fluid: the sum over bodies and walls, by body_stresslet().
+///
+/// In a linear flow the mean stress of the suspension in an area A is
+/// \f$ -pI + 2\mu E + \sum_kS_k/A \f$.
+/// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
+class Rheometer {
+ public:
+  /// Prepares the measurements.
+  ///
+  /// @param  solver  of the scene; must outlive the rheometer
+  /// @throws NumericsRefused when the walls of a Couette cell are refused without bodies
+  /// @par Cost       in a Couette cell, one solve without bodies
+  explicit Rheometer(const SuspensionSolver& solver);
+
+  /// Measures a solution.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  drive          as in solve()
+  /// @return                all that the scene defines
+  /// @par Cost      O(n) for n nodes in all, and the derivatives at nodes of walls that deform
+  Rheology operator()(const Configuration& configuration, const Solution& solution,
+                      double drive = 1.0) const;
+
+ private:
+  double order_parameter(const Configuration& configuration) const;
+  double excess_dissipation(const Configuration& configuration, const Solution& solution,
+                            const std::vector<Complex>& stresslets, double drive) const;
+
+  const SuspensionSolver& solver_;
+  std::vector<std::optional<double>> long_axes_;  // of the bodies, in their own frames
+  std::optional<double> empty_torque_;            // of a Couette cell's inner wall
+};
+
+/// @}
+
+}  // namespace stokesbook

@@ -1,0 +1,305 @@
+// Solves one instant on as many nodes as its tolerance asks for (chapter 12).
+#include "suspension/solver/solver.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "double_layer/double_layer.hpp"
+#include "record/number_text.hpp"
+#include "suspension/bodies/component_data.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/node_choice.hpp"
+#include "suspension/solver/density_history.hpp"
+#include "suspension/solver/refusal.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// What a component asks for alone.
+Resolution own_resolution(const Scene& scene, std::size_t component) {
+  const std::size_t bodies = scene.bodies.size();
+  const auto nodes = [&](const auto& source) {
+    return own_nodes(source, side_of(kind_of(source)), scene.solver.tolerance,
+                     component_name(scene, component));
+  };
+  return {component < bodies ? nodes(scene.bodies[component])
+                             : nodes(scene.walls[component - bodies])};
+}
+
+double mean_spacing(const Scene& scene, const References& references) {
+  double length = 0.0, nodes = 0.0;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    length += perimeter(references[k]->curve);
+    nodes += static_cast<double>(references[k]->curve.size());
+  }
+  return length / nodes;
+}
+
+// Nodes are raised as often on the estimate's word alone.
+constexpr int most_suspicions = 3;
+
+// A hundredth of what is planned, as far as rounding allows.
+double least_gmres_tolerance(const Plan& plan) {
+  return std::max(1e-14, 0.01 * plan.gmres_tolerance);
+}
+
+// No fewer nodes than others; they were automatic.
+Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
+  for (std::size_t k = 0; k < least.size(); ++k) {
+    int& nodes = resolutions[k].n_nodes;
+    nodes = std::max(nodes, least[k].n_nodes);
+  }
+  return resolutions;
+}
+
+// The density of a solution, on other nodes of the same configuration.
+DensityGuess guess_from(const Configuration& configuration, const Solution& solution) {
+  DensityHistory found(1);
+  found.add(0.0, configuration, solution.references, solution.density);
+  return [configuration, found](const References& references) {
+    return found.guess(0.0, configuration, references);
+  };
+}
+
+std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
+  const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
+  const std::vector<Index>& offsets = discrete.system.offsets();
+  std::vector<TailEstimate> tails;
+  for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
+    tails.push_back(tail_estimate(rest.segment(offsets[k], offsets[k + 1] - offsets[k]),
+                                  solution.velocity_scale));
+    // What aliases in the kernel, tails do not show.
+    tails[k].error = std::max(tails[k].error, solution.references[k]->shape_residual);
+  }
+  return tails;
+}
+
+}  // namespace
+
+SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
+  const bool bounded = plan_.null_space_fix;
+  const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
+  const std::size_t count = scene_.bodies.size() + scene_.walls.size();
+  // A solve asks for one a component, and so does its estimate: some sixty solves long.
+  const std::size_t patience = 64 * count;
+  const ReferenceNeeds needs{plan_.near_correction,
+                             interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
+                             bounded ? std::nullopt : scene.gauge_length};
+  shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
+  Resolutions own;
+  for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
+  refuse(limit_refusal(scene_, own, {}));
+  references_ = references(own);
+  std::map<const Reference*, int> least;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Reference& reference = *references_[k];
+    const auto [entry, is_new] = least.try_emplace(&reference);
+    if (is_new) {
+      entry->second =
+          nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes);
+    }
+    least_.push_back({entry->second});
+    if (given_nodes(scene_, k) == automatic_nodes) own[k] = least_[k];
+  }
+  refuse(limit_refusal(scene_, own, {}));
+  references_ = references(own);
+  refuse(separation_refusal(separation(), initial_configuration(), references_));
+}
+
+double SuspensionSolver::separation() const {
+  if (!scene_.contact) return 0.0;
+  const double unit = scene_.contact->in_spacings ? mean_spacing(scene_, references_) : 1.0;
+  return unit * scene_.contact->minimum_separation;
+}
+
+Configuration SuspensionSolver::initial_configuration() const {
+  Configuration configuration;
+  const auto add = [&](const auto& component) {
+    configuration.push_back({component.position, component.orientation});
+  };
+  std::for_each(scene_.bodies.begin(), scene_.bodies.end(), add);
+  std::for_each(scene_.walls.begin(), scene_.walls.end(), add);
+  return configuration;
+}
+
+std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
+  return find_gaps(configuration, references_, scene_.solver.tolerance);
+}
+
+std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
+  std::vector<Gap> gaps = this->gaps(configuration);
+  refuse<ConfigurationRefused>(overlap_refusal(scene_, gaps, configuration));
+  return gaps;
+}
+
+Solution SuspensionSolver::attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
+                                   const Effort& effort, double drive) const {
+  const System system = this->system(configuration, gaps, effort.resolutions, drive);
+  const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
+  Solution solution = converged(system, effort.gmres_tolerance, guess, drive);
+  solution.velocity_scale = system.discrete->system.right_hand_side().cwiseAbs().maxCoeff();
+  solution.gaps = gaps;
+  return solution;
+}
+
+Solution SuspensionSolver::converged(const System& system, double gmres_tolerance,
+                                     const ComplexVector& guess, double drive) const {
+  GmresResult gmres =
+      stokesbook::solve(*system.discrete, system.discrete->system.right_hand_side(),
+                        {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
+  if (!gmres.converged) {
+    throw NumericsRefused(
+        "GMRES stopped at a relative residual of " + short_number(gmres.history.back()) +
+        " after " + std::to_string(gmres.iterations) + " iterations, asked " +
+        short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
+  }
+  return completed(system, std::move(gmres), drive);
+}
+
+// A quarter more nodes, and as many as the softest modes ask for.
+Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
+  return at_least(least_, finer(resolutions_of(solution.references)));
+}
+
+Solution SuspensionSolver::refined(const Configuration& configuration, const Solution& solution,
+                                   double drive) const {
+  const Resolutions resolutions = finer_than(solution);
+  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, solution.gaps));
+  System system{references(resolutions), {}};
+  const StokesProblem problem = loaded_problem(configuration, system.references, solution, drive);
+  system.discrete = std::make_shared<const DiscreteProblem>(
+      discretise(problem, configuration, solution.gaps, system.references));
+  Solution finer = converged(system, least_gmres_tolerance(plan_),
+                             guess_from(configuration, solution)(system.references), drive);
+  finer.velocity_scale = solution.velocity_scale;
+  finer.gaps = solution.gaps;
+  return finer;
+}
+
+ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
+                                         const Configuration& configuration,
+                                         const Solution& solution, double drive) const {
+  if (solution.velocity_scale == 0.0) return {};
+  const References finer = references(finer_than(solution));
+  const DiscreteProblem fine =
+      unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
+  try {
+    return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
+  } catch (const NumericsRefused&) {
+    // The correction is lost in rounding: nothing is known of the error.
+    return {std::numeric_limits<double>::infinity(), 0};
+  }
+}
+
+LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
+                                           const Solution& loaded, double gmres_tolerance,
+                                           double drive) const {
+  const Resolutions resolutions = resolutions_of(loaded.references);
+  DiscreteProblem discrete =
+      unpreconditioned(loaded_problem(configuration, loaded.references, loaded, drive),
+                       configuration, loaded.references);
+  discrete.precondition = loaded.system->precondition;
+  Solution solution = loaded;
+  solution.gmres.solution = interleaved(loaded.density);
+  const Completion completion = discrete.system.closure().complete(loaded.density);
+  for (std::size_t k = 0; k < loaded.references.size(); ++k) {
+    if (loaded.references[k]->kind != ComponentKind::free_body) continue;
+    const auto& [velocity, omega] = completion.motions[k];  // relative to the flow that carries it
+    solution.velocity_scale = std::max({solution.velocity_scale, std::abs(velocity),
+                                        loaded.references[k]->gyration_radius * std::abs(omega)});
+  }
+  const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
+  if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
+  const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
+  const Effort next = greater(effort, tails_of(discrete, solution), estimate.error);
+  const bool too_many = !limit_refusal(scene_, next.resolutions, loaded.gaps).empty();
+  return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
+}
+
+// [solve]
+
+Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
+                                 const DensityGuess& guess, const Resolutions& least) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  Effort effort{at_least(least, first_resolutions(configuration, gaps)), plan_.gmres_tolerance,
+                guess};
+  SolveCost cost;
+  while (true) {
+    Solution solution = attempt(configuration, gaps, effort, drive);
+    const ErrorEstimate estimate = this->estimate(*solution.system, configuration, solution, drive);
+    cost.gmres_iterations += solution.gmres.iterations;
+    cost.matvecs += solution.gmres.applications + estimate.matvecs;
+    solution.error_estimate = estimate.error;
+    solution.cost = cost;
+    if (solution.error_estimate <= scene_.solver.tolerance) return solution;
+    const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
+    Effort next = greater(effort, tails, solution.error_estimate);
+    if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
+      throw ConfigurationRefused(accuracy_refusal(scene_, effort.resolutions, least_, tails,
+                                                  solution.error_estimate, gaps));
+    }
+    next.guess = guess_from(configuration, solution);
+    effort = std::move(next);
+  }
+}
+// [solve]
+
+SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
+                                                   const std::vector<TailEstimate>& tails,
+                                                   double error) const {
+  const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  Effort next{raised(scene_, effort.resolutions, tails, error),
+              effort.gmres_tolerance,
+              {},
+              effort.suspicions};
+  // The nodes do: the system is so ill-conditioned that its residual says little.
+  if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
+    next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
+  }
+  // Few nodes may hide what they leave: a tail that is small by chance, a
+  // point that is nearly near.
+  if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance &&
+      effort.suspicions < most_suspicions) {
+    next.resolutions = finer_automatic(scene_, effort.resolutions);
+    ++next.suspicions;
+  }
+  return next;
+}
+
+Solution SuspensionSolver::solve_nearby(const Configuration& configuration,
+                                        const Resolutions& earlier, double drive,
+                                        const DensityGuess& guess) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  const Resolutions resolutions = at_least(earlier, first_resolutions(configuration, gaps));
+  Solution solution =
+      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive);
+  solution.cost = {solution.gmres.iterations, solution.gmres.applications};
+  solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
+  return solution;
+}
+
+Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
+                                        const DensityGuess& guess, double drive) const {
+  const std::vector<Gap> gaps = open_gaps(configuration);
+  const System system =
+      this->system(configuration, gaps, first_resolutions(configuration, gaps), drive);
+  const SuspensionOperator& apply = system.discrete->system;
+  const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
+  const ComplexVector residual = rhs - apply(before);
+  GmresResult sweep;
+  sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));
+  sweep.residual = residual.norm() / rhs.norm();
+  Solution solution = completed(system, std::move(sweep), drive);
+  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
+  solution.gaps = gaps;
+  const ErrorEstimate estimate = this->estimate(*system.discrete, configuration, solution, drive);
+  solution.error_estimate = estimate.error;
+  solution.cost = {0, 1 + estimate.matvecs};
+  return solution;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,332 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "closure/closure.hpp"
+#include "krylov/gmres.hpp"
+#include "near_singular/near_correction.hpp"
+#include "scene/scene.hpp"
+#include "stress/solved_flow.hpp"
+#include "suspension/bodies/configuration.hpp"
+#include "suspension/bodies/gaps.hpp"
+#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/reference.hpp"
+#include "suspension/system/discrete_problem.hpp"
+#include "suspension/system/error_estimate.hpp"
+#include "suspension/system/plan.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// Guesses the density on the nodes of some references, one a component; empty: from nothing.
+using DensityGuess = std::function<ComplexVector(const References&)>;
+
+/// What a solution has cost, attempts at fewer nodes included.
+struct SolveCost {
+  int gmres_iterations = 0;  ///< of all solves for motions and loads
+  int matvecs = 0;           ///< applications of the operator, those of error estimates included
+  /// Adds what was done elsewhere.
+  /// @param  other  counts
+  /// @return        the sum
+  SolveCost& operator+=(const SolveCost& other) {
+    gmres_iterations += other.gmres_iterations;
+    matvecs += other.matvecs;
+    return *this;
+  }
+};
+
+/// One quasi-static solution.
+struct Solution {
+  References references;                          ///< that the density lives on, one a component
+  std::shared_ptr<const DiscreteProblem> system;  ///< that it solves, on the same nodes
+  ComplexVector density;  ///< at all nodes, components in order, length / time
+  std::vector<RigidMotion>
+      motions;                  ///< of every component about its position: solved on free bodies,
+                                ///< prescribed on held bodies and rigidly moving walls, else zero
+  std::vector<Load> loads;      ///< of every component on the fluid, about its position
+  Complex uniform_velocity;     ///< of the fluid at infinity beside the background
+  GmresResult gmres;            ///< of the linear system, converged
+  double velocity_scale = 0.0;  ///< largest velocity in the data, without those that carry a body
+                                ///< as a whole, see carried_by(); length / time
+  double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; not
+                                ///< a number where none was asked for
+  std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
+  SolveCost cost;               ///< in counts
+};
+
+/// What is known of a solution with the forces of contact.
+struct LoadedCheck {
+  ErrorEstimate estimate;  ///< of its motions and loads
+  Resolutions needed;      ///< the solution's own where they do
+  double
+      gmres_tolerance;  ///< that the solution was solved to, or less where nodes do and it does not
+};
+
+/// Solves a scene for any configuration of its components.
+///
+/// Scene -> geometry -> plan -> resolution -> operator -> velocities. References are shared between
+/// solves; everything else is made anew for a configuration, and depends on it alone.
+/// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or the solve refuses
+class SuspensionSolver {
+ public:
+  /// Plans a scene without fills and prepares its references.
+  ///
+  /// @param  scene  without fills: with_fills_placed() comes first
+  /// @throws std::invalid_argument when a number of nodes is odd or < 4
+  /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes, and by
+  ///                separation_refusal()
+  /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
+  explicit SuspensionSolver(const Scene& scene);
+
+  /// Returns the scene's placements at the start.
+  /// @return bodies, then walls, in the scene's order
+  Configuration initial_configuration() const;
+
+  /// Returns how far contact keeps components apart.
+  /// @return least gap, length; 0 in scenes without contact
+  double separation() const;
+
+  /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
+  ///
+  /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
+  /// estimate exceeds the tolerance. Where the nodes do and GMRES does not, it goes on.
+  /// @param  configuration  where the components are
+  /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
+  /// @param  guess          of the density, where GMRES begins
+  /// @param  least          resolutions that automatic nodes do not fall below; empty: none
+  /// @return                density, motions and loads of all components, and the error estimate
+  /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
+  ///                tolerance that no node count within the limits of node_choice.hpp brings down
+  /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
+  ///                large against held components, a preconditioner that is singular, no
+  ///                convergence, and numbers that are not finite
+  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
+  ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
+  Solution solve(const Configuration& configuration, double drive = 1.0,
+                 const DensityGuess& guess = {}, const Resolutions& least = {}) const;
+
+  /// Estimates the error of a solution to which the forces of contact were added.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  loaded         solution whose density and loads include them
+  /// @param  gmres_tolerance  that they were solved to
+  /// @param  drive          as in solve()
+  /// @return                the estimate, and with what to solve again where it exceeds the
+  ///                        tolerance: the same where that would not help
+  /// @par Cost      that of discretise() and of estimate_error()
+  LoadedCheck check_loaded(const Configuration& configuration, const Solution& loaded,
+                           double gmres_tolerance, double drive = 1.0) const;
+
+  /// Solves a configuration near one that was solved before, without an estimate: for the stages
+  /// of a time step, and for steps between those that estimate their error.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  earlier        resolution that has done, and will unless gaps have closed
+  /// @param  drive          as in solve()
+  /// @param  guess          as in solve()
+  /// @return                density, motions and loads of all components
+  /// @throws NumericsRefused as solve() does, but for estimates
+  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
+  ///                iteration of GMRES
+  Solution solve_nearby(const Configuration& configuration, const Resolutions& earlier,
+                        double drive = 1.0, const DensityGuess& guess = {}) const;
+
+  /// Solves every component alone in the flow that all others had before: the lagged, "locally
+  /// implicit" coupling, one sweep of block Jacobi,
+  /// \f$ \eta = \eta' + M^{-1}(b - A\eta') \f$ with the block diagonal M of A.
+  ///
+  /// The error of the sweep is part of the estimate, which refuses nothing; the residual is that of
+  /// the density before.
+  /// @param  configuration  where the components are
+  /// @param  guess          of the density before, not empty
+  /// @param  drive          as in solve()
+  /// @return                density, motions and loads of all components, and the error estimate
+  /// @throws NumericsRefused as solve() does, but for estimates and convergence
+  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
+  ///                estimate_error()
+  /// @par Not for   a plan without block_diagonal
+  Solution solve_lagged(const Configuration& configuration, const DensityGuess& guess,
+                        double drive = 1.0) const;
+
+  /// Evaluates the fluid's velocity in a solution.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  points         m points in the fluid or on its boundary, length
+  /// @param  drive          as in solve()
+  /// @return                m velocities, length / time
+  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Not for   points near the boundary where solver.near_singular is off, nor inside bodies
+  ComplexVector velocity(const Configuration& configuration, const Solution& solution,
+                         const ComplexVector& points, double drive = 1.0) const;
+
+  /// Prepares a solution for the evaluation of stresses and powers, without the background flow.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  drive          as in solve()
+  /// @return                the disturbance, near the boundary by the Cauchy scheme whatever
+  ///                        solver.near_singular says
+  SolvedFlow disturbance(const Configuration& configuration, const Solution& solution,
+                         double drive = 1.0) const;
+
+  /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
+  ///
+  /// It tells how wrong a quantity is that has no estimate of its own, such as a traction: by twice
+  /// what it changes.
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration, with forces of contact or none
+  /// @param  drive          as in solve()
+  /// @return                the same, without an estimate
+  /// @throws NumericsRefused when GMRES does not converge, or there are too many nodes
+  /// @par Cost      that of a solve with a good guess
+  Solution refined(const Configuration& configuration, const Solution& solution,
+                   double drive = 1.0) const;
+
+  /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
+  /// included.
+  ///
+  /// The pressure is zero at infinity; in an enclosed fluid it has a datum that means nothing.
+  /// @param  configuration  where the components are
+  /// @param  solution       from solve() in this configuration
+  /// @param  points         m points in the fluid, or nodes of its boundary, length
+  /// @param  drive          as in solve()
+  /// @return                m values, 1 / time
+  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Not for   points inside bodies
+  std::vector<FlowDerivatives> derivatives(const Configuration& configuration,
+                                           const Solution& solution, const ComplexVector& points,
+                                           double drive = 1.0) const;
+
+  /// Poses the boundary value problem of a configuration at a resolution.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  references     of each component, such as a solution's
+  /// @param  drive          as in solve()
+  /// @return                bodies, then walls, with their nodes, loads and velocities
+  StokesProblem problem(const Configuration& configuration, const References& references,
+                        double drive = 1.0) const;
+
+  /// Builds the linear system of a configuration at a resolution.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  references     of each component
+  /// @param  drive          as in solve()
+  /// @return                problem, operator, and the preconditioner of the plan
+  /// @throws NumericsRefused when the preconditioner is singular, as the block of a held component
+  ///                is whose size is at the degenerate scale of flow.gauge_length
+  DiscreteProblem discretise(const Configuration& configuration, const References& references,
+                             double drive = 1.0) const;
+
+  /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
+  /// tolerance.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                multiples of 16, one a component; 0 where no number up to 4096 resolves
+  ///                        a shape, and no gap asks for more
+  /// @par Cost      that of nodes_for_shape() a distinct reference, and of find_gaps()
+  std::vector<int> recommended_nodes(const Configuration& configuration) const;
+
+  /// Recommends nodes as above where gaps are known.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  gaps           in it
+  /// @return                as above
+  std::vector<int> recommended_nodes(const Configuration& configuration,
+                                     const std::vector<Gap>& gaps) const;
+
+  /// Chooses the resolution with which solve() begins.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                given node counts as they are; automatic ones from shapes and gaps
+  /// @par Cost      that of find_gaps()
+  Resolutions first_resolutions(const Configuration& configuration) const;
+
+  /// Chooses a resolution as above where gaps are known.
+  ///
+  /// @param  configuration  where the components are
+  /// @param  gaps           in it
+  /// @return                as above
+  Resolutions first_resolutions(const Configuration& configuration,
+                                const std::vector<Gap>& gaps) const;
+
+  /// Finds the gaps of a configuration that may ask for nodes, overlaps included.
+  ///
+  /// @param  configuration  where the components are
+  /// @return                in ascending order, as find_gaps() returns them
+  /// @par Cost      that of find_gaps()
+  std::vector<Gap> gaps(const Configuration& configuration) const;
+
+  /// Returns the shared references of a resolution; builds those that are not there.
+  ///
+  /// @param  resolutions  of each component
+  /// @return              bodies, then walls, in the scene's order
+  /// @throws std::invalid_argument when a number of nodes is odd or < 4
+  /// @par Cost      that of ReferenceShelf::get() a component
+  References references(const Resolutions& resolutions) const;
+
+  /// Returns the scene.
+  /// @return the scene that was planned
+  const Scene& scene() const { return scene_; }
+
+  /// Returns the plan.
+  /// @return what the scene needs, and why
+  const Plan& plan() const { return plan_; }
+
+  /// Returns the shared reference of each component as far as it depends on no configuration.
+  /// @return bodies, then walls, in the scene's order; where nodes are automatic, with those that
+  ///         the shape alone asks for
+  const References& references() const { return references_; }
+
+ private:
+  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  /// @cond
+  struct Effort {
+    Resolutions resolutions;
+    double gmres_tolerance;
+    DensityGuess guess;
+    int suspicions = 0;  // how often nodes were raised although tails say that they do
+  };
+  struct System {
+    References references;
+    std::shared_ptr<const DiscreteProblem> discrete;
+  };
+  /// @endcond
+  Solution attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
+                   const Effort& effort, double drive) const;
+  ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
+                         const Solution& solution, double drive) const;
+  Resolutions finer_than(const Solution& solution) const;
+  Complex frame_velocity(double drive) const;
+  StokesProblem loaded_problem(const Configuration& configuration, const References& references,
+                               const Solution& solution, double drive) const;
+  Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
+  DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
+                                   const References& references) const;
+  DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
+                             const std::vector<Gap>& gaps, const References& references) const;
+  std::vector<PlacedCurve> near_curves(const Configuration& configuration,
+                                       const References& references) const;
+  System system(const Configuration& configuration, const std::vector<Gap>& gaps,
+                const Resolutions& resolutions, double drive) const;
+  std::vector<Gap> open_gaps(const Configuration& configuration) const;
+  Solution converged(const System& system, double gmres_tolerance, const ComplexVector& guess,
+                     double drive) const;
+  Solution completed(const System& system, GmresResult gmres, double drive) const;
+  std::vector<PlacedCurve> placed(const Configuration& configuration,
+                                  const References& references) const;
+
+  Scene scene_;
+  Plan plan_;
+  std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
+  References references_;
+  Resolutions least_;  // that resolve the softest mode of each component, for estimates
+};
+
+/// @}
+
+}  // namespace stokesbook

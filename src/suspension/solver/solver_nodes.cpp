@@ -1,0 +1,75 @@
+// How many nodes components get, and what is prepared for them.
+#include <algorithm>
+#include <map>
+
+#include "suspension/bodies/component_data.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/grading_for_gaps.hpp"
+#include "suspension/nodes/node_choice.hpp"
+#include "suspension/solver/solver.hpp"
+
+namespace stokesbook {
+
+std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
+  return recommended_nodes(configuration, gaps(configuration));
+}
+
+std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
+                                                     const std::vector<Gap>& gaps) const {
+  const double tolerance = scene_.solver.tolerance;
+  std::map<const Reference*, int> shape_nodes;
+  std::vector<int> nodes;
+  for (const auto& reference : references_) {
+    const auto [entry, is_new] = shape_nodes.try_emplace(reference.get());
+    if (is_new) {
+      entry->second = nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16);
+    }
+    nodes.push_back(entry->second);
+  }
+  for (const Gap& gap : gaps) {
+    if (gap.points.gap <= 0.0) continue;
+    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
+    nodes[gap.a] = std::max(nodes[gap.a], stokesbook::recommended_nodes(decay.a, tolerance));
+    nodes[gap.b] = std::max(nodes[gap.b], stokesbook::recommended_nodes(decay.b, tolerance));
+  }
+  return nodes;
+}
+
+Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
+  return first_resolutions(configuration, gaps(configuration));
+}
+
+Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
+                                                const std::vector<Gap>& gaps) const {
+  Resolutions resolutions = resolutions_of(references_);
+  std::vector<std::vector<GapDemand>> demands(resolutions.size());
+  for (const Gap& gap : gaps) {
+    if (gap.points.gap <= 0.0) continue;
+    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
+    demands[gap.a].push_back({gap.points.parameter_a, decay.a});
+    demands[gap.b].push_back({gap.points.parameter_b, decay.b});
+  }
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    if (given_nodes(scene_, k) != automatic_nodes || demands[k].empty()) continue;
+    const int own = resolutions[k].n_nodes;
+    resolutions[k] = nodes_for_gaps(demands[k], own, scene_.solver.tolerance);
+    if (resolutions[k].n_nodes > own) {
+      resolutions[k].n_nodes = rounded_nodes(resolutions[k].n_nodes);
+    }
+  }
+  return resolutions;
+}
+
+References SuspensionSolver::references(const Resolutions& resolutions) const {
+  const std::size_t bodies = scene_.bodies.size();
+  References references;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const auto get = [&](const auto& source) {
+      return shelf_->get(source.shape, resolutions[k], kind_of(source));
+    };
+    references.push_back(k < bodies ? get(scene_.bodies[k]) : get(scene_.walls[k - bodies]));
+  }
+  return references;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,189 @@
+// The linear system of a configuration, and what its solution means.
+#include <algorithm>
+#include <variant>
+
+#include "double_layer/double_layer.hpp"
+#include "krylov/direct.hpp"
+#include "suspension/bodies/background_flow.hpp"
+#include "suspension/bodies/component_data.hpp"
+#include "suspension/bodies/scene_components.hpp"
+#include "suspension/solver/refusal.hpp"
+#include "suspension/solver/solver.hpp"
+#include "suspension/system/clusters.hpp"
+#include "suspension/system/layer_blocks.hpp"
+#include "suspension/system/preconditioner_choice.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// The inverse of a component's own block, or the reason why there is none.
+std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::size_t component,
+                                                     const Reference& reference) {
+  try {
+    return reference.inverse_block.get();
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused(
+        component_name(scene, component) + ": " + error.what() +
+        "; a gauge_length close to the size of a held component is a degenerate scale");
+  }
+}
+
+// Its clusters, or the reason why there are none.
+ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configuration& configuration,
+                                  const References& references,
+                                  const std::vector<PlacedCurve>& near) {
+  try {
+    return cluster_preconditioner(problem, configuration, references, near);
+  } catch (const std::domain_error& error) {
+    throw NumericsRefused("preconditioner by clusters: " + std::string(error.what()) +
+                          "; set solver.preconditioner = \"block_diagonal\"");
+  }
+}
+
+}  // namespace
+
+StokesProblem SuspensionSolver::problem(const Configuration& configuration,
+                                        const References& references, double drive) const {
+  StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const auto [position, orientation] = configuration[k];
+    const Curve curve = place(references[k]->curve, position, orientation);
+    Component component{references[k]->kind, curve, position, {}, 0.0, {}};
+    if (k >= scene_.bodies.size()) {
+      const Wall& wall = scene_.walls[k - scene_.bodies.size()];
+      component.velocity = drive * wall_velocity(wall.motion, curve, position);
+    } else if (const Body& body = scene_.bodies[k]; body.held) {
+      const auto arm = curve.x.array() - position;
+      component.velocity = (drive * (body.velocity + imaginary * body.omega * arm)).matrix();
+    } else {
+      component.force = drive * body.force;
+      component.torque = drive * body.torque;
+    }
+    if (component.kind != ComponentKind::free_body) {
+      component.velocity.array() -= frame_velocity(drive);
+    }
+    problem.components.push_back(std::move(component));
+  }
+  if (is_bounded(problem)) return problem;
+  const std::vector<Index> offsets = node_offsets(problem);
+  problem.background.resize(offsets.back());
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    problem.background.segment(offsets[k], component.curve.size()) =
+        drive * (component.kind == ComponentKind::free_body
+                     ? strain_on(scene_.flow, component)
+                     : background_velocity(scene_.flow, component.curve.x));
+  }
+  return problem;
+}
+
+// In a container that is moved as a whole, problems are those that it sees.
+Complex SuspensionSolver::frame_velocity(double drive) const {
+  const auto outer = std::ranges::find(scene_.walls, WallRole::outer, &Wall::role);
+  if (outer == scene_.walls.end()) return 0.0;
+  const auto* translating = std::get_if<TranslatingWall>(&outer->motion);
+  return translating == nullptr ? 0.0 : drive * translating->velocity;
+}
+
+// Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
+StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuration,
+                                               const References& references,
+                                               const Solution& solution, double drive) const {
+  StokesProblem problem = this->problem(configuration, references, drive);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    Component& component = problem.components[k];
+    if (component.kind != ComponentKind::free_body) continue;
+    component.force = solution.loads[k].force;
+    component.torque = solution.loads[k].torque;
+  }
+  return problem;
+}
+
+DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
+                                             const References& references, double drive) const {
+  return discretise(problem(configuration, references, drive), configuration, gaps(configuration),
+                    references);
+}
+
+DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const std::vector<Gap>& gaps,
+                                             const References& references) const {
+  const std::vector<PlacedCurve> near = near_curves(configuration, references);
+  DiscreteProblem discrete{problem, SuspensionOperator(problem, near, plan_)};
+  switch (chosen_preconditioner(plan_, gaps, references, separation())) {
+    case PreconditionerKind::direct:
+      discrete.precondition =
+          DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
+      discrete.is_factorised = true;
+      return discrete;
+    case PreconditionerKind::clusters:
+      discrete.precondition = clusters_of(problem, configuration, references, near);
+      return discrete;
+    case PreconditionerKind::none:
+      return discrete;
+    default:
+      break;
+  }
+  std::vector<BlockDiagonalPreconditioner::Member> members;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    members.push_back({inverse_block(scene_, k, *references[k]), configuration[k].orientation});
+  }
+  discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
+  return discrete;
+}
+
+DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
+                                                   const Configuration& configuration,
+                                                   const References& references) const {
+  return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
+}
+
+SuspensionSolver::System SuspensionSolver::system(const Configuration& configuration,
+                                                  const std::vector<Gap>& gaps,
+                                                  const Resolutions& resolutions,
+                                                  double drive) const {
+  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
+  References references = this->references(resolutions);
+  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
+  const StokesProblem problem = this->problem(configuration, references, drive);
+  refuse(data_refusal(scene_, problem));
+  auto discrete =
+      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
+  return {std::move(references), std::move(discrete)};
+}
+
+Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
+  Solution solution;
+  solution.references = system.references;
+  solution.system = system.discrete;
+  solution.gmres = std::move(gmres);
+  solution.density = deinterleaved(solution.gmres.solution);
+  const Completion completion = system.discrete->system.closure().complete(solution.density);
+  solution.motions = completion.motions;
+  solution.loads = completion.loads;
+  solution.uniform_velocity = completion.uniform_velocity;
+  for (std::size_t k = 0; k < system.references.size(); ++k) {
+    if (k >= scene_.bodies.size()) {
+      const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
+      solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
+    } else if (const Body& body = scene_.bodies[k]; body.held) {
+      solution.motions[k] = {drive * body.velocity, drive * body.omega};
+    } else {
+      const StokesProblem& problem = system.discrete->problem;
+      RigidMotion carried{frame_velocity(drive), 0.0};
+      if (!is_bounded(problem)) {
+        carried = carried_by(scene_.flow, problem.components[k].centre);
+        carried = {drive * carried.velocity, drive * carried.omega};
+      }
+      solution.motions[k].velocity += carried.velocity;
+      solution.motions[k].omega += carried.omega;
+    }
+  }
+  return solution;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,114 @@
+#include "suspension/system/clusters.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+
+#include "suspension/system/layer_blocks.hpp"
+#include "trapezoid/rectangle_index.hpp"
+
+namespace stokesbook {
+
+using Eigen::MatrixXd;
+
+namespace {
+
+// Of the layers between components: a preconditioner may err as much.
+constexpr double layer_tolerance = 1e-3;
+
+// In mean radii of gyration: gaps within a cluster, and those of contacts that may make a rigid
+// network.
+constexpr double cluster_reach = 2.0, touching = 0.05;
+
+using Inverses = std::map<const Reference*, std::shared_ptr<const MatrixXd>>;
+
+// Of the cluster_block() of each distinct reference.
+Inverses inverse_blocks(const References& references, ClusterForm form, double gauge) {
+  Inverses inverses;
+  std::vector<const Reference*> distinct;
+  for (const auto& reference : references) {
+    if (inverses.try_emplace(reference.get()).second) distinct.push_back(reference.get());
+  }
+  // An exception must not leave a parallel loop; of several, that of the first component counts.
+  std::vector<std::exception_ptr> failures(distinct.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < distinct.size(); ++k) {
+    const Reference& reference = *distinct[k];
+    try {
+      inverses.at(&reference) = std::make_shared<const MatrixXd>(invert_block(
+          cluster_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, form, gauge)));
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return inverses;
+}
+
+}  // namespace
+
+std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
+                                                       const References& references) {
+  const std::size_t count = references.size();
+  const auto encloses = [&](std::size_t k) {
+    return references[k]->kind == ComponentKind::enclosing_wall;
+  };
+  std::vector<double> radius;
+  std::vector<Rectangle> rectangles;
+  std::vector<SmoothCurve> curves;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    radius.push_back(references[k]->gyration_radius);
+    curves.push_back(smooth_curve(*references[k], configuration[k]));
+    rectangles.push_back(bounding_rectangle(curves[k].nodes.x));
+    if (!encloses(k)) largest = std::max(largest, radius[k]);
+  }
+  const RectangleIndex index(rectangles);
+  // More than what curves may bulge out of the rectangles of their nodes.
+  const double widening = 0.5 * cluster_reach;
+  std::vector<std::vector<Neighbour>> neighbours(count);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < count; ++a) {
+    if (encloses(a)) continue;
+    for (const std::size_t b :
+         index.meeting(widened(rectangles[a], widening * (radius[a] + largest)))) {
+      if (b == a || encloses(b)) continue;
+      const double mean = 0.5 * (radius[a] + radius[b]);
+      // In one order, so that both find the same gap.
+      const double gap = closest_points(curves[std::min(a, b)], curves[std::max(a, b)]).gap;
+      if (gap < cluster_reach * mean) neighbours[a].push_back({b, gap / mean});
+    }
+  }
+  return neighbours;
+}
+
+ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) {
+  const std::size_t count = neighbours.size();
+  std::size_t contacts = 0;  // each seen from both sides
+  for (const std::vector<Neighbour>& of_one : neighbours) {
+    contacts += static_cast<std::size_t>(
+        std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < touching; }));
+  }
+  const bool rigid = contacts >= 2 * count;
+  return count < cluster_crowd || rigid ? ClusterForm::resistance : ClusterForm::mobility;
+}
+
+ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const References& references,
+                                             const std::vector<PlacedCurve>& placed,
+                                             std::optional<ClusterForm> given_form) {
+  const auto neighbours = cluster_neighbours(configuration, references);
+  const ClusterForm form = given_form.value_or(cluster_form(neighbours));
+  const Inverses inverses = inverse_blocks(references, form, held_gauge(problem));
+  std::vector<BlockDiagonalPreconditioner::Member> alone;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    alone.push_back({inverses.at(references[k].get()), configuration[k].orientation});
+  }
+  return {problem, form, std::move(alone), neighbours,
+          layer_blocks(problem, placed, layer_tolerance)};
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,90 @@
+#include "suspension/system/fast_sum.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace stokesbook {
+
+using Eigen::Index;
+
+namespace {
+
+// A free body without a load stays without one.
+std::vector<std::size_t> loaded_components(const StokesProblem& problem) {
+  std::vector<std::size_t> loaded;
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    const bool has_load = component.force != Complex{} || component.torque != 0.0;
+    if (component.kind == ComponentKind::prescribed || has_load) loaded.push_back(k);
+  }
+  return loaded;
+}
+
+ComplexVector centres(const StokesProblem& problem, const std::vector<std::size_t>& components) {
+  ComplexVector points(static_cast<Index>(components.size()));
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    points[static_cast<Index>(i)] = problem.components[components[i]].centre;
+  }
+  return points;
+}
+
+}  // namespace
+
+FastSum::FastSum(const StokesProblem& problem, double tolerance)
+    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
+                           FmmSettings::for_tolerance(tolerance))) {}
+
+FastSum::FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance)
+    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
+                           targets, FmmSettings::for_tolerance(tolerance))) {}
+
+FastSum::FastSum(const StokesProblem& problem, Fmm fmm)
+    : loaded_(loaded_components(problem)),
+      viscosity_(problem.viscosity),
+      fmm_(std::move(fmm)),
+      workspace_(fmm_.workspace()) {
+  const std::vector<double> gauges = stokeslet_gauges(problem);
+  for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(gauges[k]));
+}
+
+FastSum::Singularities FastSum::singularities(const std::vector<Load>& loads) const {
+  const auto count = static_cast<Index>(loaded_.size());
+  Singularities all{ComplexVector(count), Eigen::VectorXd(count), {}};
+  for (Index i = 0; i < count; ++i) {
+    const Load& load = loads[loaded_[static_cast<std::size_t>(i)]];
+    all.force[i] = load.force / viscosity_;
+    all.torque[i] = load.torque / viscosity_;
+    all.uniform += log_gauges_[static_cast<std::size_t>(i)] * all.force[i];
+  }
+  all.uniform *= 0.25 * std::numbers::inv_pi;
+  // A mobility problem's operator has none: no rows for zeros.
+  if (all.force.isZero(0.0) && all.torque.isZero(0.0)) return {};
+  return all;
+}
+
+ComplexVector FastSum::velocity(const ComplexVector& density,
+                                const std::vector<Load>& loads) const {
+  const Singularities points = singularities(loads);
+  return fmm_.velocity({density, points.force, points.torque}, workspace_).col(0).array() +
+         points.uniform;
+}
+
+std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
+                                                  const std::vector<Load>& loads) const {
+  const Singularities points = singularities(loads);
+  return fmm_.derivatives({density, points.force, points.torque}, workspace_);
+}
+
+PlainSum fast_sum(double tolerance) {
+  return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return FastSum(flow.problem(), targets, tolerance)
+                .velocity(flow.density(), flow.completion().loads);
+          },
+          [=](const SolvedFlow& flow, const ComplexVector& targets) {
+            return FastSum(flow.problem(), targets, tolerance)
+                .derivatives(flow.density(), flow.completion().loads);
+          }};
+}
+
+}  // namespace stokesbook

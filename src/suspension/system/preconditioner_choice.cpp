@@ -1,0 +1,77 @@
+// Chooses the preconditioner that takes the least time for a configuration (chapters 05 and 12).
+#include "suspension/system/preconditioner_choice.hpp"
+
+#include <algorithm>
+
+#include "suspension/system/clusters.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// In radii of gyration: gaps that slow GMRES down.
+constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
+
+// In separations: pairs that a step may press.
+constexpr double in_contact = 1.1;
+
+constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 400,
+                       most_nodes_in_clusters = 256;
+
+bool is_inner(const std::shared_ptr<const Reference>& reference) {
+  return reference->kind != ComponentKind::enclosing_wall;
+}
+
+// In ascending order of gaps, so that the search ends with the first that is too wide.
+std::size_t pairs_within(double reach, const std::vector<Gap>& gaps, const References& references) {
+  return static_cast<std::size_t>(std::ranges::count_if(gaps, [&](const Gap& gap) {
+    const double radius =
+        std::min(references[gap.a]->gyration_radius, references[gap.b]->gyration_radius);
+    return gap.points.gap < reach * radius;
+  }));
+}
+
+std::vector<Gap> inner_gaps(const std::vector<Gap>& gaps, const References& references) {
+  std::vector<Gap> inner;
+  std::ranges::copy_if(gaps, std::back_inserter(inner), [&](const Gap& gap) {
+    return is_inner(references[gap.a]) && is_inner(references[gap.b]);
+  });
+  return inner;
+}
+
+}  // namespace
+
+bool direct_pays(const std::vector<Gap>& gaps, const References& references, double separation) {
+  Eigen::Index nodes = 0;
+  for (const auto& reference : references) nodes += reference->curve.size();
+  if (nodes > most_nodes_of_direct) return false;
+  const auto contacts = std::ranges::count_if(
+      gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
+  return nodes <= most_nodes_a_contact * contacts ||
+         3 * pairs_within(tight_for_direct, gaps, references) >= references.size();
+}
+
+bool clusters_pay(const std::vector<Gap>& gaps, const References& references) {
+  if (std::ranges::any_of(references, [](const auto& reference) {
+        return is_inner(reference) && reference->curve.size() > most_nodes_in_clusters;
+      })) {
+    return false;
+  }
+  const std::vector<Gap> inner = inner_gaps(gaps, references);
+  const std::size_t count = references.size();
+  if (count >= cluster_crowd && pairs_within(tight_in_crowd, inner, references) > 0) return true;
+  return 3 * pairs_within(tight, inner, references) >= count;
+}
+
+PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
+                                         const References& references, double separation) {
+  if (plan.direct_at_tight_gaps && direct_pays(gaps, references, separation)) {
+    return PreconditionerKind::direct;
+  }
+  if (plan.clusters_at_tight_gaps && clusters_pay(gaps, references)) {
+    return PreconditionerKind::clusters;
+  }
+  return plan.preconditioner;
+}
+
+}  // namespace stokesbook
