@@ -30,6 +30,10 @@ MAY_USE = {
     "cli": METHODS | {"suspension", "scene", "record", "sweep", "study"},
 }
 
+# Folders of src/suspension: each may use those before it.
+FOLDERS_OF_SUSPENSION = ["bodies", "nodes", "system", "solver", "contact", "motion"]
+MOST_FILES_OF_A_FOLDER = 20
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 LIBRARY = re.compile(r"^stokesbook_library\(([^)]*)\)", re.MULTILINE)
 
@@ -88,6 +92,26 @@ def use_violations(root):
             violations.append(f"src/{room.name} includes from {used}, but its USES lack it")
         for used in sorted(linked - included):
             violations.append(f"src/{room.name} has {used} in USES, but includes nothing of it")
+    return violations
+
+
+def folder_violations(root):
+    """Includes within src/suspension against the order of its folders, and folders that grow."""
+    suspension, violations = root / "src" / "suspension", []
+    for source in sorted([*suspension.rglob("*.hpp"), *suspension.rglob("*.cpp")]):
+        name, folder = source.relative_to(root).as_posix(), source.parent.name
+        if folder not in FOLDERS_OF_SUSPENSION:
+            violations.append(f"{name}: the folder is not in the list")
+            continue
+        allowed = FOLDERS_OF_SUSPENSION[:FOLDERS_OF_SUSPENSION.index(folder) + 1]
+        for include in INCLUDE.findall(source.read_text()):
+            used = include.split("/")
+            if used[0] == "suspension" and used[1] not in allowed:
+                violations.append(f"{name} includes {include}, which {folder} may not use")
+    for folder in FOLDERS_OF_SUSPENSION:
+        count = len(list((suspension / folder).glob("*.[hc]pp")))
+        if count > MOST_FILES_OF_A_FOLDER:
+            violations.append(f"src/suspension/{folder}: {count} files")
     return violations
 
 

@@ -18,6 +18,7 @@ class ThisTree(unittest.TestCase):
 
     def test_uses(self):
         self.assertEqual(house.use_violations(ROOT), [])
+        self.assertEqual(house.folder_violations(ROOT), [])
 
     @unittest.skipUnless((ROOT / ".git").exists(), "not a git checkout")
     def test_files(self):
@@ -96,6 +97,21 @@ class PlantedTree(unittest.TestCase):
         self.plant("src/attic/box.hpp", "")
         self.assertEqual(house.use_violations(self.root),
                          ["src/attic: this room is not in the table"])
+
+    def test_folders_of_suspension(self):
+        self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/fill.hpp"\n'
+                                                    '#include "suspension/bodies/gaps.hpp"\n'
+                                                    '#include "stiv/separation.hpp"\n')
+        self.assertEqual(house.folder_violations(self.root), [])
+        self.plant("src/suspension/nodes/fill.hpp", '#include "suspension/solver/solver.hpp"\n')
+        self.plant("src/suspension/plan.hpp", "")
+        for k in range(21):
+            self.plant(f"src/suspension/motion/step_{k}.cpp", "")
+        self.assertEqual(house.folder_violations(self.root), [
+            "src/suspension/nodes/fill.hpp includes suspension/solver/solver.hpp, "
+            "which nodes may not use",
+            "src/suspension/plan.hpp: the folder is not in the list",
+            "src/suspension/motion: 21 files"])
 
     def test_machine_path(self):
         for folder in ["work", "root", "home", "tmp"]:

@@ -3,6 +3,7 @@
 
 #include "scenes.hpp"
 #include "support/vectors.hpp"
+#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook::test {
 namespace {

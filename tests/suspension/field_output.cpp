@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "suspension/bodies/field_grid.hpp"
 #include "suspension/scenes.hpp"
 #include "suspension/solver/fields.hpp"
 #include "suspension/solver/side_test.hpp"

@@ -2,6 +2,7 @@
 
 #include "suspension/solver/rheology.hpp"
 
+#include "scene/couette_cell.hpp"
 #include "suspension/expected.hpp"
 #include "suspension/trajectories.hpp"
 

@@ -6,6 +6,7 @@
 #include "experiments.hpp"
 #include "scenes.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook::verification::suspension {
 

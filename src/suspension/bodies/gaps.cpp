@@ -146,19 +146,4 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const References&
   return gaps;
 }
 
-GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
-                             const References& references) {
-  const Reference& a = *references[gap.a];
-  const Reference& b = *references[gap.b];
-  const DensityDecay decay = density_decay(smooth_curve(a, configuration[gap.a]),
-                                           smooth_curve(b, configuration[gap.b]), gap.points);
-  const auto error = [](const Reference& reference, double parameter, double depth) {
-    if (std::isinf(depth)) return 0.0;
-    const Resolution& nodes = reference.resolution;
-    return resolution_error(graded_depth(nodes.grading, parameter, depth), nodes.n_nodes);
-  };
-  return {decay, std::max(error(a, gap.points.parameter_a, decay.a),
-                          error(b, gap.points.parameter_b, decay.b))};
-}
-
 }  // namespace stokesbook

@@ -6,7 +6,6 @@
 #include "near_singular/closest_points.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/bodies/reference.hpp"
-#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
 
@@ -30,21 +29,6 @@ struct Gap {
 /// @par Cost           a search in a RectangleIndex a component, N_a N_b distances a close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
                            double tolerance);
-
-/// What a gap asks of the nodes on its two curves.
-struct GapResolution {
-  DensityDecay decay;  ///< of the densities on gap.a and gap.b
-  double error;        ///< estimate for the nodes they have, relative to the velocity scale
-};
-
-/// Estimates how well a gap is resolved, before any solve.
-///
-/// @param  gap            of two components, > 0
-/// @param  configuration  placements of all components
-/// @param  references     of each component
-/// @return                rates of decay and estimated error
-GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
-                             const References& references);
 
 /// @}
 

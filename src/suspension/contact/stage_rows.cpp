@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/motion/stepping.hpp"
+#include "suspension/bodies/state.hpp"
 
 namespace stokesbook {
 

@@ -9,6 +9,7 @@
 
 #include "stiv/interferences.hpp"
 #include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/state.hpp"
 #include "suspension/contact/stage_rows.hpp"
 #include "suspension/motion/stepping.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "record/number_text.hpp"
+#include "suspension/bodies/state.hpp"
 #include "suspension/motion/step_counts.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/fields.hpp"

@@ -7,6 +7,7 @@
 
 #include "record/number_text.hpp"
 #include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/state.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/motion/step_counts.hpp"
 #include "suspension/nodes/node_choice.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "suspension/bodies/state.hpp"
+
 namespace stokesbook {
 
 using Eigen::Index;
@@ -47,23 +49,6 @@ VectorXd one(double number) {
 }
 
 }  // namespace
-
-VectorXd to_state(const Configuration& configuration) {
-  VectorXd state(3 * static_cast<Index>(configuration.size()));
-  for (Index k = 0; k < state.size() / 3; ++k) {
-    const auto [position, orientation] = configuration[static_cast<std::size_t>(k)];
-    state.segment<3>(3 * k) << position.real(), position.imag(), orientation;
-  }
-  return state;
-}
-
-Configuration to_configuration(const VectorXd& state) {
-  Configuration configuration;
-  for (Index k = 0; k < state.size(); k += 3) {
-    configuration.push_back({{state[k], state[k + 1]}, state[k + 2]});
-  }
-  return configuration;
-}
 
 VectorXd to_rate(const Solution& solution) {
   Configuration rate;

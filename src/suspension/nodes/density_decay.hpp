@@ -1,6 +1,6 @@
 #pragma once
 
-#include "near_singular/closest_points.hpp"
+#include "suspension/bodies/gaps.hpp"
 
 namespace stokesbook {
 
@@ -38,6 +38,21 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const Clo
 /// @param  n_nodes  n, on the curve
 /// @return          relative error, dimensionless; 0 where the gap asks for nothing
 double resolution_error(double decay, Eigen::Index n_nodes);
+
+/// What a gap asks of the nodes on its two curves.
+struct GapResolution {
+  DensityDecay decay;  ///< of the densities on gap.a and gap.b
+  double error;        ///< estimate for the nodes they have, relative to the velocity scale
+};
+
+/// Estimates how well a gap is resolved, before any solve.
+///
+/// @param  gap            of two components, > 0
+/// @param  configuration  placements of all components
+/// @param  references     of each component
+/// @return                rates of decay and estimated error
+GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
+                             const References& references);
 
 /// Recommends the number of nodes for which resolution_error() meets a tenth of a tolerance, so
 /// that estimate_error() mostly meets the tolerance too.

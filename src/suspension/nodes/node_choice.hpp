@@ -7,6 +7,7 @@
 #include "stiv/component_pair.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
 

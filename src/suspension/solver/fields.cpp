@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "stress/stress.hpp"
+#include "suspension/bodies/field_grid.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
 #include "suspension/bodies/scene_components.hpp"
 #include "suspension/solver/side_test.hpp"
@@ -75,17 +76,6 @@ FieldErrors unknown_errors(const Field& field) {
 constexpr int most_raised = 6;
 
 }  // namespace
-
-FieldGrid field_grid(const FieldSettings& settings) {
-  const auto [left, bottom, right, top] = settings.box;
-  const double width = right - left, height = top - bottom;
-  const double spacing = std::max(width, height) / (settings.resolution - 1);
-  const auto cells = [&](double side) { return std::max(1.0, std::round(side / spacing)); };
-  const Complex size(cells(width), cells(height));
-  const Complex centre(0.5 * (left + right), 0.5 * (bottom + top));
-  return {centre - 0.5 * spacing * size, spacing, static_cast<Index>(size.real()) + 1,
-          static_cast<Index>(size.imag()) + 1};
-}
 
 Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
                      const Solution& solution, double drive) {

@@ -12,6 +12,7 @@
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
 #include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/memory.hpp"
 #include "suspension/nodes/node_choice.hpp"
 

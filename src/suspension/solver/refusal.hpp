@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "scene/couette_cell.hpp"
 #include "stress/dissipation.hpp"
 #include "stress/stresslet.hpp"
 #include "suspension/bodies/background_flow.hpp"
@@ -14,19 +15,6 @@ namespace stokesbook {
 using Eigen::Index;
 
 namespace {
-
-const Wall* only_wall(const Scene& scene, WallRole role) {
-  const auto is_one = [&](const Wall& wall) { return wall.role == role; };
-  if (std::ranges::count_if(scene.walls, is_one) != 1) return nullptr;
-  return &*std::ranges::find_if(scene.walls, is_one);
-}
-
-// Angular velocity of a wall that is fixed or rotates; none of others.
-std::optional<double> rotation(const Wall& wall) {
-  if (std::holds_alternative<FixedWall>(wall.motion)) return 0.0;
-  const auto* rotating = std::get_if<RotatingWall>(&wall.motion);
-  return rotating ? std::optional(rotating->omega) : std::nullopt;
-}
 
 // Where a wall stands among all components.
 std::size_t component_of(const Scene& scene, const Wall& wall) {
@@ -77,14 +65,6 @@ std::vector<Complex> stresslets_of(const StokesProblem& problem, const ComplexVe
 }
 
 }  // namespace
-
-bool is_couette_cell(const Scene& scene) {
-  const Wall* outer = only_wall(scene, WallRole::outer);
-  const Wall* inner = only_wall(scene, WallRole::inner);
-  if (outer == nullptr || inner == nullptr) return false;
-  const std::optional<double> outer_rate = rotation(*outer), inner_rate = rotation(*inner);
-  return outer_rate && inner_rate && *outer_rate != *inner_rate;
-}
 
 std::optional<double> long_axis(const Curve& curve) {
   const double h = 2.0 * std::numbers::pi / static_cast<double>(curve.size());

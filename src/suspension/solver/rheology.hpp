@@ -11,13 +11,6 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Tells whether a scene is a Couette cell: one outer and one inner wall, each fixed or rotating,
-/// at different rates.
-///
-/// @param  scene  any
-/// @return        whether its inner wall measures viscosity
-bool is_couette_cell(const Scene& scene);
-
 /// Finds the direction in which a curve is long: the principal axis of the area that it encloses,
 /// \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
 ///

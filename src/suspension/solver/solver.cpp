@@ -9,6 +9,7 @@
 #include "record/number_text.hpp"
 #include "suspension/bodies/component_data.hpp"
 #include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
 #include "suspension/solver/refusal.hpp"

@@ -13,6 +13,7 @@
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
 #include "suspension/bodies/reference.hpp"
+#include "suspension/nodes/density_decay.hpp"
 #include "suspension/system/discrete_problem.hpp"
 #include "suspension/system/error_estimate.hpp"
 #include "suspension/system/plan.hpp"

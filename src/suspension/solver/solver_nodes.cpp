@@ -4,6 +4,7 @@
 
 #include "suspension/bodies/component_data.hpp"
 #include "suspension/bodies/scene_components.hpp"
+#include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/grading_for_gaps.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/solver.hpp"

@@ -5,9 +5,9 @@
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
+#include "scene/couette_cell.hpp"
 #include "scene/words.hpp"
-#include "suspension/solver/fields.hpp"
-#include "suspension/solver/rheology.hpp"
+#include "suspension/bodies/field_grid.hpp"
 
 namespace stokesbook {
 
