@@ -5,10 +5,12 @@ Usage: test_exercises.py CHAPTERS BUILD [unittest arguments]
 
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 CHAPTERS, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(CHAPTERS))
@@ -189,6 +191,15 @@ class Reader(Tool):
                           code=1)
         self.assertRegex(text, "task 1, .*: stopped by an exception\n    message   mine\n")
         self.assertRegex(text, "task 2, .*: not done")
+
+
+class Programs(Tool):
+    def test_endless_loops_end(self):
+        loop = self.folder / "loop"
+        loop.write_text("#!/bin/sh\nwhile :; do :; done\n")
+        loop.chmod(0o755)
+        with unittest.mock.patch.object(exercises, "SECONDS", 1):
+            self.assertEqual(exercises.run(loop, self.folder).returncode, -signal.SIGXCPU)
 
 
 class Author(Tool):
