@@ -56,6 +56,7 @@ TAG = re.compile(r"\s*//@ (?:(starter|solution|end)|wrong (\w+): (\S.*?))\s*$")
 OUTCOME = re.compile(r"^  task (\d+), .*: (passed|not done|wrong|stopped by an exception)$",
                      re.MULTILINE)
 SECONDS = 60  # of CPU for a reader's program, which may loop for ever
+SECONDS_BY_THE_CLOCK = 600  # for a program that may wait for ever
 
 
 class Failure(Exception):
@@ -199,7 +200,8 @@ def without_build_lines(output):
 def run(program, folder, variant="", **options):
     """A program of the exercises; leaks are not their subject, 1 is the code of a wrong task. Freed
     memory is watched for a while only, and one thread suffices: both save most of the time. The
-    time is limited in CPU seconds, because other programs may keep the machine busy."""
+    time is limited in CPU seconds, because other programs may keep the machine busy, and by the
+    clock, because a program may wait for ever."""
     settings = {"ASAN_OPTIONS": "detect_leaks=0:exitcode=3:quarantine_size_mb=4",
                 "UBSAN_OPTIONS": "exitcode=3", "OMP_NUM_THREADS": "1",
                 "STOKESBOOK_VARIANT": variant}
@@ -207,7 +209,8 @@ def run(program, folder, variant="", **options):
     def limit_time():
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
 
-    return subprocess.run([program], cwd=folder, stderr=subprocess.STDOUT, preexec_fn=limit_time,
+    return subprocess.run([program], cwd=folder, timeout=SECONDS_BY_THE_CLOCK,
+                          stderr=subprocess.STDOUT, preexec_fn=limit_time,
                           env={**os.environ, **settings}, **options)
 
 
@@ -235,7 +238,11 @@ def check_one(build, exercise):
     if compiled.returncode:
         print("  does not compile")
         return False
-    code = run(build / "exercises" / exercise.place / "reader", place).returncode
+    try:
+        code = run(build / "exercises" / exercise.place / "reader", place).returncode
+    except subprocess.TimeoutExpired:
+        print(f"\n  stopped after {SECONDS_BY_THE_CLOCK} s")
+        return False
     if code == -signal.SIGXCPU:
         print(f"\n  stopped after {SECONDS} CPU seconds")
     elif code not in (0, 1):

@@ -8,7 +8,7 @@ namespace stokesbook {
 
 namespace {
 
-// Angular velocity of a wall that is fixed or rotates; none of others.
+// Returns the angular velocity of a wall that is fixed or rotates, and nothing for other walls.
 std::optional<double> rotation(const Wall& wall) {
   if (std::holds_alternative<FixedWall>(wall.motion)) return 0.0;
   const auto* rotating = std::get_if<RotatingWall>(&wall.motion);

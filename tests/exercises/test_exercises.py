@@ -194,12 +194,22 @@ class Reader(Tool):
 
 
 class Programs(Tool):
-    def test_endless_loops_end(self):
-        loop = self.folder / "loop"
-        loop.write_text("#!/bin/sh\nwhile :; do :; done\n")
-        loop.chmod(0o755)
+    def script(self, text):
+        path = self.folder / "program"
+        path.write_text("#!/bin/sh\n" + text)
+        path.chmod(0o755)
+        return path
+
+    def test_endless_loops_are_stopped(self):
+        loop = self.script("while :; do :; done\n")
         with unittest.mock.patch.object(exercises, "SECONDS", 1):
             self.assertEqual(exercises.run(loop, self.folder).returncode, -signal.SIGXCPU)
+
+    def test_programs_that_wait_are_stopped(self):
+        waiting = self.script("exec sleep 60\n")
+        with unittest.mock.patch.object(exercises, "SECONDS_BY_THE_CLOCK", 0.1):
+            with self.assertRaises(subprocess.TimeoutExpired):
+                exercises.run(waiting, self.folder)
 
 
 class Author(Tool):

@@ -93,7 +93,7 @@ void check_contact(const Scene& scene, const RecordedRun& run, std::optional<dou
     if (scene.time->method != SteppingMethod::euler) continue;
     check_ends(scene, run.frames[k], run.frames[k + 1], separation);
   }
-  // Nothing else rejects a step of given length.
+  // Only contact rejects a step whose length is given.
   if (scene.time->method == SteppingMethod::euler && !scene.time->tolerance) {
     BOOST_TEST(run.totals.halved_by_contact == run.totals.rejected_steps);
   }

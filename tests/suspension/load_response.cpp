@@ -203,7 +203,8 @@ BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
       BOOST_TEST(softest(now, response(now.loads)) > 0.0);
       const double corrected = response.corrected_by(weights);
       most_corrected = std::max(most_corrected, corrected);
-      // What a large load is corrected by is a part of the velocities that it causes.
+      // The correction of a large load is measured relative to the velocities that the load causes,
+      // so it does not depend on how large the load is.
       if (weight > 1.0) {
         BOOST_TEST(response.corrected_by(10.0 * weights) == corrected,
                    boost::test_tools::tolerance(1e-3));

@@ -39,7 +39,7 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const Clo
 /// @return          relative error, dimensionless; 0 where the gap asks for nothing
 double resolution_error(double decay, Eigen::Index n_nodes);
 
-/// What a gap asks of the nodes on its two curves.
+/// Describes how fast densities decay at a gap, and how well the nodes of its curves resolve it.
 struct GapResolution {
   DensityDecay decay;  ///< of the densities on gap.a and gap.b
   double error;        ///< estimate for the nodes they have, relative to the velocity scale

@@ -1,4 +1,5 @@
-// Chooses numbers of nodes: for shapes, for their softest modes, and for tails of densities (chapter 12).
+// Chooses numbers of nodes: for shapes, for their softest modes, and for tails of densities
+// (chapter 12).
 #include "suspension/nodes/node_choice.hpp"
 
 #include <algorithm>

@@ -51,8 +51,9 @@ struct EstimatedField {
 ///
 /// Derivatives of the velocity ask for more nodes than velocities of bodies do. The estimate is
 /// twice the largest change of a quantity at a point of the grid by a quarter more nodes and a
-/// smaller residual, see SuspensionSolver::refined(). Where nodes are automatic, they are raised until all estimates meet
-/// the tolerance, six times at most, and the field is that of the most nodes.
+/// smaller residual, see SuspensionSolver::refined(). Where nodes are automatic, they are raised
+/// until all estimates meet the tolerance, six times at most, and the field is that of the most
+/// nodes.
 /// @param  solver         of a scene with output.fields
 /// @param  configuration  where the components are
 /// @param  solution       from solve() in this configuration, with forces of contact or none

@@ -177,8 +177,8 @@ class SuspensionSolver {
 
   /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
   ///
-  /// It tells how wrong a quantity is that has no estimate of its own, such as a traction: by twice
-  /// what it changes.
+  /// A quantity without an error estimate of its own, such as a traction, can be computed from both
+  /// solutions: twice the difference estimates the error in the given one.
   /// @param  configuration  where the components are
   /// @param  solution       from solve() in this configuration, with forces of contact or none
   /// @param  drive          as in solve()
