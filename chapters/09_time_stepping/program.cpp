@@ -88,7 +88,7 @@ class Suspension {
 std::vector<Step> run(const SteppingSettings& settings, const Rate& rate, const VectorXd& start,
                       double t_end) {
   const Stepper stepper(settings, {rate, rate});
-  Moment now{0.0, start, rate(0.0, start)};
+  TimePoint now{0.0, start, rate(0.0, start)};
   StepMemory memory;
   std::vector<Step> steps;
   while (now.t < t_end) {
@@ -101,13 +101,13 @@ std::vector<Step> run(const SteppingSettings& settings, const Rate& rate, const 
 }
 // [run]
 
-SteppingSettings fixed(Method method, double dt) {
+SteppingSettings fixed(SteppingMethod method, double dt) {
   return {.method = method, .dt = dt};
 }
 
 SteppingSettings adapted(double tolerance) {
   const VectorXd scale{{0.5, 0.5, 1.0, 0.5, 0.5, 1.0}};  // a radius, a radian
-  return {.method = Method::dormand_prince54, .bound = {0.5 * tolerance, scale}};
+  return {.method = SteppingMethod::dormand_prince54, .bound = {0.5 * tolerance, scale}};
 }
 
 /// Angle of the ellipse at t < 10 pi / 3, by Jeffery.
@@ -123,8 +123,8 @@ void print_orders() {
               "Runge-Kutta 4");
   for (const int steps : {20, 40, 80, 160}) {
     std::printf("%8d", steps);
-    for (const Method method :
-         {Method::euler, Method::adams_bashforth2, Method::heun, Method::rk4}) {
+    for (const SteppingMethod method : {SteppingMethod::euler, SteppingMethod::adams_bashforth2,
+                                        SteppingMethod::heun, SteppingMethod::rk4}) {
       Suspension suspension(ellipse());
       const std::vector<Step> path =
           run(fixed(method, t_end / steps), suspension.rate(1.0), suspension.start(), t_end);
@@ -165,9 +165,9 @@ void print_returns() {
     const Return found = there_and_back(settings);
     std::printf("%-26s%8d%12.1e\n", name.c_str(), found.solves, found.error());
   };
-  print("Euler, dt = 0.1", fixed(Method::euler, 0.1));
-  print("Euler, dt = 0.025", fixed(Method::euler, 0.025));
-  print("Heun, dt = 0.1", fixed(Method::heun, 0.1));
+  print("Euler, dt = 0.1", fixed(SteppingMethod::euler, 0.1));
+  print("Euler, dt = 0.025", fixed(SteppingMethod::euler, 0.025));
+  print("Heun, dt = 0.1", fixed(SteppingMethod::heun, 0.1));
   for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
     char name[40];
     std::snprintf(name, sizeof name, "5(4), tolerance %.0e", tolerance);
@@ -241,7 +241,8 @@ double iterations(std::size_t kept) {
     iterations += solution.gmres.iterations;
     return to_rate(solution);
   };
-  run(fixed(Method::adams_bashforth2, 0.025), rate, to_state(solver.initial_configuration()), 1.0);
+  run(fixed(SteppingMethod::adams_bashforth2, 0.025), rate,
+      to_state(solver.initial_configuration()), 1.0);
   return static_cast<double>(iterations) / solves;
 }
 // [warm]
@@ -288,7 +289,7 @@ std::string stroke(const std::string& colour, double width) {
 /// @}
 
 std::string picture_of_return() {
-  const Return euler = there_and_back(fixed(Method::euler, 0.1)),
+  const Return euler = there_and_back(fixed(SteppingMethod::euler, 0.1)),
                pair = there_and_back(adapted(1e-4));
   const Complex start = to_pixel({-8.0, 0.5});
   return svg::open({660.0, 260.0}, "A disk passes another one and returns") +

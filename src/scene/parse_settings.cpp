@@ -32,7 +32,7 @@ FieldSettings read_fields(const Node& node) {
 std::string adaptive_methods() {
   std::vector<std::string_view> names;
   for (const auto& [name, method] : stepping_methods) {
-    if (adapts_steps(method)) names.push_back(name);
+    if (is_embedded(method)) names.push_back(name);
   }
   return joined(names);
 }
@@ -98,7 +98,7 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   const std::optional<SteppingMethod> method = table.get("method", stepping_methods);
   if (contact) time.method = SteppingMethod::heun;
   time.method = method.value_or(time.method);
-  if (adapts_steps(time.method)) {
+  if (is_embedded(time.method)) {
     table.refuse({"effort"},
                  "belongs to methods of fixed steps, such as \"euler\": this one adapts them to "
                  "the error");

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "time_stepping/stepping_method.hpp"
 #include "trapezoid/shape.hpp"
 
 namespace stokesbook {
@@ -197,25 +198,6 @@ enum class Coupling {
            ///< SuspensionSolver::solve_lagged(); for comparison
 };
 
-/// Method that advances the bodies in time, see Method.
-enum class SteppingMethod {
-  euler,               ///< order 1
-  adams_bashforth2,    ///< order 2
-  heun,                ///< order 2
-  rk4,                 ///< order 4
-  bogacki_shampine32,  ///< order 3, adapts its steps
-  dormand_prince54,    ///< order 5, adapts its steps
-  prince_dormand87     ///< order 8, adapts its steps
-};
-
-/// Tells whether a method estimates its error and adapts its steps to it.
-///
-/// @param  method  any
-/// @return         whether it is an embedded one
-constexpr bool adapts_steps(SteppingMethod method) {
-  return method >= SteppingMethod::bogacki_shampine32;
-}
-
 /// What a run writes.
 enum class OutputFormat {
   csv,  ///< tables of bodies and walls
@@ -286,7 +268,7 @@ struct TimeSettings {
 /// @param  time  settings
 /// @return       whether the method is an embedded one, or there is a tolerance for Heun's
 constexpr bool adapts_steps(const TimeSettings& time) {
-  return adapts_steps(time.method) || time.tolerance.has_value();
+  return is_embedded(time.method) || time.tolerance.has_value();
 }
 
 /// How components are kept apart.

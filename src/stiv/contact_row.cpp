@@ -21,7 +21,7 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
   const RigidPath& other = of_a ? paths.path_b : paths.path_a;
   //! [row]
   // Between the centres: no arm is a difference of two places far from both.
-  const Complex apart = other.start.centre - mine.start.centre;
+  const Complex apart = other.start.position - mine.start.position;
   const Complex apart_at_end = apart + (other.displacement - mine.displacement);
   const Complex normal = turned(other, event.time, event.normal);
   const Complex arm =
@@ -33,7 +33,7 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
   return {key,
           event.gap,
           event.time,
-          mine.start.centre + arm,
+          mine.start.position + arm,
           of_a ? normal : -normal,
           opposite(normal, arm, arm - apart, of_a),
           opposite(turned(other, 1.0, event.normal), arm_at_end, arm_at_end - apart_at_end, of_a)};

@@ -7,7 +7,7 @@ namespace stokesbook {
 Rectangle bounding_rectangle(const ContactShape& shape, const Pose& pose) {
   const ComplexVector turned = std::polar(1.0, pose.orientation) * shape.polygon.vertices();
   const auto [lower, upper] = bounding_rectangle(turned);
-  return {pose.centre + lower, pose.centre + upper};
+  return {pose.position + lower, pose.position + upper};
 }
 
 Rectangle swept_rectangle(const ContactShape& shape, const RigidPath& path) {

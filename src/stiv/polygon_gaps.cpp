@@ -51,7 +51,7 @@ NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach
     const Complex x = of.shape.polygon.vertex(i);
     const double distance = about.shape.polygon.closest(frame(x), infinity).distance;
     if (distance < nearest.distance) {
-      nearest = {distance, of.pose.centre + std::polar(1.0, of.pose.orientation) * x};
+      nearest = {distance, of.pose.position + std::polar(1.0, of.pose.orientation) * x};
     }
   }
   return nearest;

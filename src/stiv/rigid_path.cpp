@@ -6,7 +6,7 @@
 namespace stokesbook {
 
 RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
-    : offset_(of.start.centre - from.start.centre),
+    : offset_(of.start.position - from.start.position),
       drift_(of.displacement - from.displacement),
       orientation_(of.start.orientation - from.start.orientation),
       spin_(of.rotation - from.rotation),

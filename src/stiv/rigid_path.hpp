@@ -7,12 +7,6 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// Where a component's frame is.
-struct Pose {
-  Complex centre;            ///< origin of the frame, length
-  double orientation = 0.0;  ///< radians, counter-clockwise
-};
-
 /// The rigid motion of a component in one step, linear in \f$ \tau \in [0, 1] \f$:
 /// \f$ c(\tau) = c + \tau\Delta c,\ \theta(\tau) = \theta + \tau\Delta\theta \f$.
 struct RigidPath {
@@ -24,7 +18,7 @@ struct RigidPath {
   /// @param  tau  from 0 to 1
   /// @return      its frame
   Pose at(double tau) const {
-    return {start.centre + tau * displacement, start.orientation + tau * rotation};
+    return {start.position + tau * displacement, start.orientation + tau * rotation};
   }
 };
 

@@ -23,7 +23,8 @@ struct PreviousStep {
 /// @par Accuracy  order 2, @ref claim_09_2
 /// @par Cost      one evaluation of f a step, by the caller
 /// @par Not for   the step after f has jumped: the extrapolation would reach across
-Eigen::VectorXd adams_bashforth2_step(const Moment& start, double dt, const PreviousStep& previous);
+Eigen::VectorXd adams_bashforth2_step(const TimePoint& start, double dt,
+                                      const PreviousStep& previous);
 
 /// @}
 

@@ -34,7 +34,7 @@ struct Guarded {
 
 }  // namespace
 
-EstimatedEnd prince_dormand87_step(const Rate& f, const Moment& start, double dt) {
+EstimatedEnd prince_dormand87_step(const Rate& f, const TimePoint& start, double dt) {
   const auto size = static_cast<std::size_t>(start.state.size());
   const std::unique_ptr<gsl_odeiv2_step, void (*)(gsl_odeiv2_step*)> stepper(
       gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size), gsl_odeiv2_step_free);

@@ -26,7 +26,7 @@ struct EstimatedEnd {
 ///                the lower order alone, of order h^8, @ref claim_09_19
 /// @par Cost      12 evaluations of f
 /// @sa source: Prince, Dormand, J. Comput. Appl. Math. 7 (1981), 67
-EstimatedEnd prince_dormand87_step(const Rate& f, const Moment& start, double dt);
+EstimatedEnd prince_dormand87_step(const Rate& f, const TimePoint& start, double dt);
 
 /// @}
 

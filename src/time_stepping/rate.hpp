@@ -13,8 +13,8 @@ namespace stokesbook {
 /// Right-hand side of \f$ \dot q = f(t, q) \f$: the rate of change, ordered as q.
 using Rate = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& q)>;
 
-/// A state on the way, and how fast it changes there.
-struct Moment {
+/// A state at a time, and how fast it changes there.
+struct TimePoint {
   double t = 0.0;         ///< time
   Eigen::VectorXd state;  ///< q, n numbers
   Eigen::VectorXd rate;   ///< f(t, q), n numbers

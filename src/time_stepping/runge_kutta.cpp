@@ -66,7 +66,8 @@ const Tableau& dormand_prince54() {
 }
 
 // [stages]
-MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment& start, double dt) {
+MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
+                            double dt) {
   MatrixXd stages(start.state.size(), tableau.b.size());
   stages.col(0) = start.rate;
   for (Index i = 1; i < stages.cols(); ++i) {

@@ -58,7 +58,7 @@ const Tableau& dormand_prince54();
 /// @param  dt       h, the step, time
 /// @return          n x s rates, one a column
 /// @par Cost        s - 1 evaluations of f
-Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const Moment& start,
+Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
                                    double dt);
 
 /// @}

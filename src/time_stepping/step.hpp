@@ -9,8 +9,8 @@ namespace stokesbook {
 
 /// A step that was taken, with what its interpolant needs.
 struct Step {
-  Moment start;                 ///< n numbers
-  Moment end;                   ///< later than the start
+  TimePoint start;              ///< n numbers
+  TimePoint end;                ///< later than the start
   Eigen::VectorXd bubble = {};  ///< rate beyond the cubic, n numbers; empty: none
 
   /// Returns the length of the step.

@@ -22,7 +22,7 @@ double step_factor(double error, double previous, int order) {
 }
 // [factor]
 
-double first_step(const Rate& f, const Moment& start, const ErrorBound& bound, int order) {
+double first_step(const Rate& f, const TimePoint& start, const ErrorBound& bound, int order) {
   const double speed = bound.in_units_of_scale(start.rate);
   if (speed == 0.0) return std::numeric_limits<double>::infinity();
   const double trial = 0.01 / speed;

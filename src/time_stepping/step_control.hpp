@@ -49,7 +49,7 @@ double step_factor(double error, double previous, int order);
 ///                meets an InadmissibleState
 /// @par Cost      one evaluation of f
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.4
-double first_step(const Rate& f, const Moment& start, const ErrorBound& bound, int order);
+double first_step(const Rate& f, const TimePoint& start, const ErrorBound& bound, int order);
 
 /// @}
 

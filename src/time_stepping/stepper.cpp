@@ -17,15 +17,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-const Tableau& tableau_of(Method method) {
+const Tableau& tableau_of(SteppingMethod method) {
   switch (method) {
-    case Method::euler:
+    case SteppingMethod::euler:
       return euler();
-    case Method::rk4:
+    case SteppingMethod::rk4:
       return runge_kutta4();
-    case Method::bogacki_shampine32:
+    case SteppingMethod::bogacki_shampine32:
       return bogacki_shampine32();
-    case Method::dormand_prince54:
+    case SteppingMethod::dormand_prince54:
       return dormand_prince54();
     default:  // Adams-Bashforth begins with it
       return heun();
@@ -46,20 +46,12 @@ double evened_end(double t, double event, double longest) {
   return steps > 1.0 ? t + (event - t) / steps : event;
 }
 
-bool is_embedded(Method method) {
-  return method >= Method::bogacki_shampine32;
-}
-
-bool has_dense_output(Method method) {
-  return method == Method::bogacki_shampine32 || method == Method::dormand_prince54;
-}
-
-Stepper::Try Stepper::attempt_runge_kutta(const Moment& start, double t_end) const {
+Stepper::Try Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) const {
   const Tableau& tableau = tableau_of(settings_.method);
   const double dt = t_end - start.t;
   const MatrixXd stages = runge_kutta_stages(tableau, rates_.within, start, dt);
   Try result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}, {}};
-  Moment& end = result.step.end;
+  TimePoint& end = result.step.end;
   end.rate = rates_.at_end(t_end, end.state);
   const auto combined = [&](const VectorXd& weights) -> VectorXd {
     return stages * weights.head(stages.cols()) + weights[stages.cols()] * end.rate;
@@ -69,16 +61,17 @@ Stepper::Try Stepper::attempt_runge_kutta(const Moment& start, double t_end) con
   return result;
 }
 
-Stepper::Try Stepper::attempt(const Moment& start, double t_end, const StepMemory& memory) const {
+Stepper::Try Stepper::attempt(const TimePoint& start, double t_end,
+                              const StepMemory& memory) const {
   const double dt = t_end - start.t;
   Try result{{start, {t_end, {}, {}}}, {}};
-  Moment& end = result.step.end;
-  if (settings_.method == Method::prince_dormand87) {
+  TimePoint& end = result.step.end;
+  if (settings_.method == SteppingMethod::prince_dormand87) {
     EstimatedEnd estimated = prince_dormand87_step(rates_.within, start, dt);
     end.state = std::move(estimated.end);
     result.error = std::move(estimated.error);
     end.rate = rates_.at_end(t_end, end.state);
-  } else if (settings_.method == Method::adams_bashforth2 && memory.previous) {
+  } else if (settings_.method == SteppingMethod::adams_bashforth2 && memory.previous) {
     end.state = adams_bashforth2_step(start, dt, *memory.previous);
     end.rate = rates_.at_end(t_end, end.state);
   } else {
@@ -91,11 +84,11 @@ Stepper::Try Stepper::attempt(const Moment& start, double t_end, const StepMemor
 }
 
 int Stepper::power_of_estimate() const {
-  if (settings_.method == Method::prince_dormand87) return 8;
+  if (settings_.method == SteppingMethod::prince_dormand87) return 8;
   return tableau_of(settings_.method).estimate_order + 1;
 }
 
-double Stepper::longest_step(const Moment& start, const StepMemory& memory) const {
+double Stepper::longest_step(const TimePoint& start, const StepMemory& memory) const {
   if (memory.dt) return *memory.dt;
   if (settings_.dt) return *settings_.dt;
   return first_step(rates_.within, start, settings_.bound, power_of_estimate());
@@ -119,7 +112,7 @@ StepMemory Stepper::after(const Try& tried, double scaled_error, double longest,
   return memory;
 }
 
-Advance Stepper::advance(const Moment& start, StepMemory memory, double event) const {
+Advance Stepper::advance(const TimePoint& start, StepMemory memory, double event) const {
   double longest = std::min(longest_step(start, memory), settings_.dt_max);
   for (int rejected = 0;; ++rejected) {
     const double stop = memory.detour ? std::min(event, memory.detour->end) : event;

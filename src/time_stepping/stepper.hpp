@@ -6,40 +6,18 @@
 #include "time_stepping/adams_bashforth.hpp"
 #include "time_stepping/step.hpp"
 #include "time_stepping/step_control.hpp"
+#include "time_stepping/stepping_method.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup time_stepping
 /// @{
 
-/// Method that advances a state.
-enum class Method {
-  euler,               ///< order 1, see euler()
-  adams_bashforth2,    ///< order 2, see adams_bashforth2_step(); begins with heun()
-  heun,                ///< order 2, see heun()
-  rk4,                 ///< order 4, see runge_kutta4()
-  bogacki_shampine32,  ///< order 3, adapts its steps, see bogacki_shampine32()
-  dormand_prince54,    ///< order 5, adapts its steps, see dormand_prince54()
-  prince_dormand87     ///< order 8, adapts its steps, see prince_dormand87_step()
-};
-
-/// Tells whether a method estimates its error and adapts its steps to it.
-///
-/// @param  method  any
-/// @return         whether it is an embedded pair
-bool is_embedded(Method method);
-
-/// Tells whether interpolate() is as accurate as the method within a step.
-///
-/// @param  method  any
-/// @return         whether steps need not end where the state is asked for
-bool has_dense_output(Method method);
-
 /// How a state is advanced.
 struct SteppingSettings {
-  Method method = Method::euler;  ///< that advances
-  std::optional<double> dt{};     ///< longest step; of embedded methods the first, none: chosen
-  double dt_min = 0.0;            ///< no step is made shorter than this to meet error or state
+  SteppingMethod method = SteppingMethod::euler;  ///< that advances
+  std::optional<double> dt{};  ///< longest step; of embedded methods the first, none: chosen
+  double dt_min = 0.0;         ///< no step is made shorter than this to meet error or state
   double dt_max = std::numeric_limits<double>::infinity();  ///< of embedded methods: longest step
   ErrorBound bound{};  ///< of embedded methods: of each step's error as the method estimates it
 };
@@ -88,7 +66,7 @@ struct Advance {
 /// @return          the event itself where one step is enough
 double evened_end(double t, double event, double longest);
 
-/// Advances \f$ \dot q = f(t, q) \f$ from moment to moment; it keeps nothing between steps.
+/// Advances \f$ \dot q = f(t, q) \f$ step by step; it keeps nothing between steps.
 ///
 /// Steps are evened out to hit events exactly. Embedded methods choose them by step_factor(), so
 /// that the scaled error of each is at most one. The state advances by the higher order of the
@@ -101,7 +79,7 @@ double evened_end(double t, double event, double longest);
 /// adapted, and of Runge-Kutta 4 are of the lower order, and larger than the error. For Euler's,
 /// Heun's and Adams-Bashforth's method it is adams_moulton_error(), near the error itself; but of a
 /// first step by Heun's method, with none before it, it shows one of two parts.
-/// @par Accuracy  orders of Method, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors
+/// @par Accuracy  orders of SteppingMethod, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors
 ///                in proportion to the bound, @ref claim_09_17 to @ref claim_09_19
 class Stepper {
  public:
@@ -122,7 +100,7 @@ class Stepper {
   /// @throws StepRefused when steps down to dt_min have errors that are not allowed
   /// @par Cost       an evaluation of f at the end, and those of the stages; where there is no step
   ///                 to begin with, first_step()
-  Advance advance(const Moment& start, StepMemory memory, double event) const;
+  Advance advance(const TimePoint& start, StepMemory memory, double event) const;
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
@@ -132,9 +110,9 @@ class Stepper {
     Eigen::VectorXd error;
   };
   /// @endcond
-  Try attempt(const Moment& start, double t_end, const StepMemory& memory) const;
-  Try attempt_runge_kutta(const Moment& start, double t_end) const;
-  double longest_step(const Moment& start, const StepMemory& memory) const;
+  Try attempt(const TimePoint& start, double t_end, const StepMemory& memory) const;
+  Try attempt_runge_kutta(const TimePoint& start, double t_end) const;
+  double longest_step(const TimePoint& start, const StepMemory& memory) const;
   int power_of_estimate() const;  // the estimate of a step is of this order in h
   StepMemory after(const Try& tried, double scaled_error, double longest, bool rejected,
                    StepMemory memory) const;

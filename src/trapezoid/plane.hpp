@@ -46,6 +46,12 @@ inline Complex perp(Complex a) {
   return {-a.imag(), a.real()};
 }
 
+/// Where the frame of a curve or of a component is.
+struct Pose {
+  Complex position;          ///< of the frame's origin, length
+  double orientation = 0.0;  ///< radians, counter-clockwise
+};
+
 /// @}
 
 }  // namespace stokesbook

@@ -23,7 +23,7 @@ MAY_USE = {
     "stiv": {"trapezoid"},
     "lcp": set(),
     "suspension": METHODS | {"scene", "record"},
-    "scene": {"trapezoid"},
+    "scene": {"trapezoid", "time_stepping"},
     "record": {"trapezoid"},
     "sweep": {"scene", "record"},
     "study": {"record"},

@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(derivatives_by_finite_differences) {
 
 BOOST_AUTO_TEST_CASE(gaps_do_not_change_when_both_components_move_together) {
   for (const Step& step : steps()) {
-    const Complex centre_a = step.paths[0].at(1.0).centre, centre_b = step.paths[1].at(1.0).centre;
+    const Complex centre_a = step.paths[0].at(1.0).position,
+                  centre_b = step.paths[1].at(1.0).position;
     for (const ContactRow& row : rows(step)) {
       for (Complex about : {Complex{0.0, 0.0}, {3.0, -7.0}}) {
         // A turn about a point, and shifts.
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(gaps_do_not_change_when_both_components_move_together) {
 
 BOOST_AUTO_TEST_CASE(forces_balance_about_the_start) {
   for (const Step& step : steps()) {
-    const Complex centre_a = step.paths[0].start.centre, centre_b = step.paths[1].start.centre;
+    const Complex centre_a = step.paths[0].start.position, centre_b = step.paths[1].start.position;
     const std::vector<ContactRow> all = rows(step);
     BOOST_TEST(all.size() > 5u);
     for (const ContactRow& row : all) {

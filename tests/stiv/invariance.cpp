@@ -30,7 +30,7 @@ Step seen(const Step& step, const View& view) {
   const Complex turn = std::polar(view.scale, view.turn);
   Step result = step;
   for (RigidPath& path : result.paths) {
-    path.start = {view.shift + turn * path.start.centre, path.start.orientation + view.turn};
+    path.start = {view.shift + turn * path.start.position, path.start.orientation + view.turn};
     path.displacement = view.boost + turn * path.displacement;
   }
   if (view.scale == 1.0) return result;

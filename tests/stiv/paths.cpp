@@ -34,7 +34,7 @@ class RandomPaths {
 };
 
 Complex in_plane(const Pose& pose, Complex x) {
-  return pose.centre + std::polar(1.0, pose.orientation) * x;
+  return pose.position + std::polar(1.0, pose.orientation) * x;
 }
 
 }  // namespace

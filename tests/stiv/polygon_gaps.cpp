@@ -85,9 +85,9 @@ BOOST_AUTO_TEST_CASE(all_pairs_of_a_crowd) {
         double least = INFINITY;
         for (const auto& [p, q] : {std::pair{a, b}, {b, a}}) {
           for (Complex x : step.shapes[p]->polygon.vertices()) {
-            const Complex place = poses[p].centre + std::polar(1.0, poses[p].orientation) * x;
+            const Complex place = poses[p].position + std::polar(1.0, poses[p].orientation) * x;
             const Complex local =
-                (place - poses[q].centre) * std::polar(1.0, -poses[q].orientation);
+                (place - poses[q].position) * std::polar(1.0, -poses[q].orientation);
             least = std::min(least, step.shapes[q]->polygon.closest(local, INFINITY).distance);
           }
         }

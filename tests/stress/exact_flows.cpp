@@ -14,7 +14,6 @@
 using namespace stokesbook;
 using Eigen::Index;
 using test::ExactFlow;
-using test::Pose;
 
 namespace {
 

@@ -28,7 +28,7 @@ struct Change {
 // Two bodies and a deforming wall, all of it changed.
 SolvedFlow changed(const Change& change) {
   const auto pose = [&](Complex position, double orientation) {
-    return test::Pose{change.point(position), orientation + change.turn};
+    return Pose{change.point(position), orientation + change.turn};
   };
   const double force = change.viscosity * change.speed;
   const Load load{change.direction() * force * Complex{1.0, -2.0}, 0.5 * force * change.length};

@@ -19,7 +19,7 @@ struct Touching {
 
   Imbalance about(Complex origin) const {
     Configuration moved = configuration;
-    for (Placement& placement : moved) placement.position -= origin;
+    for (Pose& pose : moved) pose.position -= origin;
     return imbalance(force, moved, disks(3, 1.0));
   }
 };

@@ -111,9 +111,9 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   MatrixXd expected = before(pushes(chain.start, 0.0));
   const double turn = 0.5;
   Configuration turned = chain.start;
-  for (Placement& placement : turned) {
-    placement.position *= std::polar(1.0, turn);
-    placement.orientation += turn;
+  for (Pose& pose : turned) {
+    pose.position *= std::polar(1.0, turn);
+    pose.orientation += turn;
   }
   LoadResponse now(chain.solver, turned, chain.solver.solve(turned), before.answered());
   const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();

@@ -149,9 +149,9 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   const Configuration start = solver.initial_configuration();
   Configuration end = start;
   std::swap(end[0].position, end[1].position);
-  for (Placement& placement : end) placement.position = std::conj(placement.position);
+  for (Pose& pose : end) pose.position = std::conj(pose.position);
   BOOST_TEST(test.refusal(start, end, 3.0) == "");
-  for (Placement& placement : end) placement.position = placement.position.real();
+  for (Pose& pose : end) pose.position = pose.position.real();
   BOOST_TEST(
       test.refusal(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
   BOOST_TEST(test.refusal(start, end, 9.0) == "");  // as long as it is told that they are far apart

@@ -1,5 +1,5 @@
 // Embedded methods reach what is asked and no more, whatever the units; events are hit exactly;
-// steps are halved where a state is not admissible; memory and moment are all there is to know.
+// steps are halved where a state is not admissible; memory and time point are all there is to know.
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Method embedded[] = {Method::bogacki_shampine32, Method::dormand_prince54,
-                               Method::prince_dormand87};
+constexpr SteppingMethod embedded[] = {SteppingMethod::bogacki_shampine32,
+                                       SteppingMethod::dormand_prince54,
+                                       SteppingMethod::prince_dormand87};
 
-SteppingSettings to_tolerance(Method method, double tolerance) {
+SteppingSettings to_tolerance(SteppingMethod method, double tolerance) {
   SteppingSettings settings{.method = method};
   settings.bound = {tolerance, VectorXd::Ones(2)};
   return settings;
@@ -40,7 +41,7 @@ VectorXd decay(double t, const VectorXd& q) {
   return (t < 0.3 - 1e-9 ? -8.0 : -0.5) * q;
 }
 
-Moment decay_start() {
+TimePoint decay_start() {
   const VectorXd one = VectorXd::Ones(1);
   return {0.0, one, decay(0.0, one)};
 }
@@ -53,9 +54,9 @@ bool same(const Step& a, const Step& b) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(achieved_errors_are_as_asked_and_not_far_below) {
-  for (const Method method : embedded) {
+  for (const SteppingMethod method : embedded) {
     // The largest pair's estimate is that of the lower order, and pessimistic.
-    const double least = method == Method::prince_dormand87 ? 0.02 : 0.1;
+    const double least = method == SteppingMethod::prince_dormand87 ? 0.02 : 0.1;
     for (double tolerance = 1e-3; tolerance > 0.9e-10; tolerance /= std::sqrt(10.0)) {
       const Stepper stepper(to_tolerance(method, tolerance), {problem_rate, problem_rate});
       const double error = largest_error(steps_through(stepper, problem_at(0.0), {8.0}));
@@ -73,9 +74,9 @@ BOOST_AUTO_TEST_CASE(steps_do_not_depend_on_units) {
   const Rate f = [](double t, const VectorXd& q) -> VectorXd {
     return unit * problem_rate(t, q / unit);
   };
-  const Moment start = problem_at(0.0);
-  const Moment scaled{0.0, unit * start.state, unit * start.rate};
-  for (const Method method : embedded) {
+  const TimePoint start = problem_at(0.0);
+  const TimePoint scaled{0.0, unit * start.state, unit * start.rate};
+  for (const SteppingMethod method : embedded) {
     SteppingSettings settings = to_tolerance(method, 1e-5);
     const auto steps = steps_through({settings, {problem_rate, problem_rate}}, start, {8.0});
     settings.bound.scale *= unit;
@@ -86,15 +87,15 @@ BOOST_AUTO_TEST_CASE(steps_do_not_depend_on_units) {
 }
 
 BOOST_AUTO_TEST_CASE(few_steps_are_rejected) {
-  for (const Method method : embedded) {
+  for (const SteppingMethod method : embedded) {
     const Stepper stepper(to_tolerance(method, 1e-7), {problem_rate, problem_rate});
-    Moment moment = problem_at(0.0);
+    TimePoint now = problem_at(0.0);
     StepMemory memory;
     int steps = 0, rejected = 0;
-    while (moment.t < 8.0) {
-      const Advance advance = stepper.advance(moment, memory, 8.0);
+    while (now.t < 8.0) {
+      const Advance advance = stepper.advance(now, memory, 8.0);
       BOOST_TEST(advance.memory.error <= 1.0);
-      moment = advance.step.end;
+      now = advance.step.end;
       memory = advance.memory;
       ++steps;
       rejected += advance.rejected;
@@ -126,9 +127,9 @@ BOOST_AUTO_TEST_CASE(steps_to_an_event_are_even_and_the_last_hits_it) {
 }
 
 BOOST_AUTO_TEST_CASE(the_next_step_follows_from_the_order_of_the_estimate) {
-  for (const auto& [method, power] :
-       {std::pair{Method::bogacki_shampine32, 3}, std::pair{Method::dormand_prince54, 5},
-        std::pair{Method::prince_dormand87, 8}}) {
+  for (const auto& [method, power] : {std::pair{SteppingMethod::bogacki_shampine32, 3},
+                                      std::pair{SteppingMethod::dormand_prince54, 5},
+                                      std::pair{SteppingMethod::prince_dormand87, 8}}) {
     SteppingSettings settings = to_tolerance(method, 1e-5);
     settings.dt = 0.02;
     const Stepper stepper(settings, {problem_rate, problem_rate});
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_next_step_follows_from_the_order_of_the_estimate) {
 
 BOOST_AUTO_TEST_CASE(events_and_limits_are_kept) {
   const std::vector<double> events{0.3, 0.30001, 1.0, 1.7, 5.0};
-  for (const Method method : embedded) {
+  for (const SteppingMethod method : embedded) {
     SteppingSettings settings = to_tolerance(method, 1e-4);
     settings.dt = 0.01;
     settings.dt_max = 0.11;
@@ -163,7 +164,7 @@ BOOST_AUTO_TEST_CASE(events_and_limits_are_kept) {
 }
 
 BOOST_AUTO_TEST_CASE(fixed_steps_that_meet_an_inadmissible_state_are_halved_and_come_back) {
-  const auto ends = [](Method method) {
+  const auto ends = [](SteppingMethod method) {
     SteppingSettings settings{.method = method, .dt = 0.3, .dt_min = 1e-3};
     std::vector<double> times;
     for (const Step& step : steps_through({settings, {decay, decay}}, decay_start(), {0.9})) {
@@ -173,9 +174,9 @@ BOOST_AUTO_TEST_CASE(fixed_steps_that_meet_an_inadmissible_state_are_halved_and_
   };
   const std::vector<double> quarters{0.075, 0.15, 0.225, 0.3, 0.6, 0.9},
       halves{0.15, 0.3, 0.6, 0.9};
-  BOOST_TEST(ends(Method::euler) == quarters, boost::test_tools::per_element());
-  BOOST_TEST(ends(Method::heun) == quarters, boost::test_tools::per_element());
-  BOOST_TEST(ends(Method::rk4) == halves, boost::test_tools::per_element());
+  BOOST_TEST(ends(SteppingMethod::euler) == quarters, boost::test_tools::per_element());
+  BOOST_TEST(ends(SteppingMethod::heun) == quarters, boost::test_tools::per_element());
+  BOOST_TEST(ends(SteppingMethod::rk4) == halves, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(embedded_methods_halve_steps_that_meet_an_inadmissible_state) {
@@ -183,7 +184,7 @@ BOOST_AUTO_TEST_CASE(embedded_methods_halve_steps_that_meet_an_inadmissible_stat
     if (q[0] <= 0.0) throw InadmissibleState("negative");
     return -8.0 * q;
   };
-  for (const Method method : embedded) {
+  for (const SteppingMethod method : embedded) {
     SteppingSettings settings{.method = method, .dt = 2.0, .dt_min = 1e-3};
     settings.bound = {1e-3, VectorXd::Ones(1)};
     const Advance first = Stepper(settings, {fast, fast}).advance(decay_start(), {}, 2.0);
@@ -198,26 +199,27 @@ BOOST_AUTO_TEST_CASE(a_state_that_no_short_step_avoids_stops_the_steps) {
     if (q[0] < 0.5) throw InadmissibleState("below one half");
     return decay(t, q);
   };
-  for (const Method method : {Method::euler, Method::rk4, Method::dormand_prince54}) {
+  for (const SteppingMethod method :
+       {SteppingMethod::euler, SteppingMethod::rk4, SteppingMethod::dormand_prince54}) {
     SteppingSettings settings{.method = method, .dt = 0.05, .dt_min = 1e-5};
     settings.bound = {1e-6, VectorXd::Ones(1)};
     const Stepper stepper(settings, {above_half, above_half});
-    Moment moment = decay_start();
+    TimePoint now = decay_start();
     StepMemory memory;
     const auto go_on = [&] {
       while (true) {
-        Advance advance = stepper.advance(moment, memory, 0.29);
-        moment = advance.step.end;
+        Advance advance = stepper.advance(now, memory, 0.29);
+        now = advance.step.end;
         memory = advance.memory;
       }
     };
     BOOST_CHECK_THROW(go_on(), InadmissibleState);
-    BOOST_TEST(moment.state[0] - 0.5 < 2e-4);
+    BOOST_TEST(now.state[0] - 0.5 < 2e-4);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_tolerance_that_no_step_of_the_least_length_meets_is_refused) {
-  SteppingSettings settings = to_tolerance(Method::dormand_prince54, 1e-12);
+  SteppingSettings settings = to_tolerance(SteppingMethod::dormand_prince54, 1e-12);
   settings.dt = 1.0;
   settings.dt_min = 0.5;
   const Stepper stepper(settings, {problem_rate, problem_rate});
@@ -226,9 +228,9 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_no_step_of_the_least_length_meets_is_refus
 
 BOOST_AUTO_TEST_CASE(a_state_at_rest_is_stepped_over) {
   const Rate rest = [](double, const VectorXd& q) -> VectorXd { return 0.0 * q; };
-  for (const Method method : embedded) {
+  for (const SteppingMethod method : embedded) {
     SteppingSettings settings = to_tolerance(method, 1e-6);
-    const Moment start{0.0, Eigen::Vector2d{1.0, 2.0}, VectorXd::Zero(2)};
+    const TimePoint start{0.0, Eigen::Vector2d{1.0, 2.0}, VectorXd::Zero(2)};
     const Step step = Stepper(settings, {rest, rest}).advance(start, {}, 8.0).step;
     BOOST_TEST(step.end.t == 8.0);
     BOOST_TEST((step.end.state - start.state).norm() == 0.0);
@@ -236,8 +238,9 @@ BOOST_AUTO_TEST_CASE(a_state_at_rest_is_stepped_over) {
 }
 
 BOOST_AUTO_TEST_CASE(memory_and_moment_are_all_that_the_next_step_depends_on) {
-  for (const Method method :
-       {Method::adams_bashforth2, Method::dormand_prince54, Method::prince_dormand87}) {
+  for (const SteppingMethod method :
+       {SteppingMethod::adams_bashforth2, SteppingMethod::dormand_prince54,
+        SteppingMethod::prince_dormand87}) {
     SteppingSettings settings = to_tolerance(method, 1e-6);
     settings.dt = 0.1;
     const Stepper stepper(settings, {problem_rate, problem_rate});

@@ -27,7 +27,7 @@ std::vector<double> step_ends(int count, bool variable) {
   return ends;
 }
 
-std::vector<Step> steps_of(Method method, int count, bool variable) {
+std::vector<Step> steps_of(SteppingMethod method, int count, bool variable) {
   const Stepper stepper(unlimited(method), {problem_rate, problem_rate});
   const std::vector<Step> steps =
       steps_through(stepper, problem_at(0.0), step_ends(count, variable));
@@ -59,7 +59,7 @@ void check_power(const std::function<double(double)>& quantity, double h, double
   }
 }
 
-void check_order(Method method, int fewest_steps, double order) {
+void check_order(SteppingMethod method, int fewest_steps, double order) {
   for (bool variable : {false, true}) {
     BOOST_TEST_CONTEXT((variable ? "variable" : "constant") << " steps") {
       check_power(
@@ -72,7 +72,7 @@ void check_order(Method method, int fewest_steps, double order) {
   }
 }
 
-Advance one_step(Method method, double h) {
+Advance one_step(SteppingMethod method, double h) {
   SteppingSettings settings = unlimited(method);
   settings.dt = h;
   return Stepper(settings, {problem_rate, problem_rate}).advance(problem_at(0.7), {}, 0.7 + h);
@@ -88,18 +88,18 @@ BOOST_AUTO_TEST_CASE(the_closed_form_meets_the_reference_numbers) {
 }
 
 BOOST_AUTO_TEST_CASE(methods_have_their_orders) {
-  check_order(Method::euler, 3200, 1.0);
-  check_order(Method::adams_bashforth2, 800, 2.0);
-  check_order(Method::heun, 400, 2.0);
-  check_order(Method::rk4, 400, 4.0);
-  check_order(Method::bogacki_shampine32, 400, 3.0);
-  check_order(Method::dormand_prince54, 100, 5.0);
+  check_order(SteppingMethod::euler, 3200, 1.0);
+  check_order(SteppingMethod::adams_bashforth2, 800, 2.0);
+  check_order(SteppingMethod::heun, 400, 2.0);
+  check_order(SteppingMethod::rk4, 400, 4.0);
+  check_order(SteppingMethod::bogacki_shampine32, 400, 3.0);
+  check_order(SteppingMethod::dormand_prince54, 100, 5.0);
 }
 
 BOOST_AUTO_TEST_CASE(the_pair_of_prince_and_dormand_has_order_8) {
   // Of y, the order shows only below rounding, so large are the terms of higher order.
   const auto angle_error = [](int count) {
-    const Moment end = steps_of(Method::prince_dormand87, count, false).back().end;
+    const TimePoint end = steps_of(SteppingMethod::prince_dormand87, count, false).back().end;
     return std::abs(end.state[0] - jeffery_angle(aspect, t_final));
   };
   BOOST_TEST(std::abs(std::log2(angle_error(20) / angle_error(40)) - 8.0) < 0.15);
@@ -114,34 +114,35 @@ BOOST_AUTO_TEST_CASE(the_pair_of_prince_and_dormand_has_order_8) {
 }
 
 BOOST_AUTO_TEST_CASE(estimates_have_the_order_of_the_lower_of_the_pair) {
-  const auto estimate = [](Method method) {
+  const auto estimate = [](SteppingMethod method) {
     return [=](double h) { return one_step(method, h).memory.error; };
   };
-  check_power(estimate(Method::bogacki_shampine32), 0.02, 3.0);
-  check_power(estimate(Method::dormand_prince54), 0.02, 5.0);
+  check_power(estimate(SteppingMethod::bogacki_shampine32), 0.02, 3.0);
+  check_power(estimate(SteppingMethod::dormand_prince54), 0.02, 5.0);
 }
 
 BOOST_AUTO_TEST_CASE(interpolants_have_their_orders) {
-  const auto error_of_one_step = [](Method method) {
+  const auto error_of_one_step = [](SteppingMethod method) {
     return [=](double h) { return error_within({one_step(method, h).step}); };
   };
-  check_power(error_of_one_step(Method::bogacki_shampine32), 0.02, 4.0);
-  check_power(error_of_one_step(Method::dormand_prince54), 0.05, 5.0);
+  check_power(error_of_one_step(SteppingMethod::bogacki_shampine32), 0.02, 4.0);
+  check_power(error_of_one_step(SteppingMethod::dormand_prince54), 0.05, 5.0);
   // Over many steps, those of the ends are added.
-  const auto error_of_all = [](Method method) {
+  const auto error_of_all = [](SteppingMethod method) {
     return [=](double h) {
       return error_within(steps_of(method, static_cast<int>(std::lround(t_final / h)), false));
     };
   };
-  check_power(error_of_all(Method::bogacki_shampine32), 0.01, 3.0);
-  check_power(error_of_all(Method::dormand_prince54), 0.04, 5.0);
+  check_power(error_of_all(SteppingMethod::bogacki_shampine32), 0.01, 3.0);
+  check_power(error_of_all(SteppingMethod::dormand_prince54), 0.04, 5.0);
 }
 
 BOOST_AUTO_TEST_CASE(interpolants_meet_states_and_rates_at_both_ends) {
-  for (const Method method : {Method::bogacki_shampine32, Method::dormand_prince54}) {
+  for (const SteppingMethod method :
+       {SteppingMethod::bogacki_shampine32, SteppingMethod::dormand_prince54}) {
     const Step step = one_step(method, 0.25).step;
     constexpr double d = 1e-6;
-    for (const Moment& end : {step.start, step.end}) {
+    for (const TimePoint& end : {step.start, step.end}) {
       BOOST_TEST((interpolate(step, end.t) - end.state).norm() < 1e-15);
       const auto slope = (interpolate(step, end.t + d) - interpolate(step, end.t - d)) / (2.0 * d);
       BOOST_TEST((slope - end.rate).norm() < 1e-9);

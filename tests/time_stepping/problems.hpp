@@ -27,27 +27,27 @@ inline double problem_error(double t, const Eigen::VectorXd& q) {
   return (q - problem_solution(t)).lpNorm<Eigen::Infinity>();
 }
 
-inline Moment problem_at(double t) {
+inline TimePoint problem_at(double t) {
   const Eigen::VectorXd q = problem_solution(t);
   return {t, q, problem_rate(t, q)};
 }
 
 /// Settings under which an event alone says how long a step is.
-inline SteppingSettings unlimited(Method method) {
+inline SteppingSettings unlimited(SteppingMethod method) {
   SteppingSettings settings{.method = method, .dt = 1e6};
   settings.bound = {1e6, Eigen::VectorXd::Ones(2)};
   return settings;
 }
 
 /// Advances through given times.
-inline std::vector<Step> steps_through(const Stepper& stepper, Moment moment,
+inline std::vector<Step> steps_through(const Stepper& stepper, TimePoint now,
                                        const std::vector<double>& times) {
   std::vector<Step> steps;
   StepMemory memory;
   for (const double t : times) {
-    while (moment.t < t) {
-      Advance advance = stepper.advance(moment, memory, t);
-      moment = advance.step.end;
+    while (now.t < t) {
+      Advance advance = stepper.advance(now, memory, t);
+      now = advance.step.end;
       memory = advance.memory;
       steps.push_back(std::move(advance.step));
     }

@@ -32,38 +32,39 @@ VectorXd primitives(double t) {
 }
 
 // How many of the monomials are integrated exactly.
-int exact_components(const Moment& end) {
+int exact_components(const TimePoint& end) {
   const VectorXd error = end.state - primitives(end.t);
   int count = 0;
   while (count < powers && std::abs(error[count]) < 2e-14) ++count;
   return count;
 }
 
-Advance one_step(Method method, const Rate& f, const Moment& start, const StepMemory& memory = {}) {
+Advance one_step(SteppingMethod method, const Rate& f, const TimePoint& start,
+                 const StepMemory& memory = {}) {
   SteppingSettings settings = unlimited(method);
   settings.bound.scale = VectorXd::Ones(start.state.size());
   return Stepper(settings, {f, f}).advance(start, memory, start.t + dt);
 }
 
-const std::map<Method, int> orders{{Method::euler, 1},
-                                   {Method::heun, 2},
-                                   {Method::rk4, 4},
-                                   {Method::bogacki_shampine32, 3},
-                                   {Method::dormand_prince54, 5},
-                                   {Method::prince_dormand87, 8}};
+const std::map<SteppingMethod, int> orders{{SteppingMethod::euler, 1},
+                                           {SteppingMethod::heun, 2},
+                                           {SteppingMethod::rk4, 4},
+                                           {SteppingMethod::bogacki_shampine32, 3},
+                                           {SteppingMethod::dormand_prince54, 5},
+                                           {SteppingMethod::prince_dormand87, 8}};
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(exact_for_polynomials_in_time) {
-  const Moment start{t0, primitives(t0), monomials(t0, {})};
+  const TimePoint start{t0, primitives(t0), monomials(t0, {})};
   for (const auto& [method, order] : orders) {
     // The weights of the largest pair integrate one power more than its stages need.
-    const int expected = method == Method::prince_dormand87 ? 9 : order;
+    const int expected = method == SteppingMethod::prince_dormand87 ? 9 : order;
     BOOST_TEST(exact_components(one_step(method, monomials, start).step.end) == expected);
   }
   for (const double before : {0.1, 0.5, 2.0}) {
     const StepMemory memory{.previous = PreviousStep{before, monomials(t0 - before, {})}};
-    const Advance advance = one_step(Method::adams_bashforth2, monomials, start, memory);
+    const Advance advance = one_step(SteppingMethod::adams_bashforth2, monomials, start, memory);
     BOOST_TEST(exact_components(advance.step.end) == 2);
   }
 }
@@ -83,13 +84,13 @@ BOOST_AUTO_TEST_CASE(a_linear_system_sees_the_taylor_polynomial) {
 }
 
 BOOST_AUTO_TEST_CASE(evaluations_are_counted_and_the_last_is_at_the_end) {
-  const std::map<Method, int> evaluations{{Method::euler, 1},
-                                          {Method::heun, 2},
-                                          {Method::rk4, 4},
-                                          {Method::adams_bashforth2, 2},
-                                          {Method::bogacki_shampine32, 3},
-                                          {Method::dormand_prince54, 6},
-                                          {Method::prince_dormand87, 13}};
+  const std::map<SteppingMethod, int> evaluations{{SteppingMethod::euler, 1},
+                                                  {SteppingMethod::heun, 2},
+                                                  {SteppingMethod::rk4, 4},
+                                                  {SteppingMethod::adams_bashforth2, 2},
+                                                  {SteppingMethod::bogacki_shampine32, 3},
+                                                  {SteppingMethod::dormand_prince54, 6},
+                                                  {SteppingMethod::prince_dormand87, 13}};
   for (const auto& [method, expected] : evaluations) {
     int within = 0, at_end = 0;
     const Rates rates{[&](double t, const VectorXd& q) {
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(stages_of_runge_kutta_4_are_two_in_the_middle_and_one_at_th
     return q;
   };
   const VectorXd q = VectorXd::Ones(1);
-  one_step(Method::rk4, f, {2.0, q, q});
+  one_step(SteppingMethod::rk4, f, {2.0, q, q});
   BOOST_TEST((times == std::vector<double>{2.25, 2.25, 2.5, 2.5}));
 }
 

@@ -18,7 +18,7 @@ struct FromExact {
   VectorXd estimate, error;
 };
 
-FromExact one_step(Method method, double h, std::optional<double> ratio) {
+FromExact one_step(SteppingMethod method, double h, std::optional<double> ratio) {
   constexpr double t = 0.7;
   StepMemory memory{.dt = h};
   if (ratio) {
@@ -33,7 +33,8 @@ FromExact one_step(Method method, double h, std::optional<double> ratio) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_estimate_of_a_fixed_step_of_low_order_is_its_error) {
-  for (const Method method : {Method::euler, Method::adams_bashforth2, Method::heun}) {
+  for (const SteppingMethod method :
+       {SteppingMethod::euler, SteppingMethod::adams_bashforth2, SteppingMethod::heun}) {
     for (const double ratio : {0.5, 1.0, 1.7}) {
       for (const double h : {1e-2, 1e-3}) {
         const auto [estimate, error] = one_step(method, h, ratio);
@@ -48,15 +49,16 @@ BOOST_AUTO_TEST_CASE(the_estimate_of_a_fixed_step_of_low_order_is_its_error) {
 
 BOOST_AUTO_TEST_CASE(the_first_step_by_euler_needs_none_before_it) {
   for (const double h : {1e-2, 1e-3}) {
-    const auto [estimate, error] = one_step(Method::euler, h, {});
+    const auto [estimate, error] = one_step(SteppingMethod::euler, h, {});
     BOOST_TEST((estimate.cwiseQuotient(error).array() - 1.0).abs().maxCoeff() < 10.0 * h);
   }
 }
 
 BOOST_AUTO_TEST_CASE(estimates_of_higher_orders_are_too_large) {
-  for (const Method method : {Method::rk4, Method::bogacki_shampine32, Method::dormand_prince54,
-                              Method::prince_dormand87}) {
-    const double h = method == Method::prince_dormand87 ? 0.2 : 0.02;
+  for (const SteppingMethod method :
+       {SteppingMethod::rk4, SteppingMethod::bogacki_shampine32, SteppingMethod::dormand_prince54,
+        SteppingMethod::prince_dormand87}) {
+    const double h = method == SteppingMethod::prince_dormand87 ? 0.2 : 0.02;
     const auto [estimate, error] = one_step(method, h, 1.0);
     BOOST_TEST(estimate.norm() > error.norm(), "method " << static_cast<int>(method) << ": "
                                                          << estimate.norm() << " for "
@@ -65,7 +67,9 @@ BOOST_AUTO_TEST_CASE(estimates_of_higher_orders_are_too_large) {
 }
 
 BOOST_AUTO_TEST_CASE(the_estimate_of_runge_kutta_4_is_of_the_fourth_power) {
-  const auto estimate = [](double h) { return one_step(Method::rk4, h, {}).estimate.norm(); };
+  const auto estimate = [](double h) {
+    return one_step(SteppingMethod::rk4, h, {}).estimate.norm();
+  };
   BOOST_TEST(std::abs(std::log2(estimate(0.02) / estimate(0.01)) - 4.0) < 0.15);
 }
 

@@ -14,7 +14,7 @@ using Eigen::Index;
 
 namespace {
 
-const test::Pose pose{{0.4, -0.3}, 0.7};
+const Pose pose{{0.4, -0.3}, 0.7};
 
 /// @name Walls, with n nodes on every curve
 /// @{

@@ -15,8 +15,8 @@ namespace {
 // |F_a + F_b| and the sum of the torques about the origin, the components at the start of the step.
 double imbalance(const PairWrench& wrench, const PathPair& paths) {
   const auto& [on_a, on_b] = wrench;
-  const double torque = cross(paths.path_a.start.centre, on_a.force) + on_a.torque +
-                        cross(paths.path_b.start.centre, on_b.force) + on_b.torque;
+  const double torque = cross(paths.path_a.start.position, on_a.force) + on_a.torque +
+                        cross(paths.path_b.start.position, on_b.force) + on_b.torque;
   return std::max(std::abs(on_a.force + on_b.force), std::abs(torque));
 }
 

@@ -69,8 +69,8 @@ struct Pair {
 
 double one_way(const Pair& pair, std::size_t of, std::size_t about) {
   const auto placed = [&](std::size_t k) -> ComplexVector {
-    return pair.poses[k].centre + (std::polar(1.0, pair.poses[k].orientation) *
-                                   pair.shapes[k]->polygon.vertices().array());
+    return pair.poses[k].position + (std::polar(1.0, pair.poses[k].orientation) *
+                                     pair.shapes[k]->polygon.vertices().array());
   };
   const ComplexVector vertices = placed(of), other = placed(about);
   double least = infinity;

@@ -16,12 +16,6 @@ namespace stokesbook::test {
 inline constexpr std::array all_forms{ClosureForm::draft_bordered, ClosureForm::scaled_bordered,
                                       ClosureForm::reduced};
 
-/// Where a component is.
-struct Pose {
-  Complex position;
-  double orientation = 0.0;
-};
-
 inline Component free_body(const Shape& shape, Eigen::Index n, const Pose& pose,
                            const Load& load = {}) {
   const Curve curve = place(sample(shape, n, Side::fluid_outside), pose.position, pose.orientation);

@@ -24,7 +24,7 @@ Motion hastening(Motion motion) {
 }
 
 // Errors of the angle after 1, 2, 5, ... turns, in one run.
-Measure errors(Method method, double tolerance, bool hastens = false) {
+Measure errors(SteppingMethod method, double tolerance, bool hastens = false) {
   return [=](Size) {
     const Motion exact = jeffery_in_shear(100.0 * turn);
     const Motion motion = hastens ? hastening(exact) : exact;
@@ -32,7 +32,7 @@ Measure errors(Method method, double tolerance, bool hastens = false) {
     const SteppingSettings settings{
         .method = method, .dt = turn / 100.0, .bound = {tolerance, VectorXd::Ones(1)}};
     const Stepper stepper(settings, {counted.rate(), counted.rate()});
-    Moment now{0.0, motion.start, motion.rate(0.0, motion.start)};
+    TimePoint now{0.0, motion.start, motion.rate(0.0, motion.start)};
     StepMemory memory;
     std::vector<Measurement> measurements;
     for (const int turns : {1, 2, 5, 10, 20, 50, 100}) {
@@ -50,8 +50,8 @@ Measure errors(Method method, double tolerance, bool hastens = false) {
   };
 }
 
-Line drift_line(const std::string& key, const std::string& label, Method method, double tolerance,
-                const std::string& id) {
+Line drift_line(const std::string& key, const std::string& label, SteppingMethod method,
+                double tolerance, const std::string& id) {
   return {
       .key = key,
       .label = label,
@@ -76,13 +76,14 @@ Experiment drift() {
           .error = "error of the angle",
           .lines = {{.key = "euler",
                      .label = "Euler, 100 steps a turn",
-                     .measure = errors(Method::euler, 1.0)},
-                    drift_line("rk4", "Runge-Kutta 4, 100 steps a turn", Method::rk4, 1.0, "09_23"),
+                     .measure = errors(SteppingMethod::euler, 1.0)},
+                    drift_line("rk4", "Runge-Kutta 4, 100 steps a turn", SteppingMethod::rk4, 1.0,
+                               "09_23"),
                     drift_line("dormand_prince54", "Dormand-Prince 5(4), tolerance 1e-8",
-                               Method::dormand_prince54, 1e-8, "09_24"),
+                               SteppingMethod::dormand_prince54, 1e-8, "09_24"),
                     {.key = "prince_dormand87",
                      .label = "Prince-Dormand 8(7), tolerance 1e-8",
-                     .measure = errors(Method::prince_dormand87, 1e-8)}},
+                     .measure = errors(SteppingMethod::prince_dormand87, 1e-8)}},
           .operation = "evaluations of the rate"};
 }
 

@@ -25,7 +25,7 @@ VectorXd straight(const Step& step, double t) {
 }
 
 // Largest error within one step in shear, from t = 0.7 on the exact solution.
-Measure errors_within(Method method, const Interpolate& at) {
+Measure errors_within(SteppingMethod method, const Interpolate& at) {
   return [=](Size size) {
     const Motion motion = jeffery_in_shear(8.0);
     std::vector<Measurement> measurements;
@@ -58,7 +58,7 @@ Experiment interpolants() {
       .lines = {
           {.key = "bogacki_shampine32",
            .label = "cubic, Bogacki-Shampine 3(2)",
-           .measure = errors_within(Method::bogacki_shampine32, interpolate),
+           .measure = errors_within(SteppingMethod::bogacki_shampine32, interpolate),
            .claim = Claim{.id = "09_15",
                           .statement = "Within one step of Bogacki and Shampine's pair the cubic "
                                        "errs by O(h^4), as its end does.",
@@ -67,10 +67,10 @@ Experiment interpolants() {
                           .reason = "cubic through states and rates at both ends",
                           .api = {"stokesbook::interpolate"}},
            .control = Control{"a straight line between the ends",
-                              errors_within(Method::bogacki_shampine32, straight)}},
+                              errors_within(SteppingMethod::bogacki_shampine32, straight)}},
           {.key = "dormand_prince54",
            .label = "quartic, Dormand-Prince 5(4)",
-           .measure = errors_within(Method::dormand_prince54, interpolate),
+           .measure = errors_within(SteppingMethod::dormand_prince54, interpolate),
            .claim = Claim{.id = "09_16",
                           .statement = "Within one step of Dormand and Prince's pair the quartic "
                                        "errs by O(h^5).",
@@ -79,10 +79,10 @@ Experiment interpolants() {
                           .reason = "order 4: Hairer, Norsett, Wanner, II.6",
                           .api = {"stokesbook::interpolate"}},
            .control = Control{"without the bubble",
-                              errors_within(Method::dormand_prince54, without_bubble)}},
+                              errors_within(SteppingMethod::dormand_prince54, without_bubble)}},
           {.key = "prince_dormand87",
            .label = "cubic, Prince-Dormand 8(7)",
-           .measure = errors_within(Method::prince_dormand87, interpolate)}}};
+           .measure = errors_within(SteppingMethod::prince_dormand87, interpolate)}}};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -40,10 +40,10 @@ Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
 
 // What is compared of a motion, by the pair 8(7).
 std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
-  const SteppingSettings settings{.method = Method::prince_dormand87,
+  const SteppingSettings settings{.method = SteppingMethod::prince_dormand87,
                                   .bound = {tolerance, VectorXd::Ones(motion.start.size())}};
   const Stepper stepper(settings, {motion.rate, motion.rate});
-  Moment now{0.0, motion.start, motion.rate(0.0, motion.start)};
+  TimePoint now{0.0, motion.start, motion.rate(0.0, motion.start)};
   StepMemory memory;
   std::map<double, VectorXd> states;
   for (const double t : motion.known_at) {

@@ -26,7 +26,7 @@ Motion noisy(Motion motion) {
   return motion;
 }
 
-Measure evaluations(Method method, bool has_noise) {
+Measure evaluations(SteppingMethod method, bool has_noise) {
   return [=](Size size) {
     const Motion exact = jeffery_in_shear(8.0);
     std::vector<Measurement> measurements;
@@ -40,7 +40,7 @@ Measure evaluations(Method method, bool has_noise) {
   };
 }
 
-Line noise_line(const std::string& key, const std::string& label, Method method,
+Line noise_line(const std::string& key, const std::string& label, SteppingMethod method,
                 const std::string& id) {
   return {.key = key,
           .label = label + ", rates with noise",
@@ -64,16 +64,16 @@ Experiment noisy_rates() {
           .title = "Rates with noise of 1e-5, an ellipse 3:1 in shear",
           .x = "tolerance",
           .error = "evaluations of the rate",
-          .lines = {noise_line("dormand_prince54", "Dormand-Prince 5(4)", Method::dormand_prince54,
-                               "09_27"),
-                    noise_line("prince_dormand87", "Prince-Dormand 8(7)", Method::prince_dormand87,
-                               "09_28"),
+          .lines = {noise_line("dormand_prince54", "Dormand-Prince 5(4)",
+                               SteppingMethod::dormand_prince54, "09_27"),
+                    noise_line("prince_dormand87", "Prince-Dormand 8(7)",
+                               SteppingMethod::prince_dormand87, "09_28"),
                     {.key = "exact_54",
                      .label = "Dormand-Prince 5(4), no noise",
-                     .measure = evaluations(Method::dormand_prince54, false)},
+                     .measure = evaluations(SteppingMethod::dormand_prince54, false)},
                     {.key = "exact_87",
                      .label = "Prince-Dormand 8(7), no noise",
-                     .measure = evaluations(Method::prince_dormand87, false)}},
+                     .measure = evaluations(SteppingMethod::prince_dormand87, false)}},
           .operation = "evaluations of the rate"};
 }
 

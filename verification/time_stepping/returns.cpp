@@ -14,7 +14,7 @@ namespace {
 /// What is compared: after the way there and back, or, for a control, after the way there.
 enum class Way { there_and_back, there };
 
-double error(Method method, int steps, Way way) {
+double error(SteppingMethod method, int steps, Way way) {
   const Motion motion = jeffery_in_shear(8.0);
   const RunResult there = run_equal_steps(motion, method, steps);
   if (way == Way::there) return (there.state - motion.exact(motion.t_final)).norm();
@@ -24,7 +24,7 @@ double error(Method method, int steps, Way way) {
   return (run_equal_steps(back, method, steps).state - motion.start).norm();
 }
 
-Measure errors(Method method, Way way) {
+Measure errors(SteppingMethod method, Way way) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int steps = 25; steps <= (size == Size::full ? 800 : 200); steps *= 2) {
@@ -34,8 +34,8 @@ Measure errors(Method method, Way way) {
   };
 }
 
-Line return_line(const std::string& key, const std::string& label, Method method, double order,
-                 const std::string& id) {
+Line return_line(const std::string& key, const std::string& label, SteppingMethod method,
+                 double order, const std::string& id) {
   return {.key = key,
           .label = label,
           .measure = errors(method, Way::there_and_back),
@@ -47,25 +47,25 @@ Line return_line(const std::string& key, const std::string& label, Method method
                          .reason = "a step of the reversed flow is a step with -h: of errors "
                                    "c h^(p+1) and c (-h)^(p+1), p even, the sum is of one order "
                                    "more",
-                         .api = {"stokesbook::Method"}},
+                         .api = {"stokesbook::SteppingMethod"}},
           .control = Control{"compared at the turning point", errors(method, Way::there)}};
 }
 
 }  // namespace
 
 Experiment returns() {
-  return {
-      .key = "returns",
-      .title = "There and back: an ellipse 3:1 in shear that is reversed",
-      .x = "steps each way M",
-      .error = "distance of the angle from the start",
-      .lines = {
-          {.key = "euler", .label = "Euler", .measure = errors(Method::euler, Way::there_and_back)},
-          return_line("heun", "Heun", Method::heun, 3.0, "09_25"),
-          {.key = "bogacki_shampine32",
-           .label = "Bogacki-Shampine 3(2)",
-           .measure = errors(Method::bogacki_shampine32, Way::there_and_back)},
-          return_line("rk4", "Runge-Kutta 4", Method::rk4, 5.0, "09_26")}};
+  return {.key = "returns",
+          .title = "There and back: an ellipse 3:1 in shear that is reversed",
+          .x = "steps each way M",
+          .error = "distance of the angle from the start",
+          .lines = {{.key = "euler",
+                     .label = "Euler",
+                     .measure = errors(SteppingMethod::euler, Way::there_and_back)},
+                    return_line("heun", "Heun", SteppingMethod::heun, 3.0, "09_25"),
+                    {.key = "bogacki_shampine32",
+                     .label = "Bogacki-Shampine 3(2)",
+                     .measure = errors(SteppingMethod::bogacki_shampine32, Way::there_and_back)},
+                    return_line("rk4", "Runge-Kutta 4", SteppingMethod::rk4, 5.0, "09_26")}};
 }
 
 }  // namespace stokesbook::verification::time_stepping

@@ -51,11 +51,11 @@ ThereAndBack there_and_back(const Scene& scene, const Run& run) {
           there.evaluations + back.evaluations};
 }
 
-Run equal_steps(Method method, int steps) {
+Run equal_steps(SteppingMethod method, int steps) {
   return [=](const Motion& motion) { return run_equal_steps(motion, method, steps); };
 }
 
-Run to_tolerance(Method method, double tolerance) {
+Run to_tolerance(SteppingMethod method, double tolerance) {
   // In radii.
   return [=](const Motion& motion) { return run_to_tolerance(motion, method, tolerance, 0.5); };
 }
@@ -64,7 +64,7 @@ Measurement measurement(const ThereAndBack& found) {
   return {.x = found.solves, .error = found.error, .operations = found.solves};
 }
 
-Measure fixed_errors(Method method, int fewest) {
+Measure fixed_errors(SteppingMethod method, int fewest) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int k = 0; k < (size == Size::full ? 4 : 3); ++k) {
@@ -75,7 +75,7 @@ Measure fixed_errors(Method method, int fewest) {
   };
 }
 
-Measure adapted_errors(Method method) {
+Measure adapted_errors(SteppingMethod method) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     const double factor = size == Size::full ? 10.0 : 100.0;
@@ -88,7 +88,7 @@ Measure adapted_errors(Method method) {
 }
 
 // Solves for an error, from a run of known order.
-double solves_of_order(double height, Method method, double error, double order) {
+double solves_of_order(double height, SteppingMethod method, double error, double order) {
   const ThereAndBack found = there_and_back(two_disks(height, 1e-6), equal_steps(method, 400));
   return found.solves * std::pow(found.error / error, 1.0 / order);
 }
@@ -97,14 +97,14 @@ double solves_of_order(double height, Method method, double error, double order)
 double solves_of_euler(double height) {
   static std::map<double, double> known;
   const auto [found, is_new] = known.try_emplace(height);
-  if (is_new) found->second = solves_of_order(height, Method::euler, 1e-2, 1.0);
+  if (is_new) found->second = solves_of_order(height, SteppingMethod::euler, 1e-2, 1.0);
   return found->second;
 }
 
 // Solves of the pair 5(4) at a tolerance that brings it back to within 1e-8, or else infinity.
 double solves_of_pair(double height) {
-  const ThereAndBack found =
-      there_and_back(two_disks(height, 1e-11), to_tolerance(Method::dormand_prince54, 3e-8));
+  const ThereAndBack found = there_and_back(two_disks(height, 1e-11),
+                                            to_tolerance(SteppingMethod::dormand_prince54, 3e-8));
   return found.error <= 1e-8 ? found.solves : std::numeric_limits<double>::infinity();
 }
 
@@ -122,20 +122,23 @@ Measure ratios(const std::function<double(double height)>& solves) {
 }  // namespace
 
 Experiment reversal() {
-  return {.key = "reversal",
-          .title = "Two disks in reversed shear, without contact",
-          .x = "solves E",
-          .error = "distance of the centres from their start, relative",
-          .lines = {{.key = "euler", .label = "Euler", .measure = fixed_errors(Method::euler, 100)},
-                    {.key = "heun", .label = "Heun", .measure = fixed_errors(Method::heun, 50)},
-                    {.key = "dormand_prince54",
-                     .label = "Dormand-Prince 5(4)",
-                     .measure = adapted_errors(Method::dormand_prince54)},
-                    {.key = "prince_dormand87",
-                     .label = "Prince-Dormand 8(7)",
-                     .measure = adapted_errors(Method::prince_dormand87)}},
-          .work_precision = true,
-          .operation = "solves"};
+  return {
+      .key = "reversal",
+      .title = "Two disks in reversed shear, without contact",
+      .x = "solves E",
+      .error = "distance of the centres from their start, relative",
+      .lines = {{.key = "euler",
+                 .label = "Euler",
+                 .measure = fixed_errors(SteppingMethod::euler, 100)},
+                {.key = "heun", .label = "Heun", .measure = fixed_errors(SteppingMethod::heun, 50)},
+                {.key = "dormand_prince54",
+                 .label = "Dormand-Prince 5(4)",
+                 .measure = adapted_errors(SteppingMethod::dormand_prince54)},
+                {.key = "prince_dormand87",
+                 .label = "Prince-Dormand 8(7)",
+                 .measure = adapted_errors(SteppingMethod::prince_dormand87)}},
+      .work_precision = true,
+      .operation = "solves"};
 }
 
 Experiment reversal_costs() {
@@ -155,7 +158,7 @@ Experiment reversal_costs() {
                                         "Euler a million",
                               .api = {"stokesbook::Stepper", "stokesbook::dormand_prince54"}},
                .control = Control{"Heun's scheme in its place", ratios([](double height) {
-                                    return solves_of_order(height, Method::heun, 1e-8,
+                                    return solves_of_order(height, SteppingMethod::heun, 1e-8,
                                                            3.0);  // 09_25
                                   })}}}};
 }

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 namespace {
 
 // At the end of a step, and where it has an interpolant, at the times within it that are known.
-double error_of(const Motion& motion, Method method, const Step& step) {
+double error_of(const Motion& motion, SteppingMethod method, const Step& step) {
   double error = error_at(motion, step.end.t, step.end.state);
   if (!has_dense_output(method)) return error;
   for (const double t : motion.known_at) {
@@ -23,7 +23,7 @@ double error_of(const Motion& motion, Method method, const Step& step) {
 RunResult run(const Motion& motion, const SteppingSettings& settings,
               const std::function<double(double t)>& next_event, const MakeRates& make_rates) {
   const Counted counted(motion.rate);
-  Moment now{0.0, motion.start, {}};
+  TimePoint now{0.0, motion.start, {}};
   now.rate = make_rates(counted.rate(), now).at_end(0.0, now.state);
   StepMemory memory;
   RunResult result;
@@ -58,22 +58,22 @@ Rate Counted::rate() const {
   };
 }
 
-Rates same_rates(const Rate& rate, const Moment&) {
+Rates same_rates(const Rate& rate, const TimePoint&) {
   return {rate, rate};
 }
 
-Rates frozen_stages(const Rate& rate, const Moment& start) {
+Rates frozen_stages(const Rate& rate, const TimePoint& start) {
   return {[=](double, const VectorXd&) { return rate(start.t, start.state); }, rate};
 }
 
-Rates slow_rates(const Rate& rate, const Moment&) {
+Rates slow_rates(const Rate& rate, const TimePoint&) {
   const Rate slow = [=](double t, const VectorXd& state) -> VectorXd {
     return 0.99 * rate(t, state);
   };
   return {slow, slow};
 }
 
-RunResult run_equal_steps(const Motion& motion, Method method, int steps,
+RunResult run_equal_steps(const Motion& motion, SteppingMethod method, int steps,
                           const MakeRates& make_rates) {
   // No estimate is too large, and events say where steps end.
   const SteppingSettings settings{
@@ -85,7 +85,8 @@ RunResult run_equal_steps(const Motion& motion, Method method, int steps,
   return run(motion, settings, next_end, make_rates);
 }
 
-RunResult run_to_tolerance(const Motion& motion, Method method, double tolerance, double scale) {
+RunResult run_to_tolerance(const Motion& motion, SteppingMethod method, double tolerance,
+                           double scale) {
   const SteppingSettings settings{
       .method = method, .bound = {0.5 * tolerance, VectorXd::Constant(motion.start.size(), scale)}};
   return run(

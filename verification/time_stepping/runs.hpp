@@ -26,16 +26,16 @@ class Counted {
 };
 
 /// Makes the rates of a step, right or with a planted defect, of a right-hand side.
-using MakeRates = std::function<Rates(const Rate& rate, const Moment& start)>;
+using MakeRates = std::function<Rates(const Rate& rate, const TimePoint& start)>;
 
 /// As they are.
-Rates same_rates(const Rate& rate, const Moment& start);
+Rates same_rates(const Rate& rate, const TimePoint& start);
 
 /// Stages see the state at the start of their step.
-Rates frozen_stages(const Rate& rate, const Moment& start);
+Rates frozen_stages(const Rate& rate, const TimePoint& start);
 
 /// One per cent too slow.
-Rates slow_rates(const Rate& rate, const Moment& start);
+Rates slow_rates(const Rate& rate, const TimePoint& start);
 
 /// What a run has come to.
 struct RunResult {
@@ -50,12 +50,12 @@ struct RunResult {
 double error_at(const Motion& motion, double t, const Eigen::VectorXd& state);
 
 /// Runs with equal steps, whatever the method.
-RunResult run_equal_steps(const Motion& motion, Method method, int steps,
+RunResult run_equal_steps(const Motion& motion, SteppingMethod method, int steps,
                           const MakeRates& make_rates = same_rates);
 
 /// Runs to a tolerance, half of it for each step as stepping_settings() has it; lengths and angles
 /// count in units of `scale`.
-RunResult run_to_tolerance(const Motion& motion, Method method, double tolerance,
+RunResult run_to_tolerance(const Motion& motion, SteppingMethod method, double tolerance,
                            double scale = 1.0);
 
 }  // namespace stokesbook::verification::time_stepping

@@ -13,7 +13,7 @@ namespace {
 
 enum class Taken { all_steps, last_step };
 
-Measure errors(const Motion& motion, Method method, int fewest_steps, Taken taken) {
+Measure errors(const Motion& motion, SteppingMethod method, int fewest_steps, Taken taken) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int k = 0; k <= (size == Size::full ? 5 : 3); ++k) {
@@ -27,7 +27,7 @@ Measure errors(const Motion& motion, Method method, int fewest_steps, Taken take
   };
 }
 
-Line estimate_line(const Motion& motion, Method method, const std::string& key,
+Line estimate_line(const Motion& motion, SteppingMethod method, const std::string& key,
                    const std::string& label, int fewest_steps, const std::string& id) {
   return {.key = key,
           .label = label,
@@ -57,10 +57,10 @@ Experiment step_errors() {
           .title = "Error found for the error estimated, fixed steps: an ellipse 3:1 in shear",
           .x = "sum of the estimates of all steps e",
           .error = "error of the angle at the end",
-          .lines = {estimate_line(motion, Method::euler, "euler", "Euler", 200, "09_36"),
-                    estimate_line(motion, Method::adams_bashforth2, "adams_bashforth2",
+          .lines = {estimate_line(motion, SteppingMethod::euler, "euler", "Euler", 200, "09_36"),
+                    estimate_line(motion, SteppingMethod::adams_bashforth2, "adams_bashforth2",
                                   "Adams-Bashforth 2", 100, "09_37"),
-                    estimate_line(motion, Method::heun, "heun", "Heun", 100, "09_38")},
+                    estimate_line(motion, SteppingMethod::heun, "heun", "Heun", 100, "09_38")},
           .operation = "evaluations of the rate"};
 }
 

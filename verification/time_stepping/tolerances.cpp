@@ -12,7 +12,7 @@ using namespace study;
 namespace {
 
 // Largest errors of some motions, and what each takes on average.
-Measure errors(const std::vector<Motion>& motions, Method method, double scale = 1.0) {
+Measure errors(const std::vector<Motion>& motions, SteppingMethod method, double scale = 1.0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     const double factor = size == Size::full ? std::sqrt(10.0) : 10.0;
@@ -41,13 +41,13 @@ constexpr const char* lower_order =
 // asked, in the few long steps of the pair 8(7), whose errors happen to cancel.
 constexpr double starts[] = {0.0, 1.0, 2.5, 4.0, 6.0, 7.5, 9.0};
 
-Line tolerance_line(const std::vector<Motion>& motions, Method method, const std::string& id,
-                    const std::string& reason) {
+Line tolerance_line(const std::vector<Motion>& motions, SteppingMethod method,
+                    const std::string& id, const std::string& reason) {
   const std::string names[] = {"Bogacki-Shampine 3(2)", "Dormand-Prince 5(4)",
                                "Prince-Dormand 8(7)"};
   const std::string keys[] = {"bogacki_shampine32", "dormand_prince54", "prince_dormand87"};
-  const auto index =
-      static_cast<std::size_t>(method) - static_cast<std::size_t>(Method::bogacki_shampine32);
+  const auto index = static_cast<std::size_t>(method) -
+                     static_cast<std::size_t>(SteppingMethod::bogacki_shampine32);
   return {
       .key = keys[index],
       .label = names[index],
@@ -67,17 +67,18 @@ Line tolerance_line(const std::vector<Motion>& motions, Method method, const std
 Experiment tolerances() {
   std::vector<Motion> jeffery;
   for (const double start : starts) jeffery.push_back(jeffery_in_shear(20.0, start));
-  return {.key = "tolerance",
-          .title =
-              "Error found for the tolerance asked: an ellipse 3:1 in shear, one turn, "
-              "from seven angles",
-          .x = "tolerance",
-          .error = "largest error of the angle at the ends of steps, of all seven",
-          .lines = {tolerance_line(jeffery, Method::bogacki_shampine32, "09_17", in_proportion),
-                    tolerance_line(jeffery, Method::dormand_prince54, "09_18", in_proportion),
-                    tolerance_line(jeffery, Method::prince_dormand87, "09_19", lower_order)},
-          .work_precision = true,
-          .operation = "evaluations of the rate"};
+  return {
+      .key = "tolerance",
+      .title =
+          "Error found for the tolerance asked: an ellipse 3:1 in shear, one turn, "
+          "from seven angles",
+      .x = "tolerance",
+      .error = "largest error of the angle at the ends of steps, of all seven",
+      .lines = {tolerance_line(jeffery, SteppingMethod::bogacki_shampine32, "09_17", in_proportion),
+                tolerance_line(jeffery, SteppingMethod::dormand_prince54, "09_18", in_proportion),
+                tolerance_line(jeffery, SteppingMethod::prince_dormand87, "09_19", lower_order)},
+      .work_precision = true,
+      .operation = "evaluations of the rate"};
 }
 
 // Errors at t = 0.5, 1, ..., 12; of the pair 8(7) at 12.
@@ -87,8 +88,8 @@ Experiment tolerances_of_passing() {
           .title = "Error found for the tolerance asked: two circles that pass each other",
           .x = "tolerance",
           .error = "largest error of position, in radii, and angle",
-          .lines = {tolerance_line(pair, Method::dormand_prince54, "09_20", in_proportion),
-                    tolerance_line(pair, Method::prince_dormand87, "09_21", lower_order)},
+          .lines = {tolerance_line(pair, SteppingMethod::dormand_prince54, "09_20", in_proportion),
+                    tolerance_line(pair, SteppingMethod::prince_dormand87, "09_21", lower_order)},
           .work_precision = true,
           .operation = "solves"};
 }

@@ -25,7 +25,7 @@ const Motion& made(MakeMotion make) {
   return motions(make, [&] { return make(); });
 }
 
-Measure equal_steps(MakeMotion make, Method method, int fewest) {
+Measure equal_steps(MakeMotion make, SteppingMethod method, int fewest) {
   return [=](Size size) {
     const Motion& motion = made(make);
     std::vector<Measurement> measurements;
@@ -52,7 +52,7 @@ Measure adapted(MakeMotion make,
   };
 }
 
-Measure embedded(MakeMotion make, Method method, double tightest) {
+Measure embedded(MakeMotion make, SteppingMethod method, double tightest) {
   return adapted(
       make,
       [=](const Motion& motion, double tolerance) {
@@ -89,18 +89,21 @@ std::vector<Measurement> by_effort(Size size) {
 }
 
 std::vector<Line> lines_of(MakeMotion make, int fewest) {
-  return {
-      {.key = "euler", .label = "Euler", .measure = equal_steps(make, Method::euler, 4 * fewest)},
-      {.key = "adams_bashforth2",
-       .label = "Adams-Bashforth 2",
-       .measure = equal_steps(make, Method::adams_bashforth2, 4 * fewest)},
-      {.key = "rk4", .label = "Runge-Kutta 4", .measure = equal_steps(make, Method::rk4, fewest)},
-      {.key = "dormand_prince54",
-       .label = "Dormand-Prince 5(4)",
-       .measure = embedded(make, Method::dormand_prince54, 1e-5)},
-      {.key = "prince_dormand87",
-       .label = "Prince-Dormand 8(7)",
-       .measure = embedded(make, Method::prince_dormand87, 1e-5)}};
+  return {{.key = "euler",
+           .label = "Euler",
+           .measure = equal_steps(make, SteppingMethod::euler, 4 * fewest)},
+          {.key = "adams_bashforth2",
+           .label = "Adams-Bashforth 2",
+           .measure = equal_steps(make, SteppingMethod::adams_bashforth2, 4 * fewest)},
+          {.key = "rk4",
+           .label = "Runge-Kutta 4",
+           .measure = equal_steps(make, SteppingMethod::rk4, fewest)},
+          {.key = "dormand_prince54",
+           .label = "Dormand-Prince 5(4)",
+           .measure = embedded(make, SteppingMethod::dormand_prince54, 1e-5)},
+          {.key = "prince_dormand87",
+           .label = "Prince-Dormand 8(7)",
+           .measure = embedded(make, SteppingMethod::prince_dormand87, 1e-5)}};
 }
 
 }  // namespace
@@ -114,24 +117,26 @@ Experiment work() {
       .error = "largest error of position, in radii, and angle",
       .lines = {{.key = "euler",
                  .label = "Euler",
-                 .measure = equal_steps(passing, Method::euler, 102)},
+                 .measure = equal_steps(passing, SteppingMethod::euler, 102)},
                 {.key = "effort", .label = "Euler, steps by solver effort", .measure = by_effort},
                 {.key = "adams_bashforth2",
                  .label = "Adams-Bashforth 2",
-                 .measure = equal_steps(passing, Method::adams_bashforth2, 84)},
-                {.key = "heun", .label = "Heun", .measure = equal_steps(passing, Method::heun, 42)},
+                 .measure = equal_steps(passing, SteppingMethod::adams_bashforth2, 84)},
+                {.key = "heun",
+                 .label = "Heun",
+                 .measure = equal_steps(passing, SteppingMethod::heun, 42)},
                 {.key = "rk4",
                  .label = "Runge-Kutta 4",
-                 .measure = equal_steps(passing, Method::rk4, 24)},
+                 .measure = equal_steps(passing, SteppingMethod::rk4, 24)},
                 {.key = "bogacki_shampine32",
                  .label = "Bogacki-Shampine 3(2)",
-                 .measure = embedded(passing, Method::bogacki_shampine32, 1e-5)},
+                 .measure = embedded(passing, SteppingMethod::bogacki_shampine32, 1e-5)},
                 {.key = "dormand_prince54",
                  .label = "Dormand-Prince 5(4)",
-                 .measure = embedded(passing, Method::dormand_prince54, 1e-9)},
+                 .measure = embedded(passing, SteppingMethod::dormand_prince54, 1e-9)},
                 {.key = "prince_dormand87",
                  .label = "Prince-Dormand 8(7)",
-                 .measure = embedded(passing, Method::prince_dormand87, 1e-9)},
+                 .measure = embedded(passing, SteppingMethod::prince_dormand87, 1e-9)},
                 {.key = "multistep",
                  .label = "GSL's Adams of variable order",
                  .measure = adapted(passing, run_multistep, 1e-9)}},

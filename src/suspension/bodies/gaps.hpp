@@ -22,7 +22,7 @@ struct Gap {
 /// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
 /// and the closest pair.
 ///
-/// @param  configuration  placements of all components
+/// @param  configuration  poses of all components
 /// @param  references     of each component
 /// @param  tolerance      of velocities, > 0; sets the reach
 /// @return                in ascending order of the gap; empty for a single component

@@ -69,9 +69,9 @@ Resolutions resolutions_of(const References& references) {
   return resolutions;
 }
 
-SmoothCurve smooth_curve(const Reference& reference, const Placement& placement) {
-  SmoothCurve curve{place(reference.curve, placement.position, placement.orientation),
-                    reference.parametrisation, placement.position, placement.orientation};
+SmoothCurve smooth_curve(const Reference& reference, const Pose& pose) {
+  SmoothCurve curve{place(reference.curve, pose.position, pose.orientation),
+                    reference.parametrisation, pose.position, pose.orientation};
   if (reference.resolution.is_graded()) curve.parameters = reference.parameters;
   return curve;
 }

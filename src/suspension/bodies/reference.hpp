@@ -77,9 +77,9 @@ Resolutions resolutions_of(const References& references);
 /// Places a component.
 ///
 /// @param  reference  shared nodes, in the shape's own frame
-/// @param  placement  where they are
+/// @param  pose       where they are
 /// @return            its nodes and its curve in the plane
-SmoothCurve smooth_curve(const Reference& reference, const Placement& placement);
+SmoothCurve smooth_curve(const Reference& reference, const Pose& pose);
 
 /// Keeps the references that are in use, each built once.
 ///

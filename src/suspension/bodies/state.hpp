@@ -9,7 +9,7 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Packs placements into a state.
+/// Packs poses into a state.
 ///
 /// @param  configuration  K components
 /// @return                3K numbers: x, y, orientation of every component
@@ -18,7 +18,7 @@ Eigen::VectorXd to_state(const Configuration& configuration);
 /// Unpacks a state.
 ///
 /// @param  state  3K numbers, as to_state() packs them
-/// @return        placements of K components
+/// @return        poses of K components
 Configuration to_configuration(const Eigen::VectorXd& state);
 
 /// @}

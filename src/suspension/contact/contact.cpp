@@ -22,14 +22,6 @@ constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
 // Starts are written down by others: a gap of the separation to three digits is wide enough.
 constexpr double relative_slack_of_starts = 1e-3;
 
-std::vector<Pose> poses_of(const Configuration& configuration) {
-  std::vector<Pose> poses;
-  for (const auto& [position, orientation] : configuration) {
-    poses.push_back({position, orientation});
-  }
-  return poses;
-}
-
 void append(std::string& list, const std::string& text) {
   list += (list.empty() ? "" : ", ") + text;
 }
@@ -127,8 +119,7 @@ std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
 
 // Of pairs that can be moved apart, and of overlaps.
 std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
-  std::vector<PolygonGap> gaps =
-      polygon_gaps(shapes_, poses_of(configuration), polygon_separation_);
+  std::vector<PolygonGap> gaps = polygon_gaps(shapes_, configuration, polygon_separation_);
   std::erase_if(gaps, [this](const PolygonGap& found) {
     return found.gap > 0.0 && !is_free(found.a) && !is_free(found.b);
   });

@@ -70,8 +70,7 @@ std::vector<RigidPath> straight_paths(const Configuration& start, const VectorXd
   for (std::size_t k = 0; k < start.size(); ++k) {
     const auto first = static_cast<Index>(3 * k);
     const Complex displacement = dt * Complex(velocity[first], velocity[first + 1]);
-    paths.push_back(
-        {{start[k].position, start[k].orientation}, displacement, dt * velocity[first + 2]});
+    paths.push_back({start[k], displacement, dt * velocity[first + 2]});
   }
   return paths;
 }

@@ -192,7 +192,7 @@ class Simulation {
   SteppingSettings stepping_;
   Observer observer_;
   double drive_ = 1.0;
-  Moment now_;  // the rate is set before a step
+  TimePoint now_;  // the rate is set before a step
   StepMemory memory_;
   SolveMemory latest_;                        // after all solves but those for frames within steps
   SolveMemory begun_;                         // before the solve at now_

@@ -278,7 +278,7 @@ Simulation::Solved Simulation::advance_in_contact(Begun begun) {
     StepInfo info = with_contact(spent, begun.stage.outcome, begun.stage.cost, begun.stage.seconds);
     try {
       std::optional<SecondHalf> second;
-      if (stepping_.method == Method::heun) second = second_half(begun, info);
+      if (stepping_.method == SteppingMethod::heun) second = second_half(begun, info);
       const ContactOutcome& outcome = second ? second->outcome : begun.stage.outcome;
       const bool too_long = time_.tolerance && second->error_in_bounds > 1.0;
       const bool jumps = too_long && pairs_in_contact(begun.stage.outcome.forces) !=

@@ -12,25 +12,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-Method to_method(SteppingMethod method) {
-  switch (method) {
-    case SteppingMethod::euler:
-      return Method::euler;
-    case SteppingMethod::adams_bashforth2:
-      return Method::adams_bashforth2;
-    case SteppingMethod::heun:
-      return Method::heun;
-    case SteppingMethod::rk4:
-      return Method::rk4;
-    case SteppingMethod::bogacki_shampine32:
-      return Method::bogacki_shampine32;
-    case SteppingMethod::dormand_prince54:
-      return Method::dormand_prince54;
-    default:
-      return Method::prince_dormand87;
-  }
-}
-
 // Largest distance of a body's boundary from its position.
 double largest_radius(const SuspensionSolver& solver) {
   double radius = 0.0;
@@ -64,9 +45,8 @@ double largest_distance(const References& references, const Configuration& p,
                         const Configuration& q) {
   double largest = 0.0;
   for (std::size_t k = 0; k < references.size(); ++k) {
-    const auto at = [&](const Placement& placement) {
-      return (placement.position +
-              std::polar(1.0, placement.orientation) * references[k]->curve.x.array())
+    const auto at = [&](const Pose& pose) {
+      return (pose.position + std::polar(1.0, pose.orientation) * references[k]->curve.x.array())
           .eval();
     };
     largest = std::max(largest, (at(p[k]) - at(q[k])).abs().maxCoeff());
@@ -76,7 +56,7 @@ double largest_distance(const References& references, const Configuration& p,
 
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
-  SteppingSettings settings{.method = to_method(time.method), .dt = time.dt};
+  SteppingSettings settings{.method = time.method, .dt = time.dt};
   const double none = std::numeric_limits<double>::infinity();
   const double longest =
       std::min({time.t_final, time.dt.value_or(none), time.dt_max.value_or(none)});

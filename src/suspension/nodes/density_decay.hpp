@@ -48,7 +48,7 @@ struct GapResolution {
 /// Estimates how well a gap is resolved, before any solve.
 ///
 /// @param  gap            of two components, > 0
-/// @param  configuration  placements of all components
+/// @param  configuration  poses of all components
 /// @param  references     of each component
 /// @return                rates of decay and estimated error
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,

@@ -26,9 +26,9 @@ struct Obstacle {
 };
 
 Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Parametrisation> shape,
-                       const Placement& placement) {
-  return {{place(reference, placement.position, placement.orientation), std::move(shape),
-           placement.position, placement.orientation},
+                       const Pose& pose) {
+  return {{place(reference, pose.position, pose.orientation), std::move(shape), pose.position,
+           pose.orientation},
           outer_radius(reference, 0.0)};
 }
 

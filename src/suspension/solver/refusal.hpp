@@ -27,7 +27,7 @@ void refuse(const std::string& message) {
 ///
 /// @param  scene          names the components
 /// @param  gaps           in ascending order
-/// @param  configuration  placements of all components
+/// @param  configuration  poses of all components
 /// @return                a message naming components and place; empty when all are apart
 std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
                             const Configuration& configuration);
@@ -36,7 +36,7 @@ std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 ///
 /// @param  scene          names the components and the tolerance
 /// @param  gaps           in ascending order
-/// @param  configuration  placements of all components
+/// @param  configuration  poses of all components
 /// @param  references     of each component
 /// @return                a message naming components, values and what to change; empty when a
 ///                        solve may succeed
@@ -57,7 +57,7 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
 /// origin, where rounding of positions is no longer small against the gaps' tolerance.
 ///
 /// @param  separation  that contact keeps, length; 0: no contact
-/// @param  start       placements of all components
+/// @param  start       poses of all components
 /// @param  references  of each component
 /// @return             a message naming lengths and limit; empty where there is no reason
 std::string separation_refusal(double separation, const Configuration& start,

@@ -12,11 +12,11 @@ namespace {
 // One component's part in the test.
 class Border {
  public:
-  Border(const Curve& curve, const Placement& placement)
+  Border(const Curve& curve, const Pose& pose)
       : barycentric_(curve),
         side_(curve.side),
-        position_(placement.position),
-        turn_(std::polar(1.0, -placement.orientation)),
+        position_(pose.position),
+        turn_(std::polar(1.0, -pose.orientation)),
         reach_(outer_radius(curve, 0.0)) {}
 
   bool has_fluid_at(Complex point) const {

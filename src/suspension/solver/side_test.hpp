@@ -14,7 +14,7 @@ namespace stokesbook {
 /// Tells which points lie in the fluid: outside all bodies and inner walls, and inside the
 /// enclosing wall, by Barycentric::side().
 ///
-/// @param  configuration  placements of all components
+/// @param  configuration  poses of all components
 /// @param  references     of each component
 /// @param  points         m points, length
 /// @return                one a point: 1 in the fluid, else 0

@@ -83,7 +83,7 @@ class SuspensionSolver {
   /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
-  /// Returns the scene's placements at the start.
+  /// Returns the scene's poses at the start.
   /// @return bodies, then walls, in the scene's order
   Configuration initial_configuration() const;
 

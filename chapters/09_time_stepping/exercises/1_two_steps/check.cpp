@@ -46,7 +46,7 @@ void check_heun(double h) {
     return q + h * ((1.0 - part) * f_0 + part * rate(time, q + h * f_0));
   };
   const VectorXd middle = q + h * rate(t + 0.5 * h, q + 0.5 * h * f_0);
-  const Moment start{t, q, f_0};
+  const TimePoint start{t, q, f_0};
   const VectorXd exact =
       q + h * (runge_kutta_stages(stokesbook::heun(), &rate, start, h) * stokesbook::heun().b);
   expect({.what = "h = " + exercise::text(h),
@@ -66,7 +66,7 @@ std::vector<VectorXd> steps_of_the_book(const std::vector<double>& times, const 
   std::vector<VectorXd> states{start};
   PreviousStep previous;
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
-    const Moment now{times[k], states.back(), rate(times[k], states.back())};
+    const TimePoint now{times[k], states.back(), rate(times[k], states.back())};
     const double h = times[k + 1] - times[k];
     states.push_back(
         k == 0 ? VectorXd(now.state + h * (runge_kutta_stages(first, &rate, now, h) * first.b))

@@ -107,8 +107,8 @@ void check_torque_left(Complex displacement_a, Complex displacement_b) {
   const ContactRow row = interferences(shapes, paths, {{0.1}, 1e-6}).contacts.front().rows.front();
   const auto& [on_a, on_b] = row.derivative;
   const Complex n = on_a.force;
-  const double exact = cross(paths[0].start.centre, on_a.force) + on_a.torque +
-                       cross(paths[1].start.centre, on_b.force) + on_b.torque;
+  const double exact = cross(paths[0].start.position, on_a.force) + on_a.torque +
+                       cross(paths[1].start.position, on_b.force) + on_b.torque;
   expect({.what = "displacements " + exercise::text(displacement_a) + " and " +
                   exercise::text(displacement_b),
           .got = torque_left(displacement_a, displacement_b, n),
