@@ -63,17 +63,16 @@ Scene cluster() {
 class Suspension {
  public:
   explicit Suspension(const Scene& scene)
-      : solver_(scene),
-        nodes_(resolutions_of(solver_.solve(solver_.initial_configuration()).references)) {}
+      : solver_(scene), nodes_(resolutions_of(solver_.solve(solver_.start()).references)) {}
 
-  VectorXd start() const { return to_state(solver_.initial_configuration()); }
+  VectorXd start() const { return to_state(solver_.start().configuration); }
   int solves() const { return solves_; }
 
-  /// @param  drive  +1, or -1: the flow reversed
-  Rate rate(double drive) {
+  /// @param  amplitude  of the flow: +1, or -1 where it is reversed
+  Rate rate(double amplitude) {
     return [=, this](double, const VectorXd& state) {
       ++solves_;
-      return to_rate(solver_.solve_nearby(to_configuration(state), nodes_, drive));
+      return to_rate(solver_.solve_nearby({to_configuration(state), amplitude}, nodes_));
     };
   }
 
@@ -194,7 +193,7 @@ Sweeps sweep(double gap) {
   scene.solver.tolerance = 1e-6;
   scene.solver.gmres_tol = 1e-10;
   const SuspensionSolver solver(scene);
-  const Configuration still = solver.initial_configuration();
+  const Instant still = solver.start();
   const Solution solution = solver.solve(still);
   const ComplexVector& exact = solution.density;
 
@@ -235,14 +234,14 @@ double iterations(std::size_t kept) {
       if (kept == 0) return {};
       return history.guess(t, now, references);
     };
-    const Solution solution = solver.solve(now, 1.0, guess);
+    const Solution solution = solver.solve({now}, guess);
     history.add(t, now, solution.references, solution.density);
     ++solves;
     iterations += solution.gmres.iterations;
     return to_rate(solution);
   };
-  run(fixed(SteppingMethod::adams_bashforth2, 0.025), rate,
-      to_state(solver.initial_configuration()), 1.0);
+  run(fixed(SteppingMethod::adams_bashforth2, 0.025), rate, to_state(solver.start().configuration),
+      1.0);
   return static_cast<double>(iterations) / solves;
 }
 // [warm]

@@ -44,7 +44,7 @@ void print_plan(const SuspensionSolver& solver) {
 Solution solved(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   const SuspensionSolver solver(scene);
-  return solver.solve(solver.initial_configuration());
+  return solver.solve(solver.start());
 }
 
 /// Largest difference of a velocity, over the largest velocity of the data.

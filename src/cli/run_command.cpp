@@ -227,9 +227,9 @@ int run_scene(const RunOptions& options) {
     std::fflush(stdout);
   }
   if (options.dry_run) {
-    const Configuration placed = solver.initial_configuration();
-    if (scene.contact) SuspensionContact(solver).admit_start(placed);
-    const Solution first = solver.solve(placed);
+    const Instant instant = solver.start();
+    if (scene.contact) SuspensionContact(solver).admit_start(instant.configuration);
+    const Solution first = solver.solve(instant);
     std::printf("  %s\n", describe(solver, first).c_str());
     return exit_done;
   }

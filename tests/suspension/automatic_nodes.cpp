@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(pairs_meet_the_tolerance) {
 BOOST_AUTO_TEST_CASE(nodes_are_raised_where_the_tail_asks_for_them) {
   const Scene free_choice = slender_beside_circle(automatic_nodes, automatic_nodes);
   const Solved solved(free_choice);
-  const Resolutions first = solved.solver.first_resolutions(solved.configuration);
+  const Resolutions first = first_resolutions(solved.solver);
   const std::vector<int> nodes = nodes_of(solved.solution);
   BOOST_TEST(nodes[0] > first[0].n_nodes);
   BOOST_TEST(nodes[0] > nodes[1]);
@@ -68,9 +68,9 @@ BOOST_AUTO_TEST_CASE(given_counts_stay) {
 BOOST_AUTO_TEST_CASE(nodes_depend_on_the_configuration_alone) {
   const Scene scene = slender_beside_circle(automatic_nodes, automatic_nodes);
   const SuspensionSolver experienced(scene), fresh(scene);
-  const Configuration start = experienced.initial_configuration();
-  Configuration closer = start;
-  closer[1].position = {0.0, 0.85};
+  const Instant start = experienced.start();
+  Instant closer = start;
+  closer.configuration[1].position = {0.0, 0.85};
   const Solution near = experienced.solve(closer);
   const Solution again = experienced.solve(start), first = fresh.solve(start);
   BOOST_TEST(nodes_of(near)[1] > nodes_of(first)[1]);
@@ -81,8 +81,8 @@ BOOST_AUTO_TEST_CASE(nodes_depend_on_the_configuration_alone) {
 // Inner stages of a step have at least the nodes of its first solve.
 BOOST_AUTO_TEST_CASE(nearby_solves_keep_the_nodes) {
   const Solved solved(slender_beside_circle(automatic_nodes, automatic_nodes));
-  Configuration moved = solved.configuration;
-  moved[0].position += 1e-3;
+  Instant moved = solved.solver.start();
+  moved.configuration[0].position += 1e-3;
   const Solution nearby =
       solved.solver.solve_nearby(moved, resolutions_of(solved.solution.references));
   BOOST_TEST(nodes_of(nearby) == nodes_of(solved.solution), boost::test_tools::per_element());

@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
     fastest = std::max(fastest, std::abs(frame.bodies[k].velocity));
   }
   const SuspensionSolver solver(scene);
-  const Solution loaded = solver.solve(solver.initial_configuration());
+  const Solution loaded = solver.solve(solver.start());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     BOOST_TEST(std::abs(loaded.motions[k].velocity - frame.bodies[k].velocity) < 1e-5 * fastest);
     BOOST_TEST(std::abs(loaded.motions[k].omega - frame.bodies[k].omega) < 1e-5 * fastest);

@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(a_step_that_would_end_deep_within_a_body) {
                           held(Ellipse{1.5, 0.8}, {0.0, 0.0}, angle)},
                          0.05);
     const SuspensionSolver solver(scene);
-    const double speed = -solver.solve(solver.initial_configuration()).motions[0].velocity.imag();
+    const double speed = -solver.solve(solver.start()).motions[0].velocity.imag();
     const double dt = 2.0 / speed;
     scene = over(scene, dt, dt);
     const RecordedRun run = recorded_run(scene);
@@ -99,7 +99,7 @@ void move_round_in_a_ring(int steps) {
   scene.walls[0].motion = RotatingWall{1.0};
   scene = over(scene, steps * dt, dt);
   const SuspensionSolver solver(scene);
-  const RigidMotion free = solver.solve(solver.initial_configuration()).motions[0];
+  const RigidMotion free = solver.solve(solver.start()).motions[0];
   const double rate = free.velocity.imag() / middle;
   const RecordedRun run = recorded_run(scene);
   check_contact(scene, run);
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(an_ellipse_slides_along_another_one) {
     const double torque = free.torque + cross(free.position - support.position, force);
     BOOST_TEST(std::abs(torque + reaction.torque) <= 1e-12 * largest);
     const SuspensionSolver solver(loaded_by_hand(scene, frame));
-    const Solution by_hand = solver.solve(solver.initial_configuration());
+    const Solution by_hand = solver.solve(solver.start());
     const double allowed = scene.solver.tolerance * std::abs(ellipse.force);
     BOOST_TEST(std::abs(by_hand.loads[1].force - support.force) <= allowed);
     BOOST_TEST(std::abs(by_hand.loads[1].torque - support.torque) <= allowed);

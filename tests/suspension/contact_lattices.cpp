@@ -48,13 +48,13 @@ void check_unique_motions(const Scene& scene, double pitch, Index contacts, doub
   const std::vector<Body>& bodies = scene.bodies;
   const double room = pitch - 2.0 - scene.contact->minimum_separation;
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
-  const Solution free = solver.solve(start);
+  const Configuration start = solver.start().configuration;
+  const Solution free = solver.solve({start});
   const Forces forces = forces_between(bodies, pitch);
   BOOST_REQUIRE(forces.cols() == contacts);
   AnsweredLoads none;
   none.tolerance = 0.0;
-  LoadResponse respond(solver, start, free, none);
+  LoadResponse respond(solver, free, none);
   const MatrixXd response = respond(forces);
   const MatrixXd unsymmetric = forces.transpose() * response;
   const VectorXd free_velocity = to_rate(free);

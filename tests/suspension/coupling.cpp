@@ -23,7 +23,7 @@ Scene pair(double gap) {
 // Largest modulus of an eigenvalue of I - M^{-1} A.
 double spectral_radius(const Solved& solved) {
   const DiscreteProblem discrete =
-      solved.solver.discretise(solved.configuration, solved.solution.references);
+      solved.solver.discretise(solved.solution.instant, solved.solution.references);
   const Eigen::Index n = 2 * solved.solution.density.size();
   Eigen::MatrixXd sweep(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(sweeps_contract_to_the_coupled_solution_by_the_spectral_rad
     const Solved solved(pair(gap));
     const double radius = spectral_radius(solved);
     const auto lagged = [&](const ComplexVector& before) {
-      return solved.solver.solve_lagged(solved.configuration,
+      return solved.solver.solve_lagged(solved.solution.instant,
                                         [&](const References&) { return before; });
     };
     const ComplexVector& exact = solved.solution.density;

@@ -101,14 +101,14 @@ BOOST_AUTO_TEST_CASE(packing_keeps_every_bit) {
 
 BOOST_AUTO_TEST_CASE(a_guess_saves_iterations_and_changes_no_digit) {
   const SuspensionSolver solver = two_bodies();
-  const Configuration start = solver.initial_configuration();
+  const Instant start = solver.start();
   const Solution cold = solver.solve(start);
   const auto error = [&](const Solution& other) {
     return std::abs(other.motions[0].velocity - cold.motions[0].velocity) +
            std::abs(other.motions[1].omega - cold.motions[1].omega);
   };
   for (double disturbance : {0.0, 1e-6}) {
-    const Solution warm = solver.solve(start, 1.0, [&](const References&) -> ComplexVector {
+    const Solution warm = solver.solve(start, [&](const References&) -> ComplexVector {
       return cold.density + disturbance * random_vector(cold.density.size(), 1);
     });
     BOOST_TEST(warm.gmres.iterations <= (disturbance == 0.0 ? 0 : cold.gmres.iterations - 1));

@@ -49,10 +49,10 @@ Scene moved(Scene scene, Complex shift) {
 // All numbers that do not depend on where a scene is: motions, loads, stresslets and dissipation.
 Eigen::VectorXd answers(const Scene& scene) {
   const Solved solved(scene);
-  const Rheology rheology = Rheometer(solved.solver)(solved.configuration, solved.solution, 1.0);
+  const Rheology rheology = Rheometer(solved.solver)(solved.solution);
   std::vector<double> numbers{rheology.dissipation, rheology.stresslet.real(),
                               rheology.stresslet.imag()};
-  for (std::size_t k = 0; k < solved.configuration.size(); ++k) {
+  for (std::size_t k = 0; k < solved.solution.instant.configuration.size(); ++k) {
     const auto& [velocity, omega] = solved.motion(k);
     const auto& [force, torque] = solved.load(k);
     numbers.insert(numbers.end(),

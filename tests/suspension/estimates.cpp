@@ -14,7 +14,7 @@ void move_to_gap(Scene& scene, Complex direction, double gap) {
   probe.solver.near_singular = NearSingular::off;
   probe.solver.preconditioner = PreconditionerKind::none;
   const SuspensionSolver solver(probe);
-  Configuration places = solver.initial_configuration();
+  Configuration places = solver.start().configuration;
   const auto is_too_close = [&](double distance) {
     places.back().position = distance * direction;
     return find_gaps(places, solver.references(), 1e-3).front().points.gap < gap;
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_SUITE(estimates)
 BOOST_AUTO_TEST_CASE(what_a_gap_asks_for_does_not_depend_on_the_order_of_its_curves) {
   const SuspensionSolver solver(
       scene({body(Ellipse{1, 0.4}, 64, {}, 0.3), body(Circle{0.5}, 64, {0.2, 1.1})}, ShearFlow{1}));
-  const Configuration places = solver.initial_configuration();
+  const Configuration places = solver.start().configuration;
   const Gap gap = find_gaps(places, solver.references(), 1e-3).front();
   const ClosestPoints& p = gap.points;
   const Gap turned{gap.b, gap.a, {p.gap, p.parameter_b, p.parameter_a, p.point_b, p.point_a}};

@@ -16,7 +16,7 @@ using enum FieldQuantity;
 Field field_of(Scene scene, const FieldSettings& settings) {
   scene.output.fields = settings;
   const Solved solved(scene);
-  return evaluate_field(solved.solver, solved.configuration, solved.solution);
+  return evaluate_field(solved.solver, solved.solution);
 }
 
 FieldSettings everything(const std::array<double, 4>& box, int resolution) {
@@ -25,7 +25,7 @@ FieldSettings everything(const std::array<double, 4>& box, int resolution) {
 
 // Mean pressure over the outer wall, between its nodes.
 double mean_pressure(const Solved& solved, const Curve& wall) {
-  const auto flow = solved.solver.derivatives(solved.configuration, solved.solution, wall.x);
+  const auto flow = solved.solver.derivatives(solved.solution, wall.x);
   const Eigen::VectorXd w = weights(wall);
   double sum = 0.0;
   for (Index j = 0; j < w.size(); ++j) sum += w[j] * flow[static_cast<std::size_t>(j)].pressure;
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
                                    body(lopsided_curve(0.6), 128, {0.3, -1.5}, 1.0)},
                                   {}, {outer_wall(Star{4.0, 0.1, 3}, 200, {}, {0.2, 0.1}, 0.3)});
   const SuspensionSolver solver(scene);
-  const Configuration configuration = solver.initial_configuration();
+  const Configuration configuration = solver.start().configuration;
   for (std::size_t k = 0; k < 4; ++k) {
     const SmoothCurve curve = smooth_curve(*solver.references()[k], configuration[k]);
     ComplexVector inner(500), outer(500);
@@ -136,8 +136,7 @@ BOOST_AUTO_TEST_CASE(only_what_was_asked_for) {
     BOOST_TEST((asked(quantities) == quantities));
   }
   const Solved solved(one);
-  BOOST_CHECK_THROW(evaluate_field(solved.solver, solved.configuration, solved.solution),
-                    std::invalid_argument);
+  BOOST_CHECK_THROW(evaluate_field(solved.solver, solved.solution), std::invalid_argument);
 }
 
 // A disk in strain: pressure and vorticity are -+ 4 a^2 e Re, Im z^-2, and the strain far away is
@@ -160,25 +159,24 @@ BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
   }
 }
 
-// In a container the mean pressure over the outer wall is zero, whatever bodies and drive do.
+// In a container the mean pressure over the outer wall is zero, whatever the bodies do and however the flow is reversed.
 BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   Scene tank = scene({body(Circle{0.5}, 96, {-0.4, 1.2}, 0.0, {{0.3, -1.0}, 0.2})}, {},
                      {outer_wall(Ellipse{3.0, 2.5}, 192, {}, {0.1, 0.0})});
   tank.output.fields = everything({-3, -3, 3, 3}, 21);
   const Solved solved(tank);
-  const Field field = evaluate_field(solved.solver, solved.configuration, solved.solution);
+  const Field field = evaluate_field(solved.solver, solved.solution);
   Index at = 0;
   while (field.in_fluid[static_cast<std::size_t>(at)] == 0) ++at;
   const Complex point = field.grid.points()[at];
   const double here =
-      solved.solver.derivatives(solved.configuration, solved.solution, ComplexVector{{point}})[0]
-          .pressure;
+      solved.solver.derivatives(solved.solution, ComplexVector{{point}})[0].pressure;
   // Other points of the wall than the solver's nodes.
   const Curve wall = place(sample(Ellipse{3.0, 2.5}, 150, Side::fluid_inside), {0.1, 0.0}, 0.0);
   BOOST_TEST(std::abs(field.pressure[at] - (here - mean_pressure(solved, wall))) < 1e-10);
 
-  const Solution reversed = solved.solver.solve(solved.configuration, -1.0);
-  const Field back = evaluate_field(solved.solver, solved.configuration, reversed, -1.0);
+  const Solution reversed = solved.solver.solve({solved.solution.instant.configuration, -1.0});
+  const Field back = evaluate_field(solved.solver, reversed);
   BOOST_TEST(std::abs(back.pressure[at] + field.pressure[at]) < 1e-10);
 }
 
@@ -193,7 +191,7 @@ Scene lobed_container(int nodes_a_body, int nodes_a_wall, double tolerance) {
 
 EstimatedField estimated(const Scene& scene) {
   const Solved solved(scene);
-  return estimated_field(solved.solver, solved.configuration, solved.solution);
+  return estimated_field(solved.solver, solved.solution);
 }
 
 BOOST_AUTO_TEST_CASE(fields_on_automatic_nodes_meet_the_tolerance) {
@@ -212,9 +210,8 @@ BOOST_AUTO_TEST_CASE(fields_on_automatic_nodes_meet_the_tolerance) {
 BOOST_AUTO_TEST_CASE(fields_on_given_nodes_stay_and_are_estimated) {
   const Field right = estimated(lobed_container(automatic_nodes, automatic_nodes, 1e-8)).field;
   const Solved solved(lobed_container(32, 96, 1e-2));
-  const EstimatedField found =
-      estimated_field(solved.solver, solved.configuration, solved.solution);
-  const Field plain = evaluate_field(solved.solver, solved.configuration, solved.solution);
+  const EstimatedField found = estimated_field(solved.solver, solved.solution);
+  const Field plain = evaluate_field(solved.solver, solved.solution);
   BOOST_TEST(found.solves == 1);
   for (const auto& [quantity, change] : field_differences(found.field, plain)) {
     BOOST_TEST(change == 0.0, quantity);

@@ -28,7 +28,7 @@ std::vector<Complex> fluid_points(const Solved& solved, double spread, double di
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-spread, spread);
   const auto is_free = [&](Complex point, std::size_t k) {
-    const auto [position, orientation] = solved.configuration[k];
+    const auto [position, orientation] = solved.solution.instant.configuration[k];
     const CauchyCurve& curve = *solved.solution.references[k]->cauchy;
     const Complex local = (point - position) * std::polar(1.0, -orientation);
     return curve.in_fluid(local) && (curve.curve().x.array() - local).abs().minCoeff() > distance;
@@ -50,10 +50,9 @@ Complex derivative(const Solved& solved, Complex point, Complex step) {
 
 // Tractions of the whole flow at the nodes of a solution.
 ComplexVector tractions(const Solved& solved, const Solution& solution) {
-  const StokesProblem problem = solved.solver.problem(solved.configuration, solution.references);
+  const StokesProblem problem = solved.solver.problem(solved.solution.instant, solution.references);
   const ComplexVector& nodes = problem.components[0].curve.x;
-  return boundary_traction(problem,
-                           solved.solver.derivatives(solved.configuration, solution, nodes));
+  return boundary_traction(problem, solved.solver.derivatives(solution, nodes));
 }
 
 // The largest difference of two functions on a curve, over the largest value of the second.
@@ -88,9 +87,9 @@ BOOST_AUTO_TEST_CASE(divergence) {
 // balance grad p = mu rot w. Differences of order 4 err by about 1e-9.
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
   for (const Units& units : two_units) {
-    for (const double drive : {1.0, -1.0}) {
+    for (const double amplitude : {1.0, -1.0}) {
       Solved solved(in_units(loaded_trio(58), units));
-      solved.solution = solved.solver.solve(solved.configuration, drive);
+      solved.solution = solved.solver.solve({solved.solver.start().configuration, amplitude});
       const double h = 1e-3 * units.length;
       for (const Complex point : fluid_points(solved, 4 * units.length, 0.1 * units.length)) {
         const auto along = [&](Complex step) {
@@ -99,10 +98,8 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
           const auto difference = [&](const auto& f) {
             return (f(0) - 8.0 * f(1) + 8.0 * f(2) - f(3)) / (12.0 * h);
           };
-          const ComplexVector u =
-              solved.solver.velocity(solved.configuration, solved.solution, points, drive);
-          const auto flow =
-              solved.solver.derivatives(solved.configuration, solved.solution, points, drive);
+          const ComplexVector u = solved.solver.velocity(solved.solution, points);
+          const auto flow = solved.solver.derivatives(solved.solution, points);
           return std::array<Complex, 2>{
               difference([&](Eigen::Index i) { return u[i]; }), difference([&](Eigen::Index i) {
                 const FlowDerivatives& at = flow[static_cast<std::size_t>(i)];
@@ -111,8 +108,8 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
         };
         const auto [u_x, pw_x] = along(h);
         const auto [u_y, pw_y] = along(imaginary * h);
-        const FlowDerivatives at = solved.solver.derivatives(solved.configuration, solved.solution,
-                                                             ComplexVector{{point}}, drive)[0];
+        const FlowDerivatives at =
+            solved.solver.derivatives(solved.solution, ComplexVector{{point}})[0];
         BOOST_TEST(std::abs(at.vorticity - (u_x.imag() - u_y.real())) < 1e-7 * units.rate);
         BOOST_TEST(std::abs(at.strain - Complex(u_x.real() - u_y.imag(), u_x.imag() + u_y.real())) <
                    1e-7 * units.rate);
@@ -150,13 +147,14 @@ BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
     const Solved solved(in_units(loaded_trio(53), units));
     for (std::size_t k = 0; k < 3; ++k) {
       const SmoothCurve curve =
-          smooth_curve(*solved.solution.references[k], solved.configuration[k]);
+          smooth_curve(*solved.solution.references[k], solved.solution.instant.configuration[k]);
       const RigidMotion& motion = solved.motion(k);
       for (const double t : {0.1234, 1.777, 2.9, 4.4321, 5.9}) {
         const auto jet = curve.at(t);
         const Complex out = -imaginary * jet.first / std::abs(jet.first);
         const Complex rigid =
-            motion.velocity + motion.omega * perp(jet.value - solved.configuration[k].position);
+            motion.velocity +
+            motion.omega * perp(jet.value - solved.solution.instant.configuration[k].position);
         const auto slip = [&](double height) {
           const Complex point = jet.value + height * units.length * out;
           return (solved.velocity(ComplexVector{{point}})[0] - rigid) / units.velocity();
@@ -178,7 +176,8 @@ BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   for (Body& body : fine.bodies) body.n_nodes = body.n_nodes * 3 / 2 / 2 * 2;
   const Solved a(coarse), b(fine);
   for (std::size_t k = 0; k < 3; ++k) {
-    const SmoothCurve curve = smooth_curve(*a.solution.references[k], a.configuration[k]);
+    const SmoothCurve curve =
+        smooth_curve(*a.solution.references[k], a.solution.instant.configuration[k]);
     for (const double height : {1e-9, 1e-4, 1e-2, 0.03, 0.1}) {
       ComplexVector points(7);
       for (Eigen::Index i = 0; i < 7; ++i) {
@@ -260,7 +259,7 @@ BOOST_AUTO_TEST_CASE(errors_of_tractions_by_a_refined_solution) {
     for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
       rough.solver.tolerance = tolerance;
       const Solved solved(rough);
-      const Solution refined = solved.solver.refined(solved.configuration, solved.solution);
+      const Solution refined = solved.solver.refined(solved.solution);
       const ComplexVector found = tractions(solved, solved.solution);
       const double estimate = 2.0 * relative_difference(found, tractions(solved, refined));
       const double error = relative_difference(found, exact);

@@ -12,7 +12,7 @@ Scene circle_pair(double gap, double tolerance) {
                      ExtensionalFlow{1});
   pair.solver.tolerance = tolerance;
   const SuspensionSolver planner(pair);
-  const std::vector<int> nodes = planner.recommended_nodes(planner.initial_configuration());
+  const std::vector<int> nodes = recommended_nodes(planner);
   pair.bodies[0].n_nodes = nodes[0];
   pair.bodies[1].n_nodes = nodes[1];
   return pair;

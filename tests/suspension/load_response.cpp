@@ -37,7 +37,7 @@ Loads pushes(const Configuration& chain, double turn) {
 
 struct Chain {
   SuspensionSolver solver{disk_chain(0.1)};
-  Configuration start = solver.initial_configuration();
+  Configuration start = solver.start().configuration;
 
   // Bodies have moved by some thousandths.
   Configuration moved() const {
@@ -53,7 +53,7 @@ struct Chain {
   MatrixXd exact(const Configuration& configuration, const Loads& loads) const {
     AnsweredLoads none;
     none.tolerance = 0.0;
-    return LoadResponse(solver, configuration, solver.solve(configuration), none)(loads);
+    return LoadResponse(solver, solver.solve({configuration}), none)(loads);
   }
 };
 
@@ -85,12 +85,12 @@ struct TrappedFluid {
 
 BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   const Chain chain;
-  LoadResponse before(chain.solver, chain.start, chain.solver.solve(chain.start));
+  LoadResponse before(chain.solver, chain.solver.solve({chain.start}));
   before(pushes(chain.start, 0.0));
   BOOST_TEST(before.solves() == 4);
   const Configuration moved = chain.moved();
   const Loads loads = pushes(moved, 0.0);
-  LoadResponse now(chain.solver, moved, chain.solver.solve(moved), before.answered());
+  LoadResponse now(chain.solver, chain.solver.solve({moved}), before.answered());
   now(loads);
   BOOST_TEST(now.solves() == 0);
   const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // whose flow is stronger than the shear
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
 // Where all turns as one, so do loads and what answers them.
 BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   const Chain chain;
-  LoadResponse before(chain.solver, chain.start, chain.solver.solve(chain.start));
+  LoadResponse before(chain.solver, chain.solver.solve({chain.start}));
   MatrixXd expected = before(pushes(chain.start, 0.0));
   const double turn = 0.5;
   Configuration turned = chain.start;
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
     pose.position *= std::polar(1.0, turn);
     pose.orientation += turn;
   }
-  LoadResponse now(chain.solver, turned, chain.solver.solve(turned), before.answered());
+  LoadResponse now(chain.solver, chain.solver.solve({turned}), before.answered());
   const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
   for (Index k = 0; k < 5; ++k) {
     expected.middleRows<2>(3 * k) = (rotation * expected.middleRows<2>(3 * k)).eval();
@@ -126,10 +126,10 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
 
 BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   const Chain chain;
-  const Solution solution = chain.solver.solve(chain.start);
-  LoadResponse before(chain.solver, chain.start, solution);
+  const Solution solution = chain.solver.solve({chain.start});
+  LoadResponse before(chain.solver, solution);
   before(pushes(chain.start, 0.0));
-  LoadResponse now(chain.solver, chain.start, solution, before.answered());
+  LoadResponse now(chain.solver, solution, before.answered());
   now(pushes(chain.start, 0.2));
   BOOST_TEST(now.solves() == 4);
 }
@@ -138,10 +138,10 @@ BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
 // which is remembered.
 BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
   const Chain chain;
-  const Solution solution = chain.solver.solve(chain.start);
+  const Solution solution = chain.solver.solve({chain.start});
   const Loads all = pushes(chain.start, 0.0);
   const auto next = [&](const AnsweredLoads& earlier, const Loads& loads) {
-    LoadResponse response(chain.solver, chain.start, solution, earlier);
+    LoadResponse response(chain.solver, solution, earlier);
     response(loads);
     return std::pair{response.answered(), response.solves()};
   };
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
     earlier = answered;
   }
   // A stage that asks for nothing forgets nothing.
-  earlier = LoadResponse(chain.solver, chain.start, solution, earlier).answered();
+  earlier = LoadResponse(chain.solver, solution, earlier).answered();
   BOOST_TEST(next(earlier, all).second == 2);
 }
 
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
     loads.col(1) = pushes(chain.start, turn).col(1);
     const VectorXd difference{{-1.0, 1.0}};
     const VectorXd expected = chain.exact(chain.start, loads) * difference;
-    LoadResponse respond(chain.solver, chain.start, chain.solver.solve(chain.start));
+    LoadResponse respond(chain.solver, chain.solver.solve({chain.start}));
     const VectorXd found = respond(loads) * difference;
     BOOST_TEST((found - expected).norm() < 0.1 * expected.norm());
   }
@@ -177,8 +177,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
 BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
   const double gap = 2e-3;
   const auto respond_at = [](const SuspensionSolver& solver, const AnsweredLoads& earlier) {
-    const Configuration start = solver.initial_configuration();
-    return LoadResponse(solver, start, solver.solve(start), earlier);
+    return LoadResponse(solver, solver.solve(solver.start()), earlier);
   };
   const auto softest = [](const TrappedFluid& trapped, const MatrixXd& velocities) {
     return scaled_eigenvalues(trapped.loads.transpose() * velocities)[0];

@@ -44,7 +44,7 @@ struct Placed {
   explicit Placed(const Scene& scene)
       : solver(scene),
         references(solver.references()),
-        configuration(solver.initial_configuration()) {}
+        configuration(solver.start().configuration) {}
 
   Gap gap(std::size_t a, std::size_t b) const {
     return {a, b,

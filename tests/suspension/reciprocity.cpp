@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(loads_and_distant_flows) {
       const Solved by_loads(in_units(loaded, units)), by_flow(in_units(carried, units));
       double work = 0.0, strained = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Complex c = by_loads.configuration[k].position;
+        const Complex c = by_loads.solution.instant.configuration[k].position;
         const Complex drift = units.rate * Complex{e11, e12} * std::conj(c);
         const RigidMotion& motion = by_flow.motion(k);
         work += power({motion.velocity - drift, motion.omega}, by_loads.load(k));

@@ -27,7 +27,7 @@ Scene pair(double gap, int n_nodes, double tolerance = 1e-8) {
 void check_recommended_nodes(double gap, double expected, double relative_error) {
   const double tolerance = 0.5 * relative_error * expected;
   const SuspensionSolver planner(pair(gap, 64, tolerance));
-  const std::vector<int> nodes = planner.recommended_nodes(planner.initial_configuration());
+  const std::vector<int> nodes = recommended_nodes(planner);
   BOOST_TEST(nodes[0] == nodes[1]);
   const Solved solved(pair(gap, nodes[0], tolerance));
   BOOST_TEST(std::abs(solved.motion(1).velocity.real() / expected - 1.0) < relative_error);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
         scene({body(Circle{unit}, 32, {}), body(Circle{unit}, 32, {3.0 * unit, 0.0})});
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
-      return separation_refusal(separation * unit, solver.initial_configuration(),
+      return separation_refusal(separation * unit, solver.start().configuration,
                                 solver.references());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_the_largest_body) {
   for (int order = 0; order < 2; ++order) {
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
-      return separation_refusal(separation, solver.initial_configuration(), solver.references());
+      return separation_refusal(separation, solver.start().configuration, solver.references());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
     BOOST_TEST(!refusal(0.99e-8).empty());

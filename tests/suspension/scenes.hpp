@@ -54,23 +54,19 @@ inline Scene with_gauge(Scene scene, double gauge_length) {
 /// A scene, its solver, and its solution at the start.
 struct Solved {
   SuspensionSolver solver;
-  Configuration configuration;
   Solution solution;
 
-  explicit Solved(const Scene& scene)
-      : solver(scene),
-        configuration(solver.initial_configuration()),
-        solution(solver.solve(configuration)) {}
+  explicit Solved(const Scene& scene) : solver(scene), solution(solver.solve(solver.start())) {}
 
   const RigidMotion& motion(std::size_t component) const { return solution.motions[component]; }
   const Load& load(std::size_t component) const { return solution.loads[component]; }
   ComplexVector velocity(const ComplexVector& points) const {
-    return solver.velocity(configuration, solution, points);
+    return solver.velocity(solution, points);
   }
 
   /// S_11 + i S_12 of a component, -mu \int n eta ds.
   Complex stresslet(std::size_t component) const {
-    const StokesProblem problem = solver.problem(configuration, solution.references);
+    const StokesProblem problem = solver.problem(solution.instant, solution.references);
     const Eigen::Index first = node_offsets(problem)[component];
     const Curve& curve = problem.components[component].curve;
     const auto density = solution.density.segment(first, curve.size());
@@ -82,7 +78,7 @@ struct Solved {
 /// Converts a residual that is relative to the whole flow, as published ones are, to ours, which
 /// are relative to what strains the bodies.
 inline double relative_to_whole_flow(const SuspensionSolver& solver, double published) {
-  const StokesProblem problem = solver.problem(solver.initial_configuration(), solver.references());
+  const StokesProblem problem = solver.problem(solver.start(), solver.references());
   const ComplexVector flow =
       background_velocity(solver.scene().flow, all_nodes(curves_of(problem)));
   return published * flow.norm() / problem.background.norm();
@@ -100,6 +96,18 @@ inline void check_refused(const Scene& scene, const std::vector<std::string>& wo
   BOOST_CHECK_EXCEPTION(Solved{scene}, NumericsRefused, mentions_all);
 }
 
+/// Nodes that shapes and gaps require at the start.
+inline std::vector<int> recommended_nodes(const SuspensionSolver& solver) {
+  const Configuration start = solver.start().configuration;
+  return solver.recommended_nodes(start, solver.gaps(start));
+}
+
+/// The resolution with which a solve begins at the start.
+inline Resolutions first_resolutions(const SuspensionSolver& solver) {
+  const Configuration start = solver.start().configuration;
+  return solver.first_resolutions(start, solver.gaps(start));
+}
+
 /// Gives every component as many nodes as its shape and the gaps ask for, and a few more for
 /// densities.
 inline Scene resolved(Scene scene) {
@@ -110,7 +118,7 @@ inline Scene resolved(Scene scene) {
   };
   set_nodes([](std::size_t) { return 128; });
   const SuspensionSolver solver(scene);
-  const std::vector<int> asked = solver.recommended_nodes(solver.initial_configuration());
+  const std::vector<int> asked = recommended_nodes(solver);
   set_nodes([&](std::size_t k) { return std::max(96, asked[k] + asked[k] / 3 / 2 * 2); });
   return scene;
 }

@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   scene.bodies = {body_at(Circle{0.5}, {-2.0, 0.501}, 64), body_at(Circle{0.5}, {2.0, -0.501}, 64)};
   const SuspensionSolver solver(scene);
   const PassingTest test(solver);
-  const Configuration start = solver.initial_configuration();
+  const Configuration start = solver.start().configuration;
   Configuration end = start;
   std::swap(end[0].position, end[1].position);
   for (Pose& pose : end) pose.position = std::conj(pose.position);

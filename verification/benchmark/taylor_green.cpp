@@ -34,7 +34,7 @@ Scene taylor_green(const Case& c) {
 std::vector<double> time_case(const Case& c, double budget) {
   const Scene scene = taylor_green(c);
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
+  const Instant start = solver.start();
   const SuspensionOperator system = solver.discretise(start, solver.references()).system;
   const ComplexVector density = ComplexVector::Ones(system.offsets().back());
   const double setup = least_seconds([&] { return SuspensionSolver(scene); }, budget);
@@ -70,7 +70,7 @@ Table time_taylor_green(double budget) {
 
 void solve_taylor_green(int solves) {
   const SuspensionSolver solver(taylor_green({32, 1e-2, PreconditionerKind::none}));
-  const Configuration start = solver.initial_configuration();
+  const Instant start = solver.start();
   for (int k = 0; k < solves; ++k) solver.solve(start);
 }
 

@@ -144,8 +144,8 @@ HardCase stress_at_a_surface() {
             const double rho = 1.0 + 1e-10;
             return solve(alone, [=](const Solution& solution) {
               const SuspensionSolver solver(alone);
-              const FlowDerivatives found = solver.derivatives(
-                  solver.initial_configuration(), solution, ComplexVector{{Complex{rho}}})[0];
+              const FlowDerivatives found =
+                  solver.derivatives(solution, ComplexVector{{Complex{rho}}})[0];
               const Complex strain{0.0, -2.0 / (rho * rho)};
               return std::max({std::abs(found.pressure), std::abs(found.vorticity),
                                std::abs(found.strain - strain)});

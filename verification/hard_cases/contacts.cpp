@@ -37,7 +37,7 @@ Finding tunnelling() {
   Scene bullet =
       pressed({pushed(Circle{0.3}, {0.1, 2.0}, {0.0, -100.0}), held(Ellipse{1.5, 0.4}, 0.0)}, 0.05);
   const SuspensionSolver solver(bullet);
-  const double speed = std::abs(solver.solve(solver.initial_configuration()).motions[0].velocity);
+  const double speed = std::abs(solver.solve(solver.start()).motions[0].velocity);
   bullet = over(bullet, 4.0 / speed, 4.0 / speed);
   return run(bullet, 1e-3, [&](const RecordedRun& recorded) {
     const bool is_through = recorded.frames.back().bodies[0].position.imag() < 0.0;

@@ -30,7 +30,7 @@ Measure against_finer(const Scene& scene) {
   return [finer = scene](const Solution& solution) mutable {
     finer.solver.tolerance *= 1e-3;
     const SuspensionSolver solver(finer);
-    const Solution reference = solver.solve(solver.initial_configuration());
+    const Solution reference = solver.solve(solver.start());
     double most = 0.0;
     for (std::size_t k = 0; k < solution.motions.size(); ++k) {
       most = std::max(most, distance_of_motions(solution.motions[k], reference.motions[k], 1.0));
@@ -43,7 +43,7 @@ Finding solve(const Scene& scene, const Measure& error) {
   Finding finding{.tolerance = scene.solver.tolerance};
   try {
     const SuspensionSolver solver(scene);
-    const Solution solution = solver.solve(solver.initial_configuration());
+    const Solution solution = solver.solve(solver.start());
     finding.error = error(solution) / solution.velocity_scale;
     finding.estimate = solution.error_estimate;
     finding.iterations = solution.cost.gmres_iterations;

@@ -94,7 +94,7 @@ struct TwoSteps {
       moved[k].position += dt * completion.motions[k].velocity;
       moved[k].orientation += dt * completion.motions[k].omega;
     }
-    second = first.solver.discretise(moved, first.references);
+    second = first.solver.discretise({moved}, first.references);
   }
 
   /// Products with the operator, those that the recycled directions take included.

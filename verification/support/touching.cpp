@@ -91,9 +91,10 @@ Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
 
 Discretised::Discretised(const Scene& scene)
     : solver(scene),
-      configuration(solver.initial_configuration()),
-      references(solver.references(solver.first_resolutions(configuration))),
-      discrete(solver.discretise(configuration, references)) {}
+      configuration(solver.start().configuration),
+      references(
+          solver.references(solver.first_resolutions(configuration, solver.gaps(configuration)))),
+      discrete(solver.discretise({configuration}, references)) {}
 
 Discretised::Discretised(const Scene& scene, ClusterForm form)
     : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {

@@ -19,7 +19,7 @@ bool is_solvable(Scene scene) {
   scene.solver.tolerance = tightest_tolerance;
   const SuspensionSolver solver(scene);
   try {
-    solver.solve(solver.initial_configuration());
+    solver.solve(solver.start());
     return true;
   } catch (const NumericsRefused&) {
     return false;
@@ -35,7 +35,7 @@ std::vector<Scene> scenes(int count) {
     const SuspensionSolver probe(scene);
     const double tolerance = scene.solver.tolerance;
     const std::vector<Gap> gaps =
-        find_gaps(probe.initial_configuration(), probe.references(), tolerance);
+        find_gaps(probe.start().configuration, probe.references(), tolerance);
     if (gaps.front().points.gap < 1e-2 || scene.bodies.size() > 3) continue;
     scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
     if (is_solvable(scene)) found.push_back(scene);
@@ -55,7 +55,7 @@ using Choice = std::function<Effort(Scene scene, double tolerance)>;
 Effort chosen(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.initial_configuration());
+  const Solution solution = solver.solve(solver.start());
   return {resolutions_of(solution.references), solution.gmres.residual};
 }
 

@@ -102,7 +102,7 @@ double free_drift(double dt) {
   Scene scene = in_contact(ExtensionalFlow{-1.0}, disks, 1.0);
   scene.contact.reset();
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.initial_configuration());
+  const Solution solution = solver.solve(solver.start());
   return std::abs((solution.motions[1].velocity - solution.motions[0].velocity) * dt) /
          (2.0 * node_spacing);
 }

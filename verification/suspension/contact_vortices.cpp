@@ -108,7 +108,7 @@ Response solved_response(Pull pull) {
   scene.bodies[pull.left].force = -1.0;
   scene.bodies[pull.right].force = 1.0;
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
+  const Instant start = solver.start();
   const auto opening = [&](const Solution& solution) {
     return (solution.motions[pull.right].velocity - solution.motions[pull.left].velocity).real();
   };

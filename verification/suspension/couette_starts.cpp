@@ -29,8 +29,7 @@ Scene scene_of(const CellStart& cell) {
 
 double added_viscosity(const Scene& scene) {
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
-  return 1e3 * (Rheometer(solver)(start, solver.solve(start)).torque_ratio - 1.0);
+  return 1e3 * (Rheometer(solver)(solver.solve(solver.start())).torque_ratio - 1.0);
 }
 
 enum class Bodies {

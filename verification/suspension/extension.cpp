@@ -94,7 +94,7 @@ const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
     scene.solver.tolerance = size == Size::full ? 1e-9 : 1e-7;
     for (Body& body : scene.bodies) body.position *= spread;
     const SuspensionSolver solver(scene);
-    return solver.solve(solver.initial_configuration()).motions;
+    return solver.solve(solver.start()).motions;
   });
 }
 

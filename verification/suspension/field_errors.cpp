@@ -32,12 +32,12 @@ Measure errors_over(Estimate estimate) {
       Scene closer = with_nodes(scene, automatic_nodes, automatic_nodes);
       closer.solver.tolerance = 1e-9;
       const SuspensionSolver reference(closer);
-      const Configuration start = reference.initial_configuration();
-      const Field right = estimated_field(reference, start, reference.solve(start)).field;
+      const Instant start = reference.start();
+      const Field right = estimated_field(reference, reference.solve(start)).field;
       for (int nodes = 64; nodes <= 160; nodes += size == Size::full ? 8 : 32) {
         const SuspensionSolver solver(with_nodes(scene, nodes, 2 * nodes));
         const Solution solution = solver.solve(start);
-        const EstimatedField found = estimated_field(solver, start, solution);
+        const EstimatedField found = estimated_field(solver, solution);
         for (const auto& [quantity, error] : field_differences(found.field, right)) {
           points.push_back({.x = estimate == Estimate::of_velocities ? solution.error_estimate
                                                                      : found.errors.at(quantity),

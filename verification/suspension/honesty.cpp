@@ -39,7 +39,8 @@ Completion reference_of(Scene scene) {
   scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
   scene.solver.tolerance = 1e-12;
   const SuspensionSolver solver(scene);
-  const Resolutions first = solver.first_resolutions(solver.initial_configuration());
+  const Configuration start = solver.start().configuration;
+  const Resolutions first = solver.first_resolutions(start, solver.gaps(start));
   return solved_at(solver, finer(finer(first)), 1e-14).completion;
 }
 
@@ -137,7 +138,7 @@ JudgedScene judge_hard_scene(const Scene& scene) {
   Scene closer = with_nodes(scene, automatic_nodes, automatic_nodes);
   closer.solver.tolerance = std::max(1e-9, 1e-2 * scene.solver.tolerance);
   const SuspensionSolver solver(scene), reference(closer);
-  const Configuration start = solver.initial_configuration();
+  const Instant start = reference.start();
   const Solution right = reference.solve(start);
   const auto error_of = [&](const Solution& found) {
     const StokesProblem problem = solver.problem(start, found.references);

@@ -56,7 +56,7 @@ JudgedCrowd judge_crowd(int count) {
   const Solved answer = solved_at(solver, resolutions, *scene.solver.gmres_tol);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const DiscreteProblem fine =
-      solver.discretise(solver.initial_configuration(), solver.references(finer(resolutions)));
+      solver.discretise(solver.start(), solver.references(finer(resolutions)));
   const Solved twice = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
   StokesProblem first = answer.discrete.problem;
   first.components.resize(looked_at);

@@ -54,7 +54,7 @@ double speed(const PairDrive& drive, double gap, double relative_error, int n_no
       relative_error * drive.exact(gap) / (drive.force == 0.0 ? 2.0 : 0.25), least_tolerance, 0.1);
   scene.solver.gmres_tol = 1e-14;
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
+  const Instant start = solver.start();
   if (n_nodes == automatic_nodes) {
     return solver.solve(start).motions[1].velocity.real();
   }

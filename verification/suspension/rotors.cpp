@@ -22,7 +22,7 @@ double circling_speed(double radius, double distance) {
   }
   scene.solver.tolerance = 1e-9;
   const SuspensionSolver solver(scene);
-  return solver.solve(solver.initial_configuration()).motions[0].velocity.imag();
+  return solver.solve(solver.start()).motions[0].velocity.imag();
 }
 
 /// Each of three rotlets turns the fluid around it, 1 / (4 pi r): two neighbours at sqrt(2) R, of

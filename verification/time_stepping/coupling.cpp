@@ -40,9 +40,10 @@ Scene pair_of_nodes(double gap, int n_nodes) {
 /// @param  blocks  half is a planted defect: the jump relation without the layer of the own curve
 double contraction(double gap, Blocks blocks) {
   const SuspensionSolver solver(pair_of_nodes(gap, automatic_nodes));
-  const Configuration start = solver.initial_configuration();
-  const DiscreteProblem discrete =
-      solver.discretise(start, solver.references(solver.first_resolutions(start)));
+  const Instant start = solver.start();
+  const std::vector<Gap> gaps = solver.gaps(start.configuration);
+  const DiscreteProblem discrete = solver.discretise(
+      start, solver.references(solver.first_resolutions(start.configuration, gaps)));
   const auto sweep = [&](const VectorXd& error) -> VectorXd {
     const ComplexVector velocity = discrete.system(deinterleaved(error));
     if (blocks == Blocks::half) return error + 2.0 * interleaved(velocity);
@@ -97,10 +98,10 @@ double error_of_lagged(double gap, int steps, Event event) {
     const Complex position = std::polar(1.0 + 0.5 * gap, t);
     return {{-position, 0.0}, {position, 0.0}};
   };
-  const Solution exact = solver.solve(at(1.0));
+  const Solution exact = solver.solve({at(1.0)});
   const auto time = [=](int k) { return static_cast<double>(k) / steps; };
   const int begin = std::max(0, steps - 100);
-  const Solution first = solver.solve(at(time(begin)));
+  const Solution first = solver.solve({at(time(begin))});
   DensityHistory densities(1);
   densities.add(time(begin), at(time(begin)), first.references, first.density);
   Solution lagged;
@@ -111,12 +112,12 @@ double error_of_lagged(double gap, int steps, Event event) {
     const auto before = [&](const References& references) {
       return densities.guess(t, at(t), references);
     };
-    lagged = solver.solve_lagged(at(t), before, reverses ? -1.0 : 1.0);
+    lagged = solver.solve_lagged({at(t), reverses ? -1.0 : 1.0}, before);
     densities.add(t, at(t), lagged.references, lagged.density);
   }
-  const double drive = event == Event::none ? 1.0 : -1.0;
+  const double amplitude = event == Event::none ? 1.0 : -1.0;
   const Complex velocity = exact.motions[0].velocity;
-  return std::abs(drive * lagged.motions[0].velocity - velocity) / std::abs(velocity);
+  return std::abs(amplitude * lagged.motions[0].velocity - velocity) / std::abs(velocity);
 }
 
 Measure errors_of_lagged(double gap, Event event) {

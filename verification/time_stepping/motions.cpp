@@ -141,11 +141,10 @@ Motion couette_cell() {
 
 Rate solved_rate(const Scene& scene) {
   const auto solver = std::make_shared<SuspensionSolver>(scene);
-  const Resolutions first =
-      resolutions_of(solver->solve(solver->initial_configuration()).references);
+  const Resolutions first = resolutions_of(solver->solve(solver->start()).references);
   return [=](double, const VectorXd& state) {
     try {
-      return to_rate(solver->solve_nearby(to_configuration(state), first));
+      return to_rate(solver->solve_nearby({to_configuration(state)}, first));
     } catch (const NumericsRefused& refusal) {  // an overlap, or too close for their nodes
       throw InadmissibleState(refusal.what());
     }
@@ -153,7 +152,7 @@ Rate solved_rate(const Scene& scene) {
 }
 
 VectorXd start_of(const Scene& scene) {
-  return to_state(SuspensionSolver(scene).initial_configuration());
+  return to_state(SuspensionSolver(scene).start().configuration);
 }
 
 }  // namespace stokesbook::verification::time_stepping

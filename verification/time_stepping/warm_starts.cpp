@@ -49,15 +49,15 @@ Last last(double dt, std::size_t kept, Reversal reversal) {
   Last last{};
   for (std::size_t k = 0; k <= kept; ++k) {
     const double t = 0.5 - dt * static_cast<double>(kept - k);
-    const double drive = k == 0 && reversal == Reversal::untold ? -1.0 : 1.0;
+    const double amplitude = k == 0 && reversal == Reversal::untold ? -1.0 : 1.0;
     const Configuration now = at(t);
-    const Solution warm = solver.solve(now, drive, [&](const References& references) {
+    const Solution warm = solver.solve({now, amplitude}, [&](const References& references) {
       return history.guess(t, now, references);
     });
     history.add(t, now, warm.references, warm.density);
     last = {0.0, static_cast<double>(warm.gmres.iterations), warm.gmres.history.front()};
   }
-  last.cold = solver.solve(at(0.5)).gmres.iterations;
+  last.cold = solver.solve({at(0.5)}).gmres.iterations;
   return last;
 }
 

@@ -72,4 +72,20 @@ std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
   return derivatives;
 }
 
+RigidMotion carried_by(const BackgroundFlow& flow, Complex centre) {
+  const ComplexVector point = ComplexVector::Constant(1, centre);
+  return {background_velocity(flow, point)[0],
+          0.5 * background_derivatives(flow, point)[0].vorticity};
+}
+
+ComplexVector strain_on(const BackgroundFlow& flow, const Component& body) {
+  const ComplexVector offsets = body.curve.x.array() - body.centre;
+  const ComplexVector about = background_about(flow, body.centre, offsets);
+  ComplexVector strain = about - imaginary * carried_by(flow, body.centre).omega * offsets;
+  // A rotation has no strain: the difference is rounding.
+  constexpr double rounding = 1e-14;
+  if (strain.cwiseAbs().maxCoeff() <= rounding * about.cwiseAbs().maxCoeff()) strain.setZero();
+  return strain;
+}
+
 }  // namespace stokesbook

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "closure/problem.hpp"
+#include "closure/rigid_modes.hpp"
 #include "double_layer/flow_derivatives.hpp"
 #include "scene/scene.hpp"
 #include "trapezoid/plane.hpp"
@@ -36,6 +38,22 @@ ComplexVector background_about(const BackgroundFlow& flow, Complex centre,
 /// @return         m values, 1 / time
 std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
                                                     const ComplexVector& points);
+
+/// Returns how an undisturbed flow carries a body.
+///
+/// @param  flow    kind and strength
+/// @param  centre  of the body, length
+/// @return         velocity and rotation of the flow at the centre
+RigidMotion carried_by(const BackgroundFlow& flow, Complex centre);
+
+/// Evaluates an undisturbed flow on a free body without its rigid part, carried_by(). The solver
+/// solves for the disturbance of this rest, so that its accuracy does not depend on how fast the
+/// flow carries the body.
+///
+/// @param  flow  kind and strength
+/// @param  body  its curve of N nodes and its centre
+/// @return       velocities at the N nodes, length / time
+ComplexVector strain_on(const BackgroundFlow& flow, const Component& body);
 
 /// @}
 

@@ -5,7 +5,7 @@
 
 #include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
-#include "suspension/bodies/component_data.hpp"
+#include "suspension/bodies/components.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {

@@ -6,7 +6,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/contact/stage_rows.hpp"
 
 namespace stokesbook {
@@ -114,7 +114,8 @@ bool SuspensionContact::is_free(std::size_t component) const {
 }
 
 std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
-  return component_name(solver_.scene(), a) + " and " + component_name(solver_.scene(), b);
+  return component_of(solver_.scene(), a).name() + " and " +
+         component_of(solver_.scene(), b).name();
 }
 
 // Of pairs that can be moved apart, and of overlaps.
@@ -135,9 +136,8 @@ double SuspensionContact::curve_gap(const PolygonGap& found,
 }
 
 ContactParty SuspensionContact::party(std::size_t component) const {
-  const std::size_t bodies = solver_.scene().bodies.size();
-  return component < bodies ? ContactParty{false, component}
-                            : ContactParty{true, component - bodies};
+  const ComponentView view = component_of(solver_.scene(), component);
+  return {view.wall != nullptr, view.number};
 }
 
 ContactRules SuspensionContact::rules(const CloserPairs& closer) const {

@@ -84,11 +84,10 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
 
 }  // namespace
 
-LoadResponse::LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-                           const Solution& solution, AnsweredLoads earlier,
-                           std::optional<double> exact)
+LoadResponse::LoadResponse(const SuspensionSolver& solver, const Solution& solution,
+                           AnsweredLoads earlier, std::optional<double> exact)
     : solver_(solver),
-      configuration_(std::move(configuration)),
+      configuration_(solution.instant.configuration),
       references_(solution.references),
       earlier_(std::move(earlier)),
       exact_(exact.value_or(solver.plan().gmres_tolerance)),

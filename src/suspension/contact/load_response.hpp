@@ -57,15 +57,13 @@ struct AnsweredLoads {
 /// leave ten times as much again.
 class LoadResponse {
  public:
-  /// Takes the configuration; nothing is solved yet.
+  /// Takes a solution; nothing is solved yet.
   ///
-  /// @param  solver         of the scene, which must outlive the response
-  /// @param  configuration  where the components are
-  /// @param  solution       there, whose system is solved for loads
-  /// @param  earlier        loads that were answered in a configuration before
-  /// @param  exact          relative residual of what is solved exactly; none: the plan's
-  LoadResponse(const SuspensionSolver& solver, Configuration configuration,
-               const Solution& solution, AnsweredLoads earlier = {},
+  /// @param  solver    of the scene, which must outlive the response
+  /// @param  solution  whose system is solved for loads
+  /// @param  earlier   loads that were answered in a configuration before
+  /// @param  exact     relative residual of what is solved exactly; none: the plan's
+  LoadResponse(const SuspensionSolver& solver, const Solution& solution, AnsweredLoads earlier = {},
                std::optional<double> exact = {});
 
   /// Solves for the motions under some loads.

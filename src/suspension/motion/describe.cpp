@@ -8,7 +8,7 @@
 
 #include "fmm/fmm_settings.hpp"
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/nodes/node_choice.hpp"
 
@@ -58,7 +58,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
   const References& references = solver.references();
   std::vector<std::string> lines;
   const auto is_chosen = [&](std::size_t component) {
-    return given_nodes(solver.scene(), component) == automatic_nodes;
+    return component_of(solver.scene(), component).has_automatic_nodes();
   };
   std::vector<bool> done(references.size(), false);
   for (std::size_t k = 0; k < references.size(); ++k) {
@@ -111,8 +111,8 @@ std::vector<std::string> size_lines(const Plan& plan, const Resolutions& resolut
 
 std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& gaps) {
   if (gaps.empty()) return {};
-  return {aligned("closest pair", component_name(scene, gaps.front().a) + " and " +
-                                      component_name(scene, gaps.front().b) + ", " +
+  return {aligned("closest pair", component_of(scene, gaps.front().a).name() + " and " +
+                                      component_of(scene, gaps.front().b).name() + ", " +
                                       short_number(gaps.front().points.gap) + " apart")};
 }
 
@@ -158,7 +158,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
     lines.push_back(aligned(line.topic, line.decision + ": " + line.reason));
   }
   lines.push_back(aligned("time", time_line(solver.scene())));
-  const Configuration start = solver.initial_configuration();
+  const Configuration start = solver.start().configuration;
   const std::vector<Gap> gaps = solver.gaps(start);
   const Resolutions resolutions = solver.first_resolutions(start, gaps);
   const auto add = [&](std::vector<std::string> more) {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "stiv/interferences.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/bodies/state.hpp"
 #include "suspension/contact/stage_rows.hpp"
 #include "suspension/motion/stepping.hpp"
@@ -43,8 +43,8 @@ std::string PassingTest::refusal(const Configuration& start, const Configuration
       interferences(shapes_, straight_paths(start, displacement, 1.0), rules);
   const auto passing = std::ranges::find_if(found.contacts, &Contact::is_violated);
   if (passing == found.contacts.end()) return {};
-  return component_name(solver_.scene(), passing->a) + " and " +
-         component_name(solver_.scene(), passing->b) +
+  return component_of(solver_.scene(), passing->a).name() + " and " +
+         component_of(solver_.scene(), passing->b).name() +
          " overlap or pass through each other within a step: take smaller steps, or give [contact]";
 }
 

@@ -19,14 +19,14 @@ using Eigen::VectorXd;
 namespace {
 
 // +1, or -1 after an odd number of reversals.
-double drive_at(const std::vector<double>& reverse_at, double t) {
+double amplitude_at(const std::vector<double>& reverse_at, double t) {
   const auto passed =
       std::upper_bound(reverse_at.begin(), reverse_at.end(), t) - reverse_at.begin();
   return passed % 2 == 0 ? 1.0 : -1.0;
 }
 
-Frame make_frame(double t, std::size_t bodies, const Configuration& configuration,
-                 const Solution& solution) {
+Frame make_frame(double t, std::size_t bodies, const Solution& solution) {
+  const Configuration& configuration = solution.instant.configuration;
   Frame frame{t, {}, {}};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
@@ -81,7 +81,7 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       time_(solver.scene().time.value_or(TimeSettings{})),
       stepping_(stepping_settings(solver)),
       observer_(std::move(observer)),
-      now_{0.0, to_state(solver.initial_configuration()), {}},
+      now_{0.0, to_state(solver.start().configuration), {}},
       latest_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)},
       begun_(latest_),
@@ -95,7 +95,7 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
 }
 
 void Simulation::run() {
-  drive_ = drive_at(solver_.scene().reverse_at, now_.t);
+  amplitude_ = amplitude_at(solver_.scene().reverse_at, now_.t);
   if (contact_ && totals_.steps == 0) closer_ = contact_->admit_start(to_configuration(now_.state));
   Solved now = solve(now_.t, now_.state, Role::step);
   while (true) {
@@ -104,8 +104,8 @@ void Simulation::run() {
     std::optional<Begun> begun;
     if (contact_) begun = begin_in_contact(std::move(now), planned_end());
     if (is_written_time(now_.t)) {
-      begun ? write(now_.t, now_.state, begun->stage.solution, begun->stage.outcome.forces)
-            : write(now_.t, now_.state, now.solution);
+      begun ? write(now_.t, begun->stage.solution, begun->stage.outcome.forces)
+            : write(now_.t, now.solution);
     }
     if (ends) return;
     now = begun ? advance_in_contact(std::move(*begun)) : advance(now);
@@ -114,25 +114,25 @@ void Simulation::run() {
 
 void Simulation::solve_once() {
   Solved now = solve(now_.t, now_.state, Role::step);
-  if (!contact_) return write(now_.t, now_.state, now.solution);
+  if (!contact_) return write(now_.t, now.solution);
   closer_ = contact_->admit_start(to_configuration(now_.state));
   if (!solver_.scene().time) {
     time_.dt = instant(now.solution);
     stepping_.dt_min = least_step_of_an_instant * *time_.dt;
   }
   const Begun begun = begin_in_contact(std::move(now), planned_end());
-  write(now_.t, now_.state, begun.stage.solution, begun.stage.outcome.forces);
+  write(now_.t, begun.stage.solution, begun.stage.outcome.forces);
 }
 
 Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role) {
   const auto start = std::chrono::steady_clock::now();
   const bool due = latest_.densities.empty() || latest_.since >= solves_per_estimate;
   const bool estimated = role == Role::frame || (role == Role::step && (due || is_written_time(t)));
-  const Configuration configuration = to_configuration(state);
+  const Instant instant{to_configuration(state), amplitude_};
   SolveMemory before = latest_;
-  Solution solution = dated(t, [&] { return solve_by_guess(t, configuration, estimated); });
+  Solution solution = dated(t, [&] { return solve_by_guess(t, instant, estimated); });
   if (!estimated) solution.error_estimate = latest_.error_estimate;
-  latest_.densities.add(t, configuration, solution.references, solution.density);
+  latest_.densities.add(t, instant.configuration, solution.references, solution.density);
   if (!contact_) solution.system.reset();  // its memory: nobody asks for it
   latest_.error_estimate = solution.error_estimate;
   latest_.since = estimated ? 0 : latest_.since + 1;
@@ -148,19 +148,17 @@ DensityGuess Simulation::guess(double t, const Configuration& configuration) con
   };
 }
 
-Solution Simulation::solve_by_guess(double t, const Configuration& configuration,
-                                    bool estimated) const {
+Solution Simulation::solve_by_guess(double t, const Instant& instant, bool estimated) const {
   const DensityHistory& densities = latest_.densities;
-  const DensityGuess guess = this->guess(t, configuration);
+  const DensityGuess guess = this->guess(t, instant.configuration);
   const bool local = solver_.scene().solver.coupling == Coupling::local;
   if (local && !densities.empty()) {
-    Solution solution = solver_.solve_lagged(configuration, guess, drive_);
+    Solution solution = solver_.solve_lagged(instant, guess);
     refuse(divergence_refusal(solution));
     return solution;
   }
-  return estimated
-             ? solver_.solve(configuration, drive_, guess, latest_.in_contact)
-             : solver_.solve_nearby(configuration, densities.latest_resolutions(), drive_, guess);
+  return estimated ? solver_.solve(instant, guess, latest_.in_contact)
+                   : solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
 }
 
 void Simulation::note_solve(const Solution& solution) {
@@ -195,17 +193,16 @@ void Simulation::note_resolution(const Solution& solution) {
   resolution_.velocity_error = std::max(resolution_.velocity_error, solution.error_estimate);
 }
 
-void Simulation::write(double t, const VectorXd& state, const Solution& solution,
+void Simulation::write(double t, const Solution& solution,
                        const std::vector<ContactForce>& contacts) {
   if (t <= written_) return;  // on record before a resume
   if (observer_.frame) {
-    const Configuration configuration = to_configuration(state);
-    Frame frame = make_frame(t, solver_.scene().bodies.size(), configuration, solution);
+    Frame frame = make_frame(t, solver_.scene().bodies.size(), solution);
     frame.contacts = contacts;
     if (!rheometer_) rheometer_.emplace(solver_);
-    frame.rheology = (*rheometer_)(configuration, solution, drive_);
+    frame.rheology = (*rheometer_)(solution);
     if (solver_.scene().output.fields) {
-      EstimatedField found = estimated_field(solver_, configuration, solution, drive_);
+      EstimatedField found = estimated_field(solver_, solution);
       frame.field = std::move(found.field);
       note_field(found);
     }
@@ -231,7 +228,7 @@ void Simulation::write_within(const Step& step) {
     const VectorXd state = interpolate(step, t);
     const Solved frame = solve(t, state, Role::frame);
     latest_ = frame.before;
-    write(t, state, frame.solution);
+    write(t, frame.solution);
   }
 }
 
@@ -318,7 +315,7 @@ bool Simulation::is_reversal(double t) const {
 }
 
 Simulation::Solved Simulation::reverse() {
-  drive_ = drive_at(solver_.scene().reverse_at, now_.t);
+  amplitude_ = amplitude_at(solver_.scene().reverse_at, now_.t);
   memory_.previous.reset();  // an earlier rate says nothing about what comes after
   latest_.densities.reverse(now_.t);
   latest_.added = {};

@@ -150,12 +150,12 @@ class Simulation {
   /// @endcond
   Solved solve(double t, const Eigen::VectorXd& state, Role role);
   DensityGuess guess(double t, const Configuration& configuration) const;
-  Solution solve_by_guess(double t, const Configuration& configuration, bool estimated) const;
+  Solution solve_by_guess(double t, const Instant& instant, bool estimated) const;
   Solved advance(const Solved& first);
   Begun begin_in_contact(Solved first, double t_end);
   Solved advance_in_contact(Begun begun);
   InContact in_contact(const Stage& stage, Solved free);
-  LoadedCheck check(const Stage& stage, const InContact& found) const;
+  LoadedCheck check(const InContact& found) const;
   void put_on_more_nodes(const Stage& stage, InContact& found);
   ContactOutcome resolve(const ContactStage& stage, LoadResponse& response);
   void ask_for_less(bool in_contact);
@@ -178,8 +178,7 @@ class Simulation {
   void note_resolution(const Solution& solution);
   void adapt_to_effort(const StepInfo& step);
   void write_within(const Step& step);
-  void write(double t, const Eigen::VectorXd& state, const Solution& solution,
-             const std::vector<ContactForce>& contacts = {});
+  void write(double t, const Solution& solution, const std::vector<ContactForce>& contacts = {});
   Checkpoint checkpoint() const;
   bool is_reversal(double t) const;
   bool is_written_time(double t) const;
@@ -191,8 +190,8 @@ class Simulation {
   TimeSettings time_;
   SteppingSettings stepping_;
   Observer observer_;
-  double drive_ = 1.0;
-  TimePoint now_;  // the rate is set before a step
+  double amplitude_ = 1.0;  // of the flow: 1, or -1 after an odd number of reversals
+  TimePoint now_;           // the rate is set before a step
   StepMemory memory_;
   SolveMemory latest_;                        // after all solves but those for frames within steps
   SolveMemory begun_;                         // before the solve at now_

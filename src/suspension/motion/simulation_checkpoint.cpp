@@ -1,6 +1,7 @@
 // What a simulation goes on from after an interruption.
 #include <algorithm>
 
+#include "suspension/bodies/state.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/motion/stepping.hpp"
 

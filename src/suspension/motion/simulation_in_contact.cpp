@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/bodies/state.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/motion/step_counts.hpp"
@@ -103,7 +103,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
   InContact found{std::move(free), {}, {}, {}};
   while (true) {
     const Solution& flow = found.free.solution;
-    LoadResponse response(solver_, stage.acting, flow, latest_.contacts, latest_.gmres_tolerance);
+    LoadResponse response(solver_, flow, latest_.contacts, latest_.gmres_tolerance);
     const VectorXd free_velocity = stage.known + stage.share * to_rate(flow);
     found.outcome = dated(stage.t, [&] {
       return resolve({stage.start, free_velocity, stage.dt, stage.acting, stage.share,
@@ -118,7 +118,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
       latest_.added[stage.index] = (found.outcome.result.velocity - free_velocity) / stage.share;
       found.solution = contact_->with_forces(flow, found.outcome, response);
     }
-    const LoadedCheck check = this->check(stage, found);
+    const LoadedCheck check = this->check(found);
     found.cost.matvecs += check.estimate.matvecs;
     totals_.matvecs += check.estimate.matvecs;
     found.solution.error_estimate =
@@ -136,7 +136,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
 
 // Nodes do not where forces of contact are not seen, nor where the estimate of a solution with them
 // exceeds the tolerance.
-LoadedCheck Simulation::check(const Stage& stage, const InContact& found) const {
+LoadedCheck Simulation::check(const InContact& found) const {
   const double gmres_tolerance = latest_.gmres_tolerance;
   const Resolutions resolutions = resolutions_of(found.free.solution.references);
   const auto& unseen = found.outcome.unseen;
@@ -147,14 +147,14 @@ LoadedCheck Simulation::check(const Stage& stage, const InContact& found) const 
   if (!resolved || !found.free.estimated || found.outcome.forces.empty()) {
     return {{}, resolutions, gmres_tolerance};
   }
-  return solver_.check_loaded(stage.acting, found.solution, gmres_tolerance, drive_);
+  return solver_.check_loaded(found.solution, gmres_tolerance);
 }
 
 // Solves for the flow of a stage again, on as many nodes as contact asks for.
 void Simulation::put_on_more_nodes(const Stage& stage, InContact& found) {
   const auto start = std::chrono::steady_clock::now();
   const auto solve_again = [&] {
-    return solver_.solve_nearby(stage.acting, latest_.in_contact, drive_,
+    return solver_.solve_nearby(found.free.solution.instant, latest_.in_contact,
                                 guess(stage.t, stage.acting));
   };
   const Solution before = std::exchange(found.free.solution, dated(stage.t, solve_again));
@@ -206,7 +206,7 @@ double Simulation::end_within_scene(const Solution& solution, double t_end) cons
   const double dt = t_end - now_.t, longest = scenes_in_a_step * size / speed;
   if (!(dt > longest)) return t_end;
   if (longest < stepping_.dt_min) {
-    throw NumericsRefused(at_time(now_.t) + component_name(solver_.scene(), component) +
+    throw NumericsRefused(at_time(now_.t) + component_of(solver_.scene(), component).name() +
                           " moves by " + short_number(speed * stepping_.dt_min) +
                           " in a step of time.dt_min = " + short_number(stepping_.dt_min) +
                           ", and all components lie within " + short_number(size) +

@@ -8,8 +8,7 @@
 #include <stdexcept>
 
 #include "record/number_text.hpp"
-#include "suspension/bodies/component_data.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
@@ -32,14 +31,12 @@ Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Parametrisa
           outer_radius(reference, 0.0)};
 }
 
-template <class BodyOrWall>
-Obstacle make_obstacle(const BodyOrWall& component, double tolerance, const std::string& name) {
-  const Side side = side_of(kind_of(component));
-  const Curve reference =
-      sample(component.shape, own_nodes(component, side, tolerance, name), side);
-  return make_obstacle(reference,
+Obstacle make_obstacle(const ComponentView& component, double tolerance) {
+  const Side side = side_of(component.kind);
+  const int nodes = own_nodes(component, side, tolerance, component.name());
+  return make_obstacle(sample(component.shape, nodes, side),
                        std::make_shared<const Parametrisation>(parametrisation(component.shape)),
-                       {component.position, component.orientation});
+                       component.start);
 }
 
 // Distance of the nearest nodes, no less than the gap and far cheaper.
@@ -140,19 +137,17 @@ Scene with_fills_placed(const Scene& scene) {
   filled.fills.clear();
   if (scene.fills.empty()) return filled;
   const double tolerance = scene.solver.tolerance;
-  const auto obstacle = [&](const auto& components, std::size_t k, std::size_t first) {
-    return make_obstacle(components[k], tolerance, component_name(scene, first + k));
+  const auto obstacle = [&](std::size_t k) {
+    return make_obstacle(component_of(scene, k), tolerance);
   };
   std::vector<Obstacle> walls;
-  for (std::size_t k = 0; k < scene.walls.size(); ++k) {
-    walls.push_back(obstacle(scene.walls, k, scene.bodies.size()));
+  for (std::size_t k = scene.bodies.size(); k < count_components(scene); ++k) {
+    walls.push_back(obstacle(k));
   }
   const Region fluid = fluid_region(walls);
   Obstacles obstacles;
   for (Obstacle& wall : walls) obstacles.add(std::move(wall));
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    obstacles.add(obstacle(scene.bodies, k, 0));
-  }
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) obstacles.add(obstacle(k));
 
   std::mt19937_64 random(scene.seed);
   for (const Fill& fill : scene.fills) {

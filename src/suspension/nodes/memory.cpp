@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
 
@@ -17,11 +17,6 @@ namespace {
 
 // Fewer are not worth looking for others of the same shape.
 constexpr int few_nodes = 128;
-
-const Shape& shape_of(const Scene& scene, std::size_t component) {
-  const std::size_t bodies = scene.bodies.size();
-  return component < bodies ? scene.bodies[component].shape : scene.walls[component - bodies].shape;
-}
 
 std::string gigabytes(double bytes) {
   return short_number(bytes / 1e9) + " GB";
@@ -47,7 +42,7 @@ std::string memory_refusal(const Scene& scene, const Resolutions& resolutions, d
     if (nodes < few_nodes) continue;
     std::vector<std::size_t>& others = distinct[nodes];
     if (std::ranges::any_of(others, [&](std::size_t other) {
-          return shape_of(scene, other) == shape_of(scene, k);
+          return component_of(scene, other).shape == component_of(scene, k).shape;
         })) {
       continue;
     }
@@ -56,7 +51,7 @@ std::string memory_refusal(const Scene& scene, const Resolutions& resolutions, d
   }
   if (bytes <= available) return {};
   const int most = resolutions[largest].n_nodes;
-  return component_name(scene, largest) + " has " + std::to_string(most) +
+  return component_of(scene, largest).name() + " has " + std::to_string(most) +
          " nodes, whose matrices take " + gigabytes(memory_of_reference(most)) +
          ", and those of all shapes " + gigabytes(bytes) + " of the " + gigabytes(available) +
          " there are: give fewer n_nodes, or raise solver.tolerance = " +

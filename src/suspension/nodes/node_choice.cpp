@@ -9,7 +9,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
 
@@ -85,7 +85,7 @@ Resolutions coarser(Resolutions resolutions) {
 Resolutions finer_automatic(const Scene& scene, Resolutions before) {
   const Resolutions raised = finer(before);
   for (std::size_t k = 0; k < before.size(); ++k) {
-    if (given_nodes(scene, k) == automatic_nodes) before[k] = raised[k];
+    if (component_of(scene, k).has_automatic_nodes()) before[k] = raised[k];
   }
   return before;
 }
@@ -96,7 +96,7 @@ Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
   for (const auto& [a, b] : pairs) components.insert({a, b});
   for (const std::size_t k : components) {
     int& nodes = before[k].n_nodes;
-    if (given_nodes(scene, k) != automatic_nodes) continue;
+    if (!component_of(scene, k).has_automatic_nodes()) continue;
     nodes = std::min(rounded_nodes(1.5 * nodes), std::max(nodes, most_nodes_of_a_component));
   }
   return before;
@@ -114,7 +114,8 @@ Resolutions raised(const Scene& scene, Resolutions before, const std::vector<Tai
   if (most < share_allowed * tolerance) return before;
   for (std::size_t k = 0; k < before.size(); ++k) {
     const double share = error * tails[k].error / most;
-    if (given_nodes(scene, k) != automatic_nodes || !(share > share_allowed * tolerance)) continue;
+    if (!component_of(scene, k).has_automatic_nodes() || !(share > share_allowed * tolerance))
+      continue;
     const double asked =
         extrapolated_nodes(before[k].n_nodes, tails[k].decay, share / (share_aimed_at * tolerance));
     before[k].n_nodes = rounded_nodes(std::max(asked, least_factor * before[k].n_nodes));

@@ -55,7 +55,7 @@ std::string unresolved_shape(const Shape& shape, double tolerance);
 
 /// Returns the nodes that a component is given, or enough for its shape.
 ///
-/// @param  component  a Body, Wall or Fill, with its shape and node count
+/// @param  component  a ComponentView or Fill, with its shape and node count
 /// @param  side       of the fluid
 /// @param  tolerance  of shape_residual()
 /// @param  name       of the component, for messages

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "stress/stress.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/bodies/field_grid.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
-#include "suspension/bodies/scene_components.hpp"
 #include "suspension/solver/side_test.hpp"
 
 namespace stokesbook {
@@ -29,15 +29,14 @@ std::vector<Index> fluid_indices(const std::vector<std::uint8_t>& in_fluid) {
 }
 
 // Mean pressure over the viscosity on the outer wall; zero without one.
-double pressure_datum(const SuspensionSolver& solver, const Configuration& configuration,
-                      const Solution& solution, double drive) {
+double pressure_datum(const SuspensionSolver& solver, const Solution& solution) {
+  const Configuration& configuration = solution.instant.configuration;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Reference& reference = *solution.references[k];
     if (reference.kind != ComponentKind::enclosing_wall) continue;
     const auto [position, orientation] = configuration[k];
     const Curve wall = place(reference.curve, position, orientation);
-    const std::vector<FlowDerivatives> flow =
-        solver.derivatives(configuration, solution, wall.x, drive);
+    const std::vector<FlowDerivatives> flow = solver.derivatives(solution, wall.x);
     const Eigen::VectorXd w = weights(wall);
     double sum = 0.0;
     for (Index j = 0; j < w.size(); ++j) sum += w[j] * flow[static_cast<std::size_t>(j)].pressure;
@@ -77,8 +76,7 @@ constexpr int most_raised = 6;
 
 }  // namespace
 
-Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
-                     const Solution& solution, double drive) {
+Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   if (!solver.scene().output.fields) {
     throw std::invalid_argument("evaluate_field: the scene asks for no fields");
   }
@@ -89,16 +87,15 @@ Field evaluate_field(const SuspensionSolver& solver, const Configuration& config
   Field field;
   field.grid = field_grid(settings);
   const ComplexVector all = field.grid.points();
-  field.in_fluid = in_fluid(configuration, solver.references(), all);
+  field.in_fluid = in_fluid(solution.instant.configuration, solver.references(), all);
   const std::vector<Index> fluid = fluid_indices(field.in_fluid);
   const ComplexVector points = all(fluid);
   if (asked(FieldQuantity::velocity)) {
     field.velocity = ComplexVector::Constant(all.size(), {nowhere, nowhere});
-    field.velocity(fluid) = solver.velocity(configuration, solution, points, drive);
+    field.velocity(fluid) = solver.velocity(solution, points);
   }
   if (settings.quantities == std::vector{FieldQuantity::velocity}) return field;
-  const std::vector<FlowDerivatives> flow =
-      solver.derivatives(configuration, solution, points, drive);
+  const std::vector<FlowDerivatives> flow = solver.derivatives(solution, points);
   const double mu = solver.scene().viscosity;
   const auto fill = [&](FieldQuantity quantity, Eigen::VectorXd& values, const auto& value_of) {
     if (!asked(quantity)) return;
@@ -106,7 +103,7 @@ Field evaluate_field(const SuspensionSolver& solver, const Configuration& config
     for (std::size_t i = 0; i < fluid.size(); ++i) values[fluid[i]] = value_of(flow[i]);
   };
   if (asked(FieldQuantity::pressure)) {
-    const double datum = pressure_datum(solver, configuration, solution, drive);
+    const double datum = pressure_datum(solver, solution);
     fill(FieldQuantity::pressure, field.pressure,
          [&](const FlowDerivatives& at) { return mu * (at.pressure - datum); });
   }
@@ -131,24 +128,23 @@ FieldErrors field_differences(const Field& p, const Field& q) {
   return differences;
 }
 
-EstimatedField estimated_field(const SuspensionSolver& solver, const Configuration& configuration,
-                               const Solution& solution, double drive) {
-  EstimatedField found{evaluate_field(solver, configuration, solution, drive), {}};
+EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution) {
+  EstimatedField found{evaluate_field(solver, solution), {}};
   bool may_raise = false;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    may_raise = may_raise || given_nodes(solver.scene(), k) == automatic_nodes;
+  for (std::size_t k = 0; k < solution.references.size(); ++k) {
+    may_raise = may_raise || component_of(solver.scene(), k).has_automatic_nodes();
   }
   Solution latest = solution;
   while (true) {
     try {
-      latest = solver.refined(configuration, latest, drive);
+      latest = solver.refined(latest);
     } catch (const NumericsRefused&) {
       if (found.solves == 0) found.errors = unknown_errors(found.field);
       return found;
     }
     ++found.solves;
     found.cost += {latest.gmres.iterations, latest.gmres.applications};
-    Field finer = evaluate_field(solver, configuration, latest, drive);
+    Field finer = evaluate_field(solver, latest);
     found.errors = errors_of(found.field, finer);
     if (!may_raise) return found;
     found.field = std::move(finer);

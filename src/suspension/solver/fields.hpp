@@ -16,18 +16,15 @@ namespace stokesbook {
 ///
 /// The pressure is zero far away in an unbounded fluid; in an enclosed one, where it is known up to
 /// a constant, its mean over the outer wall is zero.
-/// @param  solver         of a scene with output.fields
-/// @param  configuration  where the components are
-/// @param  solution       from solve() in this configuration
-/// @param  drive          as in solve()
-/// @return                the field, not a number outside the fluid
+/// @param  solver    of a scene with output.fields
+/// @param  solution  of any instant
+/// @return           the field, not a number outside the fluid
 /// @throws std::invalid_argument when the scene asks for no fields
 /// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
 /// @ref claim_06_8
 /// @par Cost      that of in_fluid(), and m n kernel evaluations for m points in the fluid and n
 /// nodes: once for the velocity, once for all others
-Field evaluate_field(const SuspensionSolver& solver, const Configuration& configuration,
-                     const Solution& solution, double drive = 1.0);
+Field evaluate_field(const SuspensionSolver& solver, const Solution& solution);
 
 /// Errors by quantity: "velocity", or as field_scalars names them.
 using FieldErrors = std::map<std::string, double, std::less<>>;
@@ -54,16 +51,13 @@ struct EstimatedField {
 /// smaller residual, see SuspensionSolver::refined(). Where nodes are automatic, they are raised
 /// until all estimates meet the tolerance, six times at most, and the field is that of the most
 /// nodes.
-/// @param  solver         of a scene with output.fields
-/// @param  configuration  where the components are
-/// @param  solution       from solve() in this configuration, with forces of contact or none
-/// @param  drive          as in solve()
-/// @return                the field and its errors, infinite where they cannot be estimated
+/// @param  solver    of a scene with output.fields
+/// @param  solution  with forces of contact or none
+/// @return           the field and its errors, infinite where they cannot be estimated
 /// @throws std::invalid_argument when the scene asks for no fields
 /// @par Accuracy  errors are at most twice their estimates, @ref claim_12_60
 /// @par Cost      of each estimate, refined() and evaluate_field()
-EstimatedField estimated_field(const SuspensionSolver& solver, const Configuration& configuration,
-                               const Solution& solution, double drive = 1.0);
+EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution);
 
 /// @}
 

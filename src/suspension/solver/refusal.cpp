@@ -11,7 +11,7 @@
 #include "near_singular/near_test.hpp"
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/memory.hpp"
 #include "suspension/nodes/node_choice.hpp"
@@ -69,7 +69,7 @@ bool overlaps(const Gap& gap, const Configuration& configuration) {
 }
 
 std::string overlap_message(const Scene& scene, const Gap& gap) {
-  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) +
+  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() +
          " overlap, touch or lie on the wrong side of each other, by about " +
          short_number(-gap.points.gap) + " near (" + short_number(gap.points.point_a.real()) +
          ", " + short_number(gap.points.point_a.imag()) +
@@ -80,7 +80,7 @@ std::string shape_message(const Scene& scene, std::size_t component, const Refer
   const double tolerance = scene.solver.tolerance;
   const int nodes = nodes_for_shape(reference.shape, reference.curve.side, tolerance,
                                     reference.resolution.n_nodes);
-  return component_name(scene, component) + ": " + std::to_string(reference.curve.size()) +
+  return component_of(scene, component).name() + ": " + std::to_string(reference.curve.size()) +
          " nodes resolve its shape to " + short_number(reference.shape_residual) + " only" +
          (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
                           "; give it n_nodes = " + std::to_string(nodes) + " at least"
@@ -96,7 +96,7 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothC
   const double worst =
       std::max(error(a.nodes, gap.points.point_b), error(b.nodes, gap.points.point_a));
   if (worst <= scene.solver.tolerance) return {};
-  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) + " are " +
+  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() + " are " +
          short_number(gap.points.gap) +
          " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
          ", solver.tolerance = " + short_number(scene.solver.tolerance) +
@@ -106,10 +106,10 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothC
 std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
   const double tolerance = scene.solver.tolerance;
   const auto advice = [&](std::size_t component, double decay) {
-    return component_name(scene, component) +
+    return component_of(scene, component).name() +
            " n_nodes = " + std::to_string(recommended_nodes(decay, tolerance));
   };
-  return component_name(scene, gap.a) + " and " + component_name(scene, gap.b) + " are " +
+  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() + " are " +
          short_number(gap.points.gap) + " apart, too close for their nodes: estimated error " +
          short_number(resolution.error) +
          " of the velocities, solver.tolerance = " + short_number(tolerance) + "; give " +
@@ -124,8 +124,8 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
       gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
   if (nearest == gaps.end()) return {};
   const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
-  return " (nearest: " + component_name(scene, other) + ", " + short_number(nearest->points.gap) +
-         " apart)";
+  return " (nearest: " + component_of(scene, other).name() + ", " +
+         short_number(nearest->points.gap) + " apart)";
 }
 
 }  // namespace
@@ -172,7 +172,8 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
   }
   for (std::size_t k = 0; scene.gauge_length && k < problem.components.size(); ++k) {
     if (!moves_against_its_force(problem.components[k], problem)) continue;
-    return component_name(scene, k) + " would move against its force with flow.gauge_length = " +
+    return component_of(scene, k).name() +
+           " would move against its force with flow.gauge_length = " +
            short_number(*scene.gauge_length) +
            ", which is to be large against bodies (Stokes' paradox); give at least " +
            short_number(2.0 *
@@ -201,7 +202,7 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
                                " of the velocities, solver.tolerance = " + short_number(tolerance);
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     if (resolutions[k].n_nodes >= least[k].n_nodes) continue;
-    return component_name(scene, k) + " has densities that " +
+    return component_of(scene, k).name() + " has densities that " +
            std::to_string(resolutions[k].n_nodes) +
            " nodes do not see, as it is slender or lobed: " + estimate +
            "; give it n_nodes = " + std::to_string(least[k].n_nodes) + " at least";
@@ -215,7 +216,7 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
   const auto component = static_cast<std::size_t>(worst - tails.begin());
   const int nodes = resolutions[component].n_nodes;
   const int advice = rounded_nodes(extrapolated_nodes(nodes, worst->decay, error / tolerance));
-  return "the density on " + component_name(scene, component) + " is not resolved" +
+  return "the density on " + component_of(scene, component).name() + " is not resolved" +
          nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
          std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
 }
@@ -233,10 +234,10 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     const int nodes = resolutions[k].n_nodes;
     all += nodes;
-    if (given_nodes(scene, k) != automatic_nodes) continue;
+    if (!component_of(scene, k).has_automatic_nodes()) continue;
     chosen = true;
     if (nodes <= most_nodes_of_a_component) continue;
-    return component_name(scene, k) + nearest_neighbour(scene, k, gaps) +
+    return component_of(scene, k).name() + nearest_neighbour(scene, k, gaps) +
            " would need n_nodes = " + std::to_string(nodes) +
            " for solver.tolerance = " + short_number(scene.solver.tolerance) +
            "; \"auto\" takes up to " + std::to_string(most_nodes_of_a_component) +

@@ -24,7 +24,7 @@ std::size_t component_of(const Scene& scene, const Wall& wall) {
 double torque_without_bodies(Scene scene) {
   scene.bodies.clear();
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.initial_configuration());
+  const Solution solution = solver.solve(solver.start());
   return solution.loads[component_of(scene, *only_wall(scene, WallRole::inner))].torque;
 }
 
@@ -109,8 +109,9 @@ double Rheometer::order_parameter(const Configuration& configuration) const {
   return defined && count > 0.0 ? sum / count : Rheology::undefined;
 }
 
-double Rheometer::excess_dissipation(const Configuration& configuration, const Solution& solution,
-                                     const std::vector<Complex>& stresslets, double drive) const {
+double Rheometer::excess_dissipation(const Solution& solution,
+                                     const std::vector<Complex>& stresslets) const {
+  const auto& [configuration, amplitude] = solution.instant;
   const Scene& scene = solver_.scene();
   const bool linear = !std::holds_alternative<TaylorGreenFlow>(scene.flow);
   if (!linear || std::ranges::any_of(scene.walls, deforms)) {
@@ -120,10 +121,10 @@ double Rheometer::excess_dissipation(const Configuration& configuration, const S
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     centres[static_cast<Index>(k)] = configuration[k].position;
   }
-  const ComplexVector stream = drive * background_velocity(scene.flow, centres);
+  const ComplexVector stream = amplitude * background_velocity(scene.flow, centres);
   const FlowDerivatives gradient = background_derivatives(scene.flow, centres.head(1))[0];
-  const Complex strain = drive * gradient.strain;
-  const double rotation = 0.5 * drive * gradient.vorticity;
+  const Complex strain = amplitude * gradient.strain;
+  const double rotation = 0.5 * amplitude * gradient.vorticity;
   double power = 0.0;
   for (std::size_t k = 0; k < stresslets.size(); ++k) {
     const RigidMotion& motion = solution.motions[k];
@@ -135,17 +136,15 @@ double Rheometer::excess_dissipation(const Configuration& configuration, const S
   return power;
 }
 
-Rheology Rheometer::operator()(const Configuration& configuration, const Solution& solution,
-                               double drive) const {
+Rheology Rheometer::operator()(const Solution& solution) const {
   const Scene& scene = solver_.scene();
   Rheology rheology;
-  rheology.order_parameter = order_parameter(configuration);
+  rheology.order_parameter = order_parameter(solution.instant.configuration);
   // Only the power of walls that deform asks for tractions, and these for close evaluation.
-  const SolvedFlow flow =
-      std::ranges::any_of(scene.walls, deforms)
-          ? solver_.disturbance(configuration, solution, drive)
-          : SolvedFlow(solver_.problem(configuration, solution.references, drive), {},
-                       solution.density);
+  const SolvedFlow flow = std::ranges::any_of(scene.walls, deforms)
+                              ? solver_.disturbance(solution)
+                              : SolvedFlow(solver_.problem(solution.instant, solution.references),
+                                           {}, solution.density);
   if (has_outer_wall(scene)) {
     const std::vector<double> powers = power_of_loads(flow);
     rheology.dissipation = std::accumulate(powers.begin(), powers.end(), 0.0);
@@ -153,7 +152,7 @@ Rheology Rheometer::operator()(const Configuration& configuration, const Solutio
     const std::vector<Complex> stresslets = stresslets_of(flow.problem(), flow.density());
     rheology.stresslet = std::accumulate(stresslets.begin(), stresslets.end(), Complex{});
     if (forces_balance(flow.problem())) {
-      rheology.dissipation = excess_dissipation(configuration, solution, stresslets, drive);
+      rheology.dissipation = excess_dissipation(solution, stresslets);
     }
   }
   if (has_free_uniform_velocity(flow.problem())) {
@@ -161,7 +160,8 @@ Rheology Rheometer::operator()(const Configuration& configuration, const Solutio
   }
   if (empty_torque_) {
     const std::size_t inner = component_of(scene, *only_wall(scene, WallRole::inner));
-    rheology.torque_ratio = solution.loads[inner].torque / (drive * *empty_torque_);
+    rheology.torque_ratio =
+        solution.loads[inner].torque / (solution.instant.amplitude * *empty_torque_);
   }
   return rheology;
 }

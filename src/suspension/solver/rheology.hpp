@@ -48,18 +48,14 @@ class Rheometer {
 
   /// Measures a solution.
   ///
-  /// @param  configuration  where the components are
-  /// @param  solution       from solve() in this configuration
-  /// @param  drive          as in solve()
-  /// @return                all that the scene defines
+  /// @param  solution  of any instant
+  /// @return           all that the scene defines
   /// @par Cost      O(n) for n nodes in all, and the derivatives at nodes of walls that deform
-  Rheology operator()(const Configuration& configuration, const Solution& solution,
-                      double drive = 1.0) const;
+  Rheology operator()(const Solution& solution) const;
 
  private:
   double order_parameter(const Configuration& configuration) const;
-  double excess_dissipation(const Configuration& configuration, const Solution& solution,
-                            const std::vector<Complex>& stresslets, double drive) const;
+  double excess_dissipation(const Solution& solution, const std::vector<Complex>& stresslets) const;
 
   const SuspensionSolver& solver_;
   std::vector<std::optional<double>> long_axes_;  // of the bodies, in their own frames

@@ -7,8 +7,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
-#include "suspension/bodies/component_data.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
@@ -20,15 +19,9 @@ using Eigen::Index;
 
 namespace {
 
-// What a component asks for alone.
-Resolution own_resolution(const Scene& scene, std::size_t component) {
-  const std::size_t bodies = scene.bodies.size();
-  const auto nodes = [&](const auto& source) {
-    return own_nodes(source, side_of(kind_of(source)), scene.solver.tolerance,
-                     component_name(scene, component));
-  };
-  return {component < bodies ? nodes(scene.bodies[component])
-                             : nodes(scene.walls[component - bodies])};
+// The resolution that a component requires alone.
+Resolution own_resolution(const ComponentView& component, double tolerance) {
+  return {own_nodes(component, side_of(component.kind), tolerance, component.name())};
 }
 
 double mean_spacing(const Scene& scene, const References& references) {
@@ -58,7 +51,8 @@ Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
 }
 
 // The density of a solution, on other nodes of the same configuration.
-DensityGuess guess_from(const Configuration& configuration, const Solution& solution) {
+DensityGuess guess_from(const Solution& solution) {
+  const Configuration& configuration = solution.instant.configuration;
   DensityHistory found(1);
   found.add(0.0, configuration, solution.references, solution.density);
   return [configuration, found](const References& references) {
@@ -84,7 +78,7 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
   const bool bounded = plan_.null_space_fix;
   const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
-  const std::size_t count = scene_.bodies.size() + scene_.walls.size();
+  const std::size_t count = count_components(scene_);
   // A solve asks for one a component, and so does its estimate: some sixty solves long.
   const std::size_t patience = 64 * count;
   const ReferenceNeeds needs{plan_.near_correction,
@@ -92,7 +86,8 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
                              bounded ? std::nullopt : scene.gauge_length};
   shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
   Resolutions own;
-  for (std::size_t k = 0; k < count; ++k) own.push_back(own_resolution(scene_, k));
+  for (std::size_t k = 0; k < count; ++k)
+    own.push_back(own_resolution(component_of(scene_, k), scene_.solver.tolerance));
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
   std::map<const Reference*, int> least;
@@ -104,11 +99,11 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
           nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes);
     }
     least_.push_back({entry->second});
-    if (given_nodes(scene_, k) == automatic_nodes) own[k] = least_[k];
+    if (component_of(scene_, k).has_automatic_nodes()) own[k] = least_[k];
   }
   refuse(limit_refusal(scene_, own, {}));
   references_ = references(own);
-  refuse(separation_refusal(separation(), initial_configuration(), references_));
+  refuse(separation_refusal(separation(), start().configuration, references_));
 }
 
 double SuspensionSolver::separation() const {
@@ -117,14 +112,12 @@ double SuspensionSolver::separation() const {
   return unit * scene_.contact->minimum_separation;
 }
 
-Configuration SuspensionSolver::initial_configuration() const {
-  Configuration configuration;
-  const auto add = [&](const auto& component) {
-    configuration.push_back({component.position, component.orientation});
-  };
-  std::for_each(scene_.bodies.begin(), scene_.bodies.end(), add);
-  std::for_each(scene_.walls.begin(), scene_.walls.end(), add);
-  return configuration;
+Instant SuspensionSolver::start() const {
+  Instant start;
+  for (std::size_t k = 0; k < references_.size(); ++k) {
+    start.configuration.push_back(component_of(scene_, k).start);
+  }
+  return start;
 }
 
 std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
@@ -137,18 +130,18 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
   return gaps;
 }
 
-Solution SuspensionSolver::attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
-                                   const Effort& effort, double drive) const {
-  const System system = this->system(configuration, gaps, effort.resolutions, drive);
+Solution SuspensionSolver::attempt(const Instant& instant, const std::vector<Gap>& gaps,
+                                   const Effort& effort) const {
+  const System system = this->system(instant, gaps, effort.resolutions);
   const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
-  Solution solution = converged(system, effort.gmres_tolerance, guess, drive);
+  Solution solution = converged(system, effort.gmres_tolerance, guess);
   solution.velocity_scale = system.discrete->system.right_hand_side().cwiseAbs().maxCoeff();
   solution.gaps = gaps;
   return solution;
 }
 
 Solution SuspensionSolver::converged(const System& system, double gmres_tolerance,
-                                     const ComplexVector& guess, double drive) const {
+                                     const ComplexVector& guess) const {
   GmresResult gmres =
       stokesbook::solve(*system.discrete, system.discrete->system.right_hand_side(),
                         {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
@@ -158,7 +151,7 @@ Solution SuspensionSolver::converged(const System& system, double gmres_toleranc
         " after " + std::to_string(gmres.iterations) + " iterations, asked " +
         short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
   }
-  return completed(system, std::move(gmres), drive);
+  return completed(system, std::move(gmres));
 }
 
 // A quarter more nodes, and as many as the softest modes ask for.
@@ -166,28 +159,27 @@ Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
   return at_least(least_, finer(resolutions_of(solution.references)));
 }
 
-Solution SuspensionSolver::refined(const Configuration& configuration, const Solution& solution,
-                                   double drive) const {
+Solution SuspensionSolver::refined(const Solution& solution) const {
+  const Configuration& configuration = solution.instant.configuration;
   const Resolutions resolutions = finer_than(solution);
   refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, solution.gaps));
-  System system{references(resolutions), {}};
-  const StokesProblem problem = loaded_problem(configuration, system.references, solution, drive);
+  System system{solution.instant, references(resolutions), {}};
+  const StokesProblem problem = loaded_problem(solution, system.references);
   system.discrete = std::make_shared<const DiscreteProblem>(
       discretise(problem, configuration, solution.gaps, system.references));
-  Solution finer = converged(system, least_gmres_tolerance(plan_),
-                             guess_from(configuration, solution)(system.references), drive);
+  Solution finer =
+      converged(system, least_gmres_tolerance(plan_), guess_from(solution)(system.references));
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
   return finer;
 }
 
 ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
-                                         const Configuration& configuration,
-                                         const Solution& solution, double drive) const {
+                                         const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
   const References finer = references(finer_than(solution));
   const DiscreteProblem fine =
-      unpreconditioned(loaded_problem(configuration, finer, solution, drive), configuration, finer);
+      unpreconditioned(loaded_problem(solution, finer), solution.instant.configuration, finer);
   try {
     return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
   } catch (const NumericsRefused&) {
@@ -196,13 +188,10 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
   }
 }
 
-LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
-                                           const Solution& loaded, double gmres_tolerance,
-                                           double drive) const {
+LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_tolerance) const {
   const Resolutions resolutions = resolutions_of(loaded.references);
-  DiscreteProblem discrete =
-      unpreconditioned(loaded_problem(configuration, loaded.references, loaded, drive),
-                       configuration, loaded.references);
+  DiscreteProblem discrete = unpreconditioned(loaded_problem(loaded, loaded.references),
+                                              loaded.instant.configuration, loaded.references);
   discrete.precondition = loaded.system->precondition;
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
@@ -213,7 +202,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
     solution.velocity_scale = std::max({solution.velocity_scale, std::abs(velocity),
                                         loaded.references[k]->gyration_radius * std::abs(omega)});
   }
-  const ErrorEstimate estimate = this->estimate(discrete, configuration, solution, drive);
+  const ErrorEstimate estimate = this->estimate(discrete, solution);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
   const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
   const Effort next = greater(effort, tails_of(discrete, solution), estimate.error);
@@ -223,15 +212,15 @@ LoadedCheck SuspensionSolver::check_loaded(const Configuration& configuration,
 
 // [solve]
 
-Solution SuspensionSolver::solve(const Configuration& configuration, double drive,
-                                 const DensityGuess& guess, const Resolutions& least) const {
-  const std::vector<Gap> gaps = open_gaps(configuration);
-  Effort effort{at_least(least, first_resolutions(configuration, gaps)), plan_.gmres_tolerance,
-                guess};
+Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& guess,
+                                 const Resolutions& least) const {
+  const std::vector<Gap> gaps = open_gaps(instant.configuration);
+  Effort effort{at_least(least, first_resolutions(instant.configuration, gaps)),
+                plan_.gmres_tolerance, guess};
   SolveCost cost;
   while (true) {
-    Solution solution = attempt(configuration, gaps, effort, drive);
-    const ErrorEstimate estimate = this->estimate(*solution.system, configuration, solution, drive);
+    Solution solution = attempt(instant, gaps, effort);
+    const ErrorEstimate estimate = this->estimate(*solution.system, solution);
     cost.gmres_iterations += solution.gmres.iterations;
     cost.matvecs += solution.gmres.applications + estimate.matvecs;
     solution.error_estimate = estimate.error;
@@ -243,7 +232,7 @@ Solution SuspensionSolver::solve(const Configuration& configuration, double driv
       throw ConfigurationRefused(accuracy_refusal(scene_, effort.resolutions, least_, tails,
                                                   solution.error_estimate, gaps));
     }
-    next.guess = guess_from(configuration, solution);
+    next.guess = guess_from(solution);
     effort = std::move(next);
   }
 }
@@ -271,33 +260,29 @@ SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
   return next;
 }
 
-Solution SuspensionSolver::solve_nearby(const Configuration& configuration,
-                                        const Resolutions& earlier, double drive,
+Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolutions& earlier,
                                         const DensityGuess& guess) const {
-  const std::vector<Gap> gaps = open_gaps(configuration);
-  const Resolutions resolutions = at_least(earlier, first_resolutions(configuration, gaps));
-  Solution solution =
-      attempt(configuration, gaps, {resolutions, plan_.gmres_tolerance, guess}, drive);
+  const std::vector<Gap> gaps = open_gaps(instant.configuration);
+  const Resolutions resolutions = at_least(earlier, first_resolutions(instant.configuration, gaps));
+  Solution solution = attempt(instant, gaps, {resolutions, plan_.gmres_tolerance, guess});
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;
 }
 
-Solution SuspensionSolver::solve_lagged(const Configuration& configuration,
-                                        const DensityGuess& guess, double drive) const {
-  const std::vector<Gap> gaps = open_gaps(configuration);
-  const System system =
-      this->system(configuration, gaps, first_resolutions(configuration, gaps), drive);
+Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGuess& guess) const {
+  const std::vector<Gap> gaps = open_gaps(instant.configuration);
+  const System system = this->system(instant, gaps, first_resolutions(instant.configuration, gaps));
   const SuspensionOperator& apply = system.discrete->system;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
   sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
-  Solution solution = completed(system, std::move(sweep), drive);
+  Solution solution = completed(system, std::move(sweep));
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   solution.gaps = gaps;
-  const ErrorEstimate estimate = this->estimate(*system.discrete, configuration, solution, drive);
+  const ErrorEstimate estimate = this->estimate(*system.discrete, solution);
   solution.error_estimate = estimate.error;
   solution.cost = {0, 1 + estimate.matvecs};
   return solution;

@@ -40,8 +40,9 @@ struct SolveCost {
   }
 };
 
-/// One quasi-static solution.
+/// One quasi-static solution: all that velocities, fields and rheology of its instant require.
 struct Solution {
+  Instant instant;                                ///< that it was solved for
   References references;                          ///< that the density lives on, one a component
   std::shared_ptr<const DiscreteProblem> system;  ///< that it solves, on the same nodes
   ComplexVector density;  ///< at all nodes, components in order, length / time
@@ -83,9 +84,9 @@ class SuspensionSolver {
   /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
-  /// Returns the scene's poses at the start.
-  /// @return bodies, then walls, in the scene's order
-  Configuration initial_configuration() const;
+  /// Returns the instant at which the scene starts.
+  /// @return the scene's poses, bodies first, then walls; amplitude 1
+  Instant start() const;
 
   /// Returns how far contact keeps components apart.
   /// @return least gap, length; 0 in scenes without contact
@@ -95,11 +96,10 @@ class SuspensionSolver {
   ///
   /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
   /// estimate exceeds the tolerance. Where the nodes do and GMRES does not, it goes on.
-  /// @param  configuration  where the components are
-  /// @param  drive          +1, or -1 where the scene has reversed its flow, walls and loads
-  /// @param  guess          of the density, where GMRES begins
-  /// @param  least          resolutions that automatic nodes do not fall below; empty: none
-  /// @return                density, motions and loads of all components, and the error estimate
+  /// @param  instant  poses and flow amplitude
+  /// @param  guess    of the density, where GMRES begins
+  /// @param  least    resolutions that automatic nodes do not fall below; empty: none
+  /// @return          density, motions and loads of all components, and the error estimate
   /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
   ///                tolerance that no node count within the limits of node_choice.hpp brings down
   /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
@@ -107,34 +107,30 @@ class SuspensionSolver {
   ///                convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
-  Solution solve(const Configuration& configuration, double drive = 1.0,
-                 const DensityGuess& guess = {}, const Resolutions& least = {}) const;
+  Solution solve(const Instant& instant, const DensityGuess& guess = {},
+                 const Resolutions& least = {}) const;
 
   /// Estimates the error of a solution to which the forces of contact were added.
   ///
-  /// @param  configuration  where the components are
-  /// @param  loaded         solution whose density and loads include them
+  /// @param  loaded           solution whose density and loads include them
   /// @param  gmres_tolerance  that they were solved to
-  /// @param  drive          as in solve()
-  /// @return                the estimate, and with what to solve again where it exceeds the
-  ///                        tolerance: the same where that would not help
+  /// @return                  the estimate, and with what to solve again where it exceeds the
+  ///                          tolerance: the same where that would not help
   /// @par Cost      that of discretise() and of estimate_error()
-  LoadedCheck check_loaded(const Configuration& configuration, const Solution& loaded,
-                           double gmres_tolerance, double drive = 1.0) const;
+  LoadedCheck check_loaded(const Solution& loaded, double gmres_tolerance) const;
 
   /// Solves a configuration near one that was solved before, without an estimate: for the stages
   /// of a time step, and for steps between those that estimate their error.
   ///
-  /// @param  configuration  where the components are
-  /// @param  earlier        resolution that has done, and will unless gaps have closed
-  /// @param  drive          as in solve()
-  /// @param  guess          as in solve()
-  /// @return                density, motions and loads of all components
+  /// @param  instant  poses and flow amplitude
+  /// @param  earlier  resolution that has done, and will unless gaps have closed
+  /// @param  guess    as in solve()
+  /// @return          density, motions and loads of all components
   /// @throws NumericsRefused as solve() does, but for estimates
   /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES
-  Solution solve_nearby(const Configuration& configuration, const Resolutions& earlier,
-                        double drive = 1.0, const DensityGuess& guess = {}) const;
+  Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
+                        const DensityGuess& guess = {}) const;
 
   /// Solves every component alone in the flow that all others had before: the lagged, "locally
   /// implicit" coupling, one sweep of block Jacobi,
@@ -142,120 +138,89 @@ class SuspensionSolver {
   ///
   /// The error of the sweep is part of the estimate, which refuses nothing; the residual is that of
   /// the density before.
-  /// @param  configuration  where the components are
-  /// @param  guess          of the density before, not empty
-  /// @param  drive          as in solve()
-  /// @return                density, motions and loads of all components, and the error estimate
+  /// @param  instant  poses and flow amplitude
+  /// @param  guess    of the density before, not empty
+  /// @return          density, motions and loads of all components, and the error estimate
   /// @throws NumericsRefused as solve() does, but for estimates and convergence
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
   ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
-  Solution solve_lagged(const Configuration& configuration, const DensityGuess& guess,
-                        double drive = 1.0) const;
+  Solution solve_lagged(const Instant& instant, const DensityGuess& guess) const;
 
   /// Evaluates the fluid's velocity in a solution.
   ///
-  /// @param  configuration  where the components are
-  /// @param  solution       from solve() in this configuration
-  /// @param  points         m points in the fluid or on its boundary, length
-  /// @param  drive          as in solve()
-  /// @return                m velocities, length / time
+  /// @param  solution  of any instant
+  /// @param  points    m points in the fluid or on its boundary, length
+  /// @return           m velocities, length / time
   /// @par Cost      m n kernel evaluations for n nodes in all
   /// @par Not for   points near the boundary where solver.near_singular is off, nor inside bodies
-  ComplexVector velocity(const Configuration& configuration, const Solution& solution,
-                         const ComplexVector& points, double drive = 1.0) const;
+  ComplexVector velocity(const Solution& solution, const ComplexVector& points) const;
 
   /// Prepares a solution for the evaluation of stresses and powers, without the background flow.
   ///
-  /// @param  configuration  where the components are
-  /// @param  solution       from solve() in this configuration
-  /// @param  drive          as in solve()
-  /// @return                the disturbance, near the boundary by the Cauchy scheme whatever
-  ///                        solver.near_singular says
-  SolvedFlow disturbance(const Configuration& configuration, const Solution& solution,
-                         double drive = 1.0) const;
+  /// @param  solution  of any instant
+  /// @return           the disturbance, near the boundary by the Cauchy scheme whatever
+  ///                   solver.near_singular says
+  SolvedFlow disturbance(const Solution& solution) const;
 
   /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
   ///
   /// A quantity without an error estimate of its own, such as a traction, can be computed from both
   /// solutions: twice the difference estimates the error in the given one.
-  /// @param  configuration  where the components are
-  /// @param  solution       from solve() in this configuration, with forces of contact or none
-  /// @param  drive          as in solve()
-  /// @return                the same, without an estimate
+  /// @param  solution  with forces of contact or none
+  /// @return           the same, without an estimate
   /// @throws NumericsRefused when GMRES does not converge, or there are too many nodes
   /// @par Cost      that of a solve with a good guess
-  Solution refined(const Configuration& configuration, const Solution& solution,
-                   double drive = 1.0) const;
+  Solution refined(const Solution& solution) const;
 
   /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
   /// included.
   ///
   /// The pressure is zero at infinity; in an enclosed fluid it has a datum that means nothing.
-  /// @param  configuration  where the components are
-  /// @param  solution       from solve() in this configuration
-  /// @param  points         m points in the fluid, or nodes of its boundary, length
-  /// @param  drive          as in solve()
-  /// @return                m values, 1 / time
+  /// @param  solution  of any instant
+  /// @param  points    m points in the fluid, or nodes of its boundary, length
+  /// @return           m values, 1 / time
   /// @par Cost      m n kernel evaluations for n nodes in all
   /// @par Not for   points inside bodies
-  std::vector<FlowDerivatives> derivatives(const Configuration& configuration,
-                                           const Solution& solution, const ComplexVector& points,
-                                           double drive = 1.0) const;
+  std::vector<FlowDerivatives> derivatives(const Solution& solution,
+                                           const ComplexVector& points) const;
 
-  /// Poses the boundary value problem of a configuration at a resolution.
+  /// Poses the boundary value problem of an instant at a resolution.
   ///
-  /// @param  configuration  where the components are
-  /// @param  references     of each component, such as a solution's
-  /// @param  drive          as in solve()
-  /// @return                bodies, then walls, with their nodes, loads and velocities
-  StokesProblem problem(const Configuration& configuration, const References& references,
-                        double drive = 1.0) const;
+  /// @param  instant     poses and flow amplitude
+  /// @param  references  of each component, such as a solution's
+  /// @return             bodies, then walls, with their nodes, loads and velocities
+  StokesProblem problem(const Instant& instant, const References& references) const;
 
-  /// Builds the linear system of a configuration at a resolution.
+  /// Builds the linear system of an instant at a resolution.
   ///
-  /// @param  configuration  where the components are
-  /// @param  references     of each component
-  /// @param  drive          as in solve()
-  /// @return                problem, operator, and the preconditioner of the plan
+  /// @param  instant     poses and flow amplitude
+  /// @param  references  of each component
+  /// @return             problem, operator, and the preconditioner of the plan
   /// @throws NumericsRefused when the preconditioner is singular, as the block of a held component
   ///                is whose size is at the degenerate scale of flow.gauge_length
-  DiscreteProblem discretise(const Configuration& configuration, const References& references,
-                             double drive = 1.0) const;
+  DiscreteProblem discretise(const Instant& instant, const References& references) const;
 
   /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
   /// tolerance.
   ///
   /// @param  configuration  where the components are
+  /// @param  gaps           in it, as gaps() finds them
   /// @return                multiples of 16, one a component; 0 where no number up to 4096 resolves
-  ///                        a shape, and no gap asks for more
-  /// @par Cost      that of nodes_for_shape() a distinct reference, and of find_gaps()
-  std::vector<int> recommended_nodes(const Configuration& configuration) const;
-
-  /// Recommends nodes as above where gaps are known.
-  ///
-  /// @param  configuration  where the components are
-  /// @param  gaps           in it
-  /// @return                as above
+  ///                        a shape, and no gap requires more
+  /// @par Cost      that of nodes_for_shape() a distinct reference
   std::vector<int> recommended_nodes(const Configuration& configuration,
                                      const std::vector<Gap>& gaps) const;
 
   /// Chooses the resolution with which solve() begins.
   ///
   /// @param  configuration  where the components are
+  /// @param  gaps           in it, as gaps() finds them
   /// @return                given node counts as they are; automatic ones from shapes and gaps
-  /// @par Cost      that of find_gaps()
-  Resolutions first_resolutions(const Configuration& configuration) const;
-
-  /// Chooses a resolution as above where gaps are known.
-  ///
-  /// @param  configuration  where the components are
-  /// @param  gaps           in it
-  /// @return                as above
   Resolutions first_resolutions(const Configuration& configuration,
                                 const std::vector<Gap>& gaps) const;
 
-  /// Finds the gaps of a configuration that may ask for nodes, overlaps included.
+  /// Finds the gaps of a configuration that may require nodes, overlaps included.
   ///
   /// @param  configuration  where the components are
   /// @return                in ascending order, as find_gaps() returns them
@@ -293,18 +258,17 @@ class SuspensionSolver {
     int suspicions = 0;  // how often nodes were raised although tails say that they do
   };
   struct System {
+    Instant instant;
     References references;
     std::shared_ptr<const DiscreteProblem> discrete;
   };
   /// @endcond
-  Solution attempt(const Configuration& configuration, const std::vector<Gap>& gaps,
-                   const Effort& effort, double drive) const;
-  ErrorEstimate estimate(const DiscreteProblem& discrete, const Configuration& configuration,
-                         const Solution& solution, double drive) const;
+  Solution attempt(const Instant& instant, const std::vector<Gap>& gaps,
+                   const Effort& effort) const;
+  ErrorEstimate estimate(const DiscreteProblem& discrete, const Solution& solution) const;
   Resolutions finer_than(const Solution& solution) const;
-  Complex frame_velocity(double drive) const;
-  StokesProblem loaded_problem(const Configuration& configuration, const References& references,
-                               const Solution& solution, double drive) const;
+  Complex frame_velocity(double amplitude) const;
+  StokesProblem loaded_problem(const Solution& solution, const References& references) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
                                    const References& references) const;
@@ -312,12 +276,12 @@ class SuspensionSolver {
                              const std::vector<Gap>& gaps, const References& references) const;
   std::vector<PlacedCurve> near_curves(const Configuration& configuration,
                                        const References& references) const;
-  System system(const Configuration& configuration, const std::vector<Gap>& gaps,
-                const Resolutions& resolutions, double drive) const;
+  System system(const Instant& instant, const std::vector<Gap>& gaps,
+                const Resolutions& resolutions) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
-  Solution converged(const System& system, double gmres_tolerance, const ComplexVector& guess,
-                     double drive) const;
-  Solution completed(const System& system, GmresResult gmres, double drive) const;
+  Solution converged(const System& system, double gmres_tolerance,
+                     const ComplexVector& guess) const;
+  Solution completed(const System& system, GmresResult gmres) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
                                   const References& references) const;
 

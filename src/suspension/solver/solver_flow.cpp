@@ -44,44 +44,43 @@ std::vector<PlacedCurve> SuspensionSolver::near_curves(const Configuration& conf
   return plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
 }
 
-ComplexVector SuspensionSolver::velocity(const Configuration& configuration,
-                                         const Solution& solution, const ComplexVector& points,
-                                         double drive) const {
-  const StokesProblem problem = this->problem(configuration, solution.references, drive);
+ComplexVector SuspensionSolver::velocity(const Solution& solution,
+                                         const ComplexVector& points) const {
+  const auto& [configuration, amplitude] = solution.instant;
+  const StokesProblem problem = this->problem(solution.instant, solution.references);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
                                : placed(configuration, solution.references);
   ComplexVector velocity =
       SolvedFlow(problem, near_curves, solution.density, {plan_.near_tolerance, planned_sum(plan_)})
           .velocity(points);
-  if (is_bounded(problem)) return velocity.array() + frame_velocity(drive);
-  return velocity + drive * background_velocity(scene_.flow, points);
+  if (is_bounded(problem)) return velocity.array() + frame_velocity(amplitude);
+  return velocity + amplitude * background_velocity(scene_.flow, points);
 }
 
-SolvedFlow SuspensionSolver::disturbance(const Configuration& configuration,
-                                         const Solution& solution, double drive) const {
+SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
+  const Configuration& configuration = solution.instant.configuration;
   std::vector<PlacedCurve> curves;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
     curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
   }
-  return {problem(configuration, solution.references, drive),
+  return {problem(solution.instant, solution.references),
           std::move(curves),
           solution.density,
           {plan_.near_tolerance, planned_sum(plan_)}};
 }
 
-std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Configuration& configuration,
-                                                           const Solution& solution,
-                                                           const ComplexVector& points,
-                                                           double drive) const {
-  const SolvedFlow flow = disturbance(configuration, solution, drive);
+std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solution,
+                                                           const ComplexVector& points) const {
+  const SolvedFlow flow = disturbance(solution);
   std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
   if (is_bounded(flow.problem())) return derivatives;
+  const double amplitude = solution.instant.amplitude;
   const std::vector<FlowDerivatives> background = background_derivatives(scene_.flow, points);
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
     const auto& [pressure, vorticity, strain] = background[i];
-    derivatives[i] += {drive * pressure, drive * vorticity, drive * strain};
+    derivatives[i] += {amplitude * pressure, amplitude * vorticity, amplitude * strain};
   }
   return derivatives;
 }

@@ -2,18 +2,13 @@
 #include <algorithm>
 #include <map>
 
-#include "suspension/bodies/component_data.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/grading_for_gaps.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/solver.hpp"
 
 namespace stokesbook {
-
-std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration) const {
-  return recommended_nodes(configuration, gaps(configuration));
-}
 
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
                                                      const std::vector<Gap>& gaps) const {
@@ -36,10 +31,6 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
   return nodes;
 }
 
-Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration) const {
-  return first_resolutions(configuration, gaps(configuration));
-}
-
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
                                                 const std::vector<Gap>& gaps) const {
   Resolutions resolutions = resolutions_of(references_);
@@ -51,7 +42,7 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
     demands[gap.b].push_back({gap.points.parameter_b, decay.b});
   }
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    if (given_nodes(scene_, k) != automatic_nodes || demands[k].empty()) continue;
+    if (!component_of(scene_, k).has_automatic_nodes() || demands[k].empty()) continue;
     const int own = resolutions[k].n_nodes;
     resolutions[k] = nodes_for_gaps(demands[k], own, scene_.solver.tolerance);
     if (resolutions[k].n_nodes > own) {
@@ -62,13 +53,10 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
 }
 
 References SuspensionSolver::references(const Resolutions& resolutions) const {
-  const std::size_t bodies = scene_.bodies.size();
   References references;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    const auto get = [&](const auto& source) {
-      return shelf_->get(source.shape, resolutions[k], kind_of(source));
-    };
-    references.push_back(k < bodies ? get(scene_.bodies[k]) : get(scene_.walls[k - bodies]));
+    const ComponentView component = component_of(scene_, k);
+    references.push_back(shelf_->get(component.shape, resolutions[k], component.kind));
   }
   return references;
 }

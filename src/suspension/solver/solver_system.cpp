@@ -5,8 +5,7 @@
 #include "double_layer/double_layer.hpp"
 #include "krylov/direct.hpp"
 #include "suspension/bodies/background_flow.hpp"
-#include "suspension/bodies/component_data.hpp"
-#include "suspension/bodies/scene_components.hpp"
+#include "suspension/bodies/components.hpp"
 #include "suspension/solver/refusal.hpp"
 #include "suspension/solver/solver.hpp"
 #include "suspension/system/clusters.hpp"
@@ -26,7 +25,7 @@ std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::si
     return reference.inverse_block.get();
   } catch (const std::domain_error& error) {
     throw NumericsRefused(
-        component_name(scene, component) + ": " + error.what() +
+        component_of(scene, component).name() + ": " + error.what() +
         "; a gauge_length close to the size of a held component is a degenerate scale");
   }
 }
@@ -45,25 +44,21 @@ ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configurat
 
 }  // namespace
 
-StokesProblem SuspensionSolver::problem(const Configuration& configuration,
-                                        const References& references, double drive) const {
+StokesProblem SuspensionSolver::problem(const Instant& instant,
+                                        const References& references) const {
+  const auto& [configuration, amplitude] = instant;
   StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
     const Curve curve = place(references[k]->curve, position, orientation);
     Component component{references[k]->kind, curve, position, {}, 0.0, {}};
-    if (k >= scene_.bodies.size()) {
-      const Wall& wall = scene_.walls[k - scene_.bodies.size()];
-      component.velocity = drive * wall_velocity(wall.motion, curve, position);
-    } else if (const Body& body = scene_.bodies[k]; body.held) {
-      const auto arm = curve.x.array() - position;
-      component.velocity = (drive * (body.velocity + imaginary * body.omega * arm)).matrix();
+    const ComponentView source = component_of(scene_, k);
+    if (source.kind == ComponentKind::free_body) {
+      component.force = amplitude * source.body->force;
+      component.torque = amplitude * source.body->torque;
     } else {
-      component.force = drive * body.force;
-      component.torque = drive * body.torque;
-    }
-    if (component.kind != ComponentKind::free_body) {
-      component.velocity.array() -= frame_velocity(drive);
+      component.velocity = amplitude * prescribed_velocity(source, curve, position);
+      component.velocity.array() -= frame_velocity(amplitude);
     }
     problem.components.push_back(std::move(component));
   }
@@ -73,26 +68,25 @@ StokesProblem SuspensionSolver::problem(const Configuration& configuration,
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     problem.background.segment(offsets[k], component.curve.size()) =
-        drive * (component.kind == ComponentKind::free_body
-                     ? strain_on(scene_.flow, component)
-                     : background_velocity(scene_.flow, component.curve.x));
+        amplitude * (component.kind == ComponentKind::free_body
+                         ? strain_on(scene_.flow, component)
+                         : background_velocity(scene_.flow, component.curve.x));
   }
   return problem;
 }
 
 // In a container that is moved as a whole, problems are those that it sees.
-Complex SuspensionSolver::frame_velocity(double drive) const {
+Complex SuspensionSolver::frame_velocity(double amplitude) const {
   const auto outer = std::ranges::find(scene_.walls, WallRole::outer, &Wall::role);
   if (outer == scene_.walls.end()) return 0.0;
   const auto* translating = std::get_if<TranslatingWall>(&outer->motion);
-  return translating == nullptr ? 0.0 : drive * translating->velocity;
+  return translating == nullptr ? 0.0 : amplitude * translating->velocity;
 }
 
 // Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
-StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuration,
-                                               const References& references,
-                                               const Solution& solution, double drive) const {
-  StokesProblem problem = this->problem(configuration, references, drive);
+StokesProblem SuspensionSolver::loaded_problem(const Solution& solution,
+                                               const References& references) const {
+  StokesProblem problem = this->problem(solution.instant, references);
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     Component& component = problem.components[k];
     if (component.kind != ComponentKind::free_body) continue;
@@ -102,10 +96,10 @@ StokesProblem SuspensionSolver::loaded_problem(const Configuration& configuratio
   return problem;
 }
 
-DiscreteProblem SuspensionSolver::discretise(const Configuration& configuration,
-                                             const References& references, double drive) const {
-  return discretise(problem(configuration, references, drive), configuration, gaps(configuration),
-                    references);
+DiscreteProblem SuspensionSolver::discretise(const Instant& instant,
+                                             const References& references) const {
+  const Configuration& configuration = instant.configuration;
+  return discretise(problem(instant, references), configuration, gaps(configuration), references);
 }
 
 DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
@@ -142,22 +136,24 @@ DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
   return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
 }
 
-SuspensionSolver::System SuspensionSolver::system(const Configuration& configuration,
+SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
                                                   const std::vector<Gap>& gaps,
-                                                  const Resolutions& resolutions,
-                                                  double drive) const {
+                                                  const Resolutions& resolutions) const {
+  const Configuration& configuration = instant.configuration;
   refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
   References references = this->references(resolutions);
   refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
-  const StokesProblem problem = this->problem(configuration, references, drive);
+  const StokesProblem problem = this->problem(instant, references);
   refuse(data_refusal(scene_, problem));
   auto discrete =
       std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
-  return {std::move(references), std::move(discrete)};
+  return {instant, std::move(references), std::move(discrete)};
 }
 
-Solution SuspensionSolver::completed(const System& system, GmresResult gmres, double drive) const {
+Solution SuspensionSolver::completed(const System& system, GmresResult gmres) const {
+  const double amplitude = system.instant.amplitude;
   Solution solution;
+  solution.instant = system.instant;
   solution.references = system.references;
   solution.system = system.discrete;
   solution.gmres = std::move(gmres);
@@ -167,17 +163,16 @@ Solution SuspensionSolver::completed(const System& system, GmresResult gmres, do
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
   for (std::size_t k = 0; k < system.references.size(); ++k) {
-    if (k >= scene_.bodies.size()) {
-      const RigidMotion motion = rigid_motion(scene_.walls[k - scene_.bodies.size()].motion);
-      solution.motions[k] = {drive * motion.velocity, drive * motion.omega};
-    } else if (const Body& body = scene_.bodies[k]; body.held) {
-      solution.motions[k] = {drive * body.velocity, drive * body.omega};
+    const ComponentView component = component_of(scene_, k);
+    if (component.kind != ComponentKind::free_body) {
+      const RigidMotion motion = prescribed_motion(component);
+      solution.motions[k] = {amplitude * motion.velocity, amplitude * motion.omega};
     } else {
       const StokesProblem& problem = system.discrete->problem;
-      RigidMotion carried{frame_velocity(drive), 0.0};
+      RigidMotion carried{frame_velocity(amplitude), 0.0};
       if (!is_bounded(problem)) {
         carried = carried_by(scene_.flow, problem.components[k].centre);
-        carried = {drive * carried.velocity, drive * carried.omega};
+        carried = {amplitude * carried.velocity, amplitude * carried.omega};
       }
       solution.motions[k].velocity += carried.velocity;
       solution.motions[k].omega += carried.omega;

@@ -21,7 +21,7 @@ int main() {
   }
 
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.initial_configuration());
+  const Solution solution = solver.solve(solver.start());
   for (const RigidMotion& motion : solution.motions) {
     std::cout << "velocity " << motion.velocity << ", angular velocity " << motion.omega << '\n';
   }

@@ -121,12 +121,12 @@ void check_experiment() {
   scene.solver.tolerance = 1e-5;
   scene.solver.gmres_tol = 1e-12;
   const SuspensionSolver solver(scene);
-  const Configuration initial = solver.initial_configuration();
+  const Instant initial = solver.start();
   const Resolutions nodes = resolutions_of(solver.solve(initial).references);
   int solves = 0;
   const Flow disks = [&](const VectorXd& q) {
     ++solves;
-    return to_rate(solver.solve_nearby(to_configuration(q), nodes));
+    return to_rate(solver.solve_nearby({to_configuration(q)}, nodes));
   };
 
   struct Entry {
@@ -149,7 +149,8 @@ void check_experiment() {
     for (Eigen::Index k = 0; k < 3; ++k) {
       solves = 0;
       steps[k] = fewest << k;
-      errors[k] = return_error(step_of(tableau), disks, to_state(initial), 8.0, fewest << k);
+      errors[k] =
+          return_error(step_of(tableau), disks, to_state(initial.configuration), 8.0, fewest << k);
       table << '"' << name << "\"," << steps[k] << ',' << solves << ',' << errors[k] << '\n';
       line.points.push_back({static_cast<double>(solves), errors[k]});
     }

@@ -83,7 +83,7 @@ double left_by_the_book(double gap, int k) {
   scene.solver.preconditioner = PreconditionerKind::block_diagonal;
   scene.solver.tolerance = 1e-3;
   const SuspensionSolver solver(scene);
-  const Configuration still = solver.initial_configuration();
+  const Instant still = solver.start();
   const ComplexVector exact = solver.solve(still).density;
   ComplexVector density = ComplexVector::Zero(exact.size());
   const auto error_after = [&](int count) {

@@ -117,8 +117,8 @@ struct Balance {
 
 Balance solved(const Scene& scene) {
   const SuspensionSolver solver(scene);
-  const Configuration start = solver.initial_configuration();
-  const Solution solution = solver.solve(start);
+  const Solution solution = solver.solve(solver.start());
+  const Configuration& start = solution.instant.configuration;
   const auto n = static_cast<Eigen::Index>(start.size());
   Balance all{VectorXcd(n), VectorXcd(n), VectorXcd(n), VectorXd(n), VectorXd(n)};
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -77,7 +77,7 @@ double solved_speed(int n, double radius) {
   }
   scene.solver.tolerance = 1e-9;
   const SuspensionSolver solver(scene);
-  return solver.solve(solver.initial_configuration()).motions[0].velocity.imag();
+  return solver.solve(solver.start()).motions[0].velocity.imag();
 }
 
 /// The power with which the difference from point rotlets falls, between two large rings.

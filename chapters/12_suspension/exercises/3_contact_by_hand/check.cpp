@@ -89,7 +89,7 @@ Scene pair(double distance) {
 
 VectorXd solved(const Scene& scene) {
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.initial_configuration());
+  const Solution solution = solver.solve(solver.start());
   const auto& [a, b] = std::pair(solution.motions[0], solution.motions[1]);
   return VectorXd{{a.velocity.real(), a.velocity.imag(), a.omega, b.velocity.real(),
                    b.velocity.imag(), b.omega}};
