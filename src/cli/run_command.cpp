@@ -32,13 +32,13 @@ namespace stokesbook {
 namespace {
 
 Scene load_scene(const RunOptions& options) {
-  const Scene scene = read_scene(options.scene, options.overrides);
-  if (!options.once && !scene.time) {
+  const SceneFile file = read_scene(options.scene, options.overrides);
+  if (!options.once && !file.scene.time) {
     throw SceneError(options.scene.string() +
                      ": stokes run needs [time] with t_final; stokes solve does without");
   }
   try {
-    return with_fills_placed(scene);
+    return place_fills(file);
   } catch (const std::invalid_argument& error) {
     throw SceneError(options.scene.string() + ": " + error.what());
   }
@@ -65,7 +65,7 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
     return std::find(formats.begin(), formats.end(), format) != formats.end();
   };
   RunContents contents{scene.title,
-                       to_toml(scene),
+                       to_toml({scene}),
                        {},
                        {},
                        asks_for(OutputFormat::csv),

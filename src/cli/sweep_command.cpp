@@ -52,7 +52,7 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
                       .out = folder.path(),
                       .overrides = task.overrides(),
                       .threads = options.threads,
-                      .once = !scene_of(sweep, task).time,
+                      .once = !scene_of(sweep, task).scene.time,
                       .resume = true,
                       .quiet = options.quiet});
   } catch (const std::exception& error) {

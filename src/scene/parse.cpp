@@ -25,10 +25,11 @@ double read_viscosity(const TableReader& root, double unless_given) {
       .value_or(unless_given);
 }
 
-Scene read_root(const Node& node, const std::filesystem::path& directory) {
+SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   const TableReader root(node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists",
                                 "fill", "solver", "time", "contact", "output"});
-  Scene scene;
+  SceneFile file;
+  auto& [scene, fills] = file;
   scene.title = root.get("title", any_text).value_or("");
   scene.seed = static_cast<std::uint64_t>(root.get("seed", any_seed).value_or(0));
   scene.viscosity = read_viscosity(root, scene.viscosity);
@@ -40,27 +41,28 @@ Scene read_root(const Node& node, const std::filesystem::path& directory) {
   scene.reverse_at = std::move(flow.reverse_at);
   scene.bodies = read_bodies(root, directory);
   std::ranges::move(read_body_lists(root, directory), std::back_inserter(scene.bodies));
-  scene.fills = read_fills(root, directory, enclosed);
+  fills = read_fills(root, directory, enclosed);
   scene.solver = read_solver(root);
   scene.time = read_time(root);
-  scene.contact = read_contact(root, scene);
+  scene.contact = read_contact(root, file);
   scene.output = read_output(root);
-  if (scene.walls.empty() && scene.bodies.empty() && scene.fills.empty()) {
+  if (scene.walls.empty() && scene.bodies.empty() && fills.empty()) {
     fail(node, "a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ...");
   }
-  return scene;
+  return file;
 }
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
+SceneFile read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
   const std::optional<std::string> text = text_of(path);
   if (!text) throw SceneError(path.string() + ": there is no file to read");
   return parse_scene(*text, path.string(), path.parent_path(), overrides);
 }
 
-Scene parse_scene(std::string_view text, std::string_view file_name,
-                  const std::filesystem::path& directory, std::span<const std::string> overrides) {
+SceneFile parse_scene(std::string_view text, std::string_view file_name,
+                      const std::filesystem::path& directory,
+                      std::span<const std::string> overrides) {
   Node document = parse_document(text, file_name);
   for (const std::string& setting : overrides) {
     document = with_override(std::move(document), setting);

@@ -41,18 +41,18 @@ bool resolves_contact(SteppingMethod method) {
 
 }  // namespace
 
-std::optional<ContactSettings> read_contact(const TableReader& root, const Scene& scene) {
+std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file) {
+  const auto& [scene, fills] = file;
   const Node* node = root.find("contact");
   if (node == nullptr) return std::nullopt;
   const TableReader table(*node, {"minimum_separation", "allow_close"});
   const Node& given = table.at("minimum_separation", separation);
   ContactSettings contact = read_separation(given);
   contact.allow_close = table.get("allow_close", any_flag).value_or(contact.allow_close);
-  if (scene.bodies.empty() && scene.fills.empty()) {
+  if (scene.bodies.empty() && fills.empty()) {
     fail_at_key(*node, "there is no body to keep apart: write [[bodies]], or leave [contact] out");
   }
-  if (contact.in_spacings &&
-      (has_automatic_nodes(scene.bodies) || has_automatic_nodes(scene.fills))) {
+  if (contact.in_spacings && (has_automatic_nodes(scene.bodies) || has_automatic_nodes(fills))) {
     fail(given, "needs given n_nodes, as h is their spacing: a body has \"auto\"");
   }
   if (scene.time && !resolves_contact(scene.time->method)) {

@@ -303,7 +303,7 @@ struct OutputSettings {
   bool operator==(const OutputSettings&) const = default;
 };
 
-/// Everything a scene file says, checked, with defaults filled in.
+/// A scene: all that a solver requires.
 struct Scene {
   std::string title{};                   ///< for people
   std::uint64_t seed = 0;                ///< of all randomness
@@ -313,7 +313,6 @@ struct Scene {
   std::vector<double> reverse_at{};      ///< ascending times > 0 at which all driving changes sign
   std::vector<Wall> walls{};             ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
-  std::vector<Fill> fills{};   ///< in file order, see with_fills_placed()
   SolverSettings solver{};     ///< how one instant is solved
   std::optional<TimeSettings> time{};        ///< none: one solve at t = 0
   std::optional<ContactSettings> contact{};  ///< none: an overlap stops the run
@@ -321,6 +320,16 @@ struct Scene {
 
   /// @return true when all members are equal
   bool operator==(const Scene&) const = default;
+};
+
+/// Everything that a scene file contains, checked, with defaults filled in. place_fills() makes a
+/// scene of it.
+struct SceneFile {
+  Scene scene{};              ///< without the bodies of the fills
+  std::vector<Fill> fills{};  ///< in file order
+
+  /// @return true when all members are equal
+  bool operator==(const SceneFile&) const = default;
 };
 
 /// @}

@@ -83,11 +83,11 @@ std::optional<TimeSettings> read_time(const TableReader& root);
 
 /// Reads [contact].
 ///
-/// @param  root   the whole scene
-/// @param  scene  what was read of it before: bodies, fills and time, which must suit contact
+/// @param  root  the whole scene
+/// @param  file  what was read of it before: bodies, fills and time, which must suit contact
 /// @return        the section; none when the scene has none
 /// @throws SceneError at the first thing that is wrong
-std::optional<ContactSettings> read_contact(const TableReader& root, const Scene& scene);
+std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file);
 
 /// Reads [output].
 ///

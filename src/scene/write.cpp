@@ -126,13 +126,14 @@ std::string section(const OutputSettings& output) {
 
 }  // namespace
 
-std::string to_toml(const Scene& scene) {
+std::string to_toml(const SceneFile& file) {
+  const auto& [scene, fills] = file;
   std::string text = lines({{"title", scene.title}, {"seed", scene.seed}});
   text += "\n[fluid]\n" + lines({{"viscosity", scene.viscosity}});
   text += flow_section(scene);
   for (const Wall& wall : scene.walls) text += section(wall);
   for (const Body& body : scene.bodies) text += section(body);
-  for (const Fill& fill : scene.fills) text += section(fill);
+  for (const Fill& fill : fills) text += section(fill);
   text += section(scene.solver);
   if (scene.time) text += section(*scene.time);
   if (scene.contact) text += section(*scene.contact);

@@ -9,12 +9,12 @@ namespace stokesbook {
 /// @addtogroup scene
 /// @{
 
-/// Writes a scene as a scene file that needs no other file: `parse_scene(to_toml(scene), ...)`
-/// equals `scene`, bit for bit. Points of nodal curves are written out.
+/// Writes a scene file that needs no other file: `parse_scene(to_toml(file), ...)` equals `file`,
+/// bit for bit. Points of nodal curves are written out.
 ///
-/// @param  scene  valid, as parse_scene() returns it
-/// @return        text of a scene file
-std::string to_toml(const Scene& scene);
+/// @param  file  valid, as parse_scene() returns it
+/// @return       its text
+std::string to_toml(const SceneFile& file);
 
 /// @}
 

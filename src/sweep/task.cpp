@@ -25,7 +25,8 @@ std::string with_place(const std::string& message, const Task& task) {
   throw SceneError(quantity.where + ": collect " + quantity.name + ": " + problem);
 }
 
-void require_quantity(const Quantity& quantity, const Scene& scene) {
+void require_quantity(const Quantity& quantity, const SceneFile& file) {
+  const auto& [scene, fills] = file;
   if (quantity.table != "steps.csv" &&
       std::ranges::count(scene.output.formats, OutputFormat::csv) == 0) {
     fail(quantity, "the scene writes no " + quantity.table + ": its formats lack \"csv\"");
@@ -45,13 +46,13 @@ void require_quantity(const Quantity& quantity, const Scene& scene) {
   };
   if (quantity.table == "walls.csv") require_item("walls", scene.walls.size());
   // How many bodies a fill has shows when they are placed.
-  if (quantity.table == "trajectory.csv" && scene.fills.empty()) {
+  if (quantity.table == "trajectory.csv" && fills.empty()) {
     require_item("bodies", scene.bodies.size());
   }
 }
 
-void require_use_of_seeds(const std::vector<AxisValue>& seeds, const Scene& scene) {
-  if (seeds.size() < 2 || !scene.fills.empty()) return;
+void require_use_of_seeds(const std::vector<AxisValue>& seeds, bool has_fills) {
+  if (seeds.size() < 2 || has_fills) return;
   throw SceneError(seeds[1].where +
                    ": seeds: the scene has no [[fill]], and seeds change nothing else: runs would "
                    "be the same, and no independent samples; leave all but one out");
@@ -96,12 +97,12 @@ Task task_of(const Sweep& sweep, std::size_t number) {
   return {number, settings};
 }
 
-Scene scene_of(const Sweep& sweep, const Task& task) {
+SceneFile scene_of(const Sweep& sweep, const Task& task) {
   try {
-    const Scene scene = read_scene(sweep.scene, task.overrides());
-    for (const Quantity& quantity : sweep.quantities) require_quantity(quantity, scene);
-    require_use_of_seeds(sweep.seeds.values, scene);
-    return scene;
+    SceneFile file = read_scene(sweep.scene, task.overrides());
+    for (const Quantity& quantity : sweep.quantities) require_quantity(quantity, file);
+    require_use_of_seeds(sweep.seeds.values, !file.fills.empty());
+    return file;
   } catch (const SceneError& error) {
     throw SceneError(with_place(error.what(), task));
   }

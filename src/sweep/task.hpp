@@ -60,7 +60,7 @@ Task task_of(const Sweep& sweep, std::size_t number);
 /// @return        the scene, checked as far as one can without solving
 /// @throws SceneError at the first thing that is wrong; where it is a value of the sweep, its place
 ///         is that in the sweep file
-Scene scene_of(const Sweep& sweep, const Task& task);
+SceneFile scene_of(const Sweep& sweep, const Task& task);
 
 /// @}
 

@@ -30,8 +30,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   });
   // A scene that could be read is written, and reads as the same.
   refuse_or_read([&] {
-    const Scene scene = parse_scene(text, "scene.toml", "nowhere");
-    if (parse_scene(to_toml(scene), "written.toml", "nowhere") != scene) __builtin_trap();
+    const SceneFile file = parse_scene(text, "scene.toml", "nowhere");
+    if (parse_scene(to_toml(file), "written.toml", "nowhere") != file) __builtin_trap();
   });
   return 0;
 }

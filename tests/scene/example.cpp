@@ -82,10 +82,10 @@ std::string fill_in(const std::string& region) {
          region + "\nclearance = 0.05\nn_nodes = 32\n";
 }
 
-Scene parse_with_bodies(const std::string& text) {
+SceneFile parse_with_bodies(const std::string& text) {
   const Folder folder;
   folder.write("bodies.csv", "x,y,theta\n3,0,0\n-3,0,0.5\n");
-  return parse(text, {}, folder.path());
+  return parse_file(text, {}, folder.path());
 }
 
 }  // namespace
@@ -93,22 +93,23 @@ Scene parse_with_bodies(const std::string& text) {
 BOOST_AUTO_TEST_SUITE(example)
 
 BOOST_AUTO_TEST_CASE(enclosed) {
-  const Scene scene = parse_with_bodies(start + tank_in_rotation + rest + fill_in("\"fluid\""));
+  const auto [scene, fills] =
+      parse_with_bodies(start + tank_in_rotation + rest + fill_in("\"fluid\""));
   BOOST_TEST((scene.flow == BackgroundFlow(QuiescentFlow{})));
   BOOST_TEST((scene.walls.at(0).motion == WallMotion(RotatingWall{1.0})));
   BOOST_TEST(scene.bodies.size() == 3);
-  BOOST_TEST(!scene.fills.at(0).box.has_value());
+  BOOST_TEST(!fills.at(0).box.has_value());
   BOOST_TEST(scene.contact.value().minimum_separation == 0.01);
   BOOST_TEST(scene.output.formats.size() == 2);
 }
 
 BOOST_AUTO_TEST_CASE(unbounded) {
-  const Scene scene =
+  const auto [scene, fills] =
       parse_with_bodies(start + shear + rest + fill_in("{ box = [-9.0, -9.0, 9.0, 9.0] }"));
   BOOST_TEST((scene.flow == BackgroundFlow(ShearFlow{1.0})));
   BOOST_TEST(scene.gauge_length.value() == 1.0);
   BOOST_TEST(scene.bodies.at(2).orientation == 0.5);
-  BOOST_TEST(scene.fills.at(0).box.value()[3] == 9.0);
+  BOOST_TEST(fills.at(0).box.value()[3] == 9.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

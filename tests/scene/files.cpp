@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(scene_file) {
                "32)";
   });
   const Overrides overrides{"bodies.0.n_nodes=40"};
-  BOOST_TEST((read_scene(folder.at("s.toml"), overrides) == parse(disk("n_nodes = 40\n"))));
+  BOOST_TEST((read_scene(folder.at("s.toml"), overrides) == parse_file(disk("n_nodes = 40\n"))));
 }
 
 BOOST_AUTO_TEST_CASE(no_scene_file) {
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(files_are_relative_to_the_scene) {
   folder.write("s.toml",
                "[[body_lists]]\nfile = 'data/a.csv'\nshape = { kind = 'circle', radius = 1 }\n"
                "n_nodes = 32\n");
-  BOOST_TEST(read_scene(folder.at("s.toml")).bodies.size() == 1);
+  BOOST_TEST(read_scene(folder.at("s.toml")).scene.bodies.size() == 1);
   BOOST_TEST(parse("[[body_lists]]\nfile = '" + folder.at("data/a.csv") +
                    "'\nshape = { kind = 'circle', radius = 1 }\nn_nodes = 32\n")
                  .bodies.size() == 1);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(nodal_curve) {
   BOOST_TEST(curve.points[7] == Complex(1.0, -1.0));
   BOOST_TEST(curve.file == folder.at("a.csv"));
   // The written scene has the points in it, and needs no file.
-  BOOST_TEST((parse(to_toml(scene)) == scene));
+  BOOST_TEST((parse(to_toml({scene})) == scene));
 }
 
 BOOST_AUTO_TEST_CASE(list_of_equal_bodies) {

@@ -13,9 +13,14 @@ namespace stokesbook::test {
 
 using Overrides = std::vector<std::string>;
 
+inline SceneFile parse_file(const std::string& text, const Overrides& overrides = {},
+                            const std::filesystem::path& directory = {}) {
+  return parse_scene(text, "s.toml", directory, overrides);
+}
+
 inline Scene parse(const std::string& text, const Overrides& overrides = {},
                    const std::filesystem::path& directory = {}) {
-  return parse_scene(text, "s.toml", directory, overrides);
+  return parse_file(text, overrides, directory).scene;
 }
 
 /// Message of the SceneError that parsing throws, or "no error".

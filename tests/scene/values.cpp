@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(fills) {
   dense.clearance = 0.125;
   Fill anywhere = some;
   anywhere.box.reset();
-  const auto fills_of = [](const std::string& text) { return parse(text).fills; };
+  const auto fills_of = [](const std::string& text) { return parse_file(text).fills; };
   BOOST_TEST((fills_of(start + "count = 5\n" + box) == std::vector{some}));
   BOOST_TEST((fills_of(start + "area_fraction = 0.25\nclearance = 0.125\n" + box + start +
                        "count = 5\n" + box) == std::vector{dense, some}));
@@ -288,13 +288,13 @@ BOOST_AUTO_TEST_CASE(a_scene_may_be_only_walls_or_only_a_fill) {
 }
 
 BOOST_AUTO_TEST_CASE(automatic_nodes_are_a_word) {
-  const Scene scene = parse(
+  const auto [scene, fills] = parse_file(
       "[[walls]]\nrole = 'outer'\nshape = { kind = 'circle', radius = 9 }\nn_nodes = 'auto'\n" +
       disk("n_nodes = 'auto'\n") +
       "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\ncount = 2\nn_nodes = 'auto'\n");
   BOOST_TEST(scene.walls.at(0).n_nodes == automatic_nodes);
   BOOST_TEST(scene.bodies.at(0).n_nodes == automatic_nodes);
-  BOOST_TEST(scene.fills.at(0).n_nodes == automatic_nodes);
+  BOOST_TEST(fills.at(0).n_nodes == automatic_nodes);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,7 @@
 namespace stokesbook::test {
 
 BOOST_AUTO_TEST_CASE(couette_torque_ratio) {
-  const Solved cell(read_scene(std::filesystem::path(STOKESBOOK_SCENES) / "couette.toml"));
+  const Solved cell(read_scene(std::filesystem::path(STOKESBOOK_SCENES) / "couette.toml").scene);
   BOOST_REQUIRE_EQUAL(cell.solver.scene().bodies.size(), 80U);
   // Walls follow the bodies: the outer one first, of radius 10, then the inner one, of radius 5.
   const double empty = 4.0 * std::numbers::pi * (0.0 - 1.0) * 25.0 * 100.0 / (100.0 - 25.0);

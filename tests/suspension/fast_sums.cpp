@@ -46,7 +46,7 @@ void check_operators(const Scene& scene) {
 void check_shipped_scene(const std::filesystem::path& path) {
   BOOST_TEST_CONTEXT(path.filename()) {
     const auto solved_by = [&](Summation summation) {
-      Scene scene = with_fills_placed(read_scene(path));
+      Scene scene = place_fills(read_scene(path));
       scene.solver.summation = summation;
       return Solved(scene);
     };

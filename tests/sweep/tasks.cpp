@@ -48,12 +48,12 @@ BOOST_AUTO_TEST_CASE(scenes_have_the_values) {
   const Folder folder;
   folder.add_fill();
   const Sweep sweep = folder.sweep(two_axes);
-  const Scene scene = scene_of(sweep, task_of(sweep, 7));
+  const Scene scene = scene_of(sweep, task_of(sweep, 7)).scene;
   BOOST_TEST(*scene.time->dt == 0.25);
   BOOST_TEST(scene.seed == 6U);
   BOOST_TEST(std::get<Ellipse>(scene.bodies[0].shape).a == 2.0);
   const Sweep no_seeds = folder.sweep("[[axes]]\nkey = 'time.dt'\nvalues = [0.5]\n");
-  BOOST_TEST(scene_of(no_seeds, task_of(no_seeds, 0)).seed == 7U);
+  BOOST_TEST(scene_of(no_seeds, task_of(no_seeds, 0)).scene.seed == 7U);
 }
 
 BOOST_AUTO_TEST_CASE(ranges_hold_both_ends) {
@@ -85,8 +85,8 @@ BOOST_AUTO_TEST_CASE(long_values_are_whole) {
       "points = " +
       points + " }]\n");
   BOOST_TEST(sweep.axes[0].values[0].value == "{ kind = \"nodes\", points = " + points + " }");
-  BOOST_TEST(
-      std::get<NodalCurve>(scene_of(sweep, task_of(sweep, 0)).bodies[0].shape).points.size() == 8);
+  BOOST_TEST(std::get<NodalCurve>(scene_of(sweep, task_of(sweep, 0)).scene.bodies[0].shape)
+                 .points.size() == 8);
 }
 
 BOOST_AUTO_TEST_CASE(manifests_list_tasks_and_tell_scenes_apart) {

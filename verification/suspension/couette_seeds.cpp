@@ -33,7 +33,8 @@ enum class Care {
 const CouetteSeries& small_run(unsigned seed, Care care) {
   static test::Once<std::pair<unsigned, Care>, CouetteSeries> runs;
   return runs({seed, care}, [&] {
-    Scene scene = shipped_scene("couette_small");
+    SceneFile file = shipped_file("couette_small");
+    Scene& scene = file.scene;
     scene.seed = seed;
     scene.time->t_final = 4.0 * std::numbers::pi;
     scene.contact->minimum_separation = 0.01;
@@ -42,7 +43,7 @@ const CouetteSeries& small_run(unsigned seed, Care care) {
       scene.solver.tolerance *= 0.5;
       *scene.time->dt *= 0.5;
     }
-    return couette_series(with_fills_placed(scene));
+    return couette_series(place_fills(file));
   });
 }
 
@@ -157,7 +158,7 @@ const std::vector<Runs>& cells() {
     const Sweep sweep = read_sweep(STOKESBOOK_SWEEPS "/couette_published.toml");
     cells.resize(1 + printed_of_cells.size());
     for (std::size_t k = 0; k < task_count(sweep); ++k) {
-      const Scene scene = with_fills_placed(scene_of(sweep, task_of(sweep, k)));
+      const Scene scene = place_fills(scene_of(sweep, task_of(sweep, k)));
       cells.at(1 + k / runs_per_combination(sweep)).push_back(couette_series(scene));
     }
     return cells;

@@ -20,15 +20,15 @@ Scene crowd_of(int count) {
   const double side = std::sqrt(count * std::numbers::pi * a * b / fraction);
   Scene scene;
   scene.flow = TaylorGreenFlow{1.0};
-  scene.fills = {{.shape = Ellipse{a, b},
+  const Fill fill{.shape = Ellipse{a, b},
                   .count = count,
                   .box = std::array{0.0, 0.0, side, side},
                   .clearance = 0.25,
-                  .n_nodes = 32}};
+                  .n_nodes = 32};
   // Refusals are not what is asked for here: 32 nodes are what they are.
   scene.solver.tolerance = 0.1;
   scene.solver.gmres_tol = 1e-6;
-  return with_fills_placed(scene);
+  return place_fills({scene, {fill}});
 }
 
 // The first bodies of a solution.

@@ -94,12 +94,16 @@ double log_uniform(std::mt19937_64& random, double low, double high) {
   return low * std::pow(high / low, uniform(random, 0.0, 1.0));
 }
 
-Scene shipped_scene(const std::string& name) {
+SceneFile shipped_file(const std::string& name) {
   return read_scene(std::filesystem::path(STOKESBOOK_SCENES) / (name + ".toml"));
 }
 
+Scene shipped_scene(const std::string& name) {
+  return place_fills(shipped_file(name));
+}
+
 const Scene& shipped_crowd() {
-  static const Scene crowd = with_fills_placed(shipped_scene("extension_crowd"));
+  static const Scene crowd = shipped_scene("extension_crowd");
   return crowd;
 }
 

@@ -19,7 +19,10 @@ double uniform(std::mt19937_64& random, double low, double high);
 /// The same, of a uniform logarithm.
 double log_uniform(std::mt19937_64& random, double low, double high);
 
-/// A scene of chapter 12, as it is shipped.
+/// A scene file of chapter 12, as it is shipped.
+SceneFile shipped_file(const std::string& name);
+
+/// Its scene, with the bodies of its fills.
 Scene shipped_scene(const std::string& name);
 
 /// The crowd in extension that is shipped, its ellipses in place: all alike, in a strain of rate 1

@@ -34,13 +34,13 @@ struct ComponentView {
 
 /// Counts the components of a scene.
 ///
-/// @param  scene  without fills
+/// @param  scene  of bodies and walls
 /// @return        number of bodies and walls
 std::size_t count_components(const Scene& scene);
 
 /// Returns a component of a scene.
 ///
-/// @param  scene  without fills
+/// @param  scene  of bodies and walls
 /// @param  k      bodies first, then walls, in the scene's order
 /// @return        the component
 ComponentView component_of(const Scene& scene, std::size_t k);

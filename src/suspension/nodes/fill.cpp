@@ -132,13 +132,13 @@ bool in_box(const Curve& curve, const std::array<double, 4>& box) {
 
 }  // namespace
 
-Scene with_fills_placed(const Scene& scene) {
+Scene place_fills(const SceneFile& file) {
+  const auto& [scene, fills] = file;
   Scene filled = scene;
-  filled.fills.clear();
-  if (scene.fills.empty()) return filled;
+  if (fills.empty()) return filled;
   const double tolerance = scene.solver.tolerance;
-  const auto obstacle = [&](std::size_t k) {
-    return make_obstacle(component_of(scene, k), tolerance);
+  const auto obstacle = [&scene = scene](std::size_t k) {
+    return make_obstacle(component_of(scene, k), scene.solver.tolerance);
   };
   std::vector<Obstacle> walls;
   for (std::size_t k = scene.bodies.size(); k < count_components(scene); ++k) {
@@ -150,7 +150,7 @@ Scene with_fills_placed(const Scene& scene) {
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) obstacles.add(obstacle(k));
 
   std::mt19937_64 random(scene.seed);
-  for (const Fill& fill : scene.fills) {
+  for (const Fill& fill : fills) {
     const Side side = Side::fluid_outside;
     const Curve reference = sample(fill.shape, own_nodes(fill, side, tolerance, "[[fill]]"), side);
     const auto shape = std::make_shared<const Parametrisation>(parametrisation(fill.shape));

@@ -17,7 +17,7 @@ using Eigen::Index;
 namespace {
 
 // Where a wall stands among all components.
-std::size_t component_of(const Scene& scene, const Wall& wall) {
+std::size_t index_of(const Scene& scene, const Wall& wall) {
   return scene.bodies.size() + static_cast<std::size_t>(&wall - scene.walls.data());
 }
 
@@ -25,7 +25,7 @@ double torque_without_bodies(Scene scene) {
   scene.bodies.clear();
   const SuspensionSolver solver(scene);
   const Solution solution = solver.solve(solver.start());
-  return solution.loads[component_of(scene, *only_wall(scene, WallRole::inner))].torque;
+  return solution.loads[index_of(scene, *only_wall(scene, WallRole::inner))].torque;
 }
 
 bool deforms(const Wall& wall) {
@@ -159,7 +159,7 @@ Rheology Rheometer::operator()(const Solution& solution) const {
     rheology.uniform_velocity = solution.uniform_velocity;
   }
   if (empty_torque_) {
-    const std::size_t inner = component_of(scene, *only_wall(scene, WallRole::inner));
+    const std::size_t inner = index_of(scene, *only_wall(scene, WallRole::inner));
     rheology.torque_ratio =
         solution.loads[inner].torque / (solution.instant.amplitude * *empty_torque_);
   }

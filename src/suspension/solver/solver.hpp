@@ -75,9 +75,9 @@ struct LoadedCheck {
 /// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or the solve refuses
 class SuspensionSolver {
  public:
-  /// Plans a scene without fills and prepares its references.
+  /// Plans a scene and prepares its references.
   ///
-  /// @param  scene  without fills: with_fills_placed() comes first
+  /// @param  scene  to be solved
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes, and by
   ///                separation_refusal()

@@ -59,7 +59,7 @@ struct Plan {
 
 /// Decides what a scene needs.
 ///
-/// @param  scene  without fills: with_fills_placed() comes first
+/// @param  scene  to be solved
 /// @return        what is to be built, and why
 Plan make_plan(const Scene& scene);
 
