@@ -85,8 +85,8 @@ bool well_separated(const Box& target, const Box& source) {
 // [separated]
 
 // [targets]
-/// Velocities at the nodes of a box: near boxes directly, the others by one incoming expansion.
-void add_velocities(const Box& box, const Expansion& incoming, const std::vector<Box>& near,
+/// Velocities at the nodes of a box: near boxes directly, the others by one local expansion.
+void add_velocities(const Box& box, const Expansion& local, const std::vector<Box>& near,
                     const SortedNodes& nodes, const Quadtree& tree, ComplexVector& velocity) {
   for (Index first = box.first; first < box.last; first += VectorGroup::size) {
     VectorGroup targets;
@@ -97,7 +97,7 @@ void add_velocities(const Box& box, const Expansion& incoming, const std::vector
       targets.y[static_cast<std::size_t>(i)] = nodes.y[first + i];
     }
     for (const Box& source : near) add_velocities<1>(nodes.of(source), targets, sum);
-    add_velocities(box, incoming, targets, sum[0]);
+    l2p(box, local, targets, sum[0]);
     for (Index i = 0; i < count; ++i) {
       const auto lane = static_cast<std::size_t>(i);
       velocity[tree.order()[static_cast<std::size_t>(first + i)]] = {sum[0].x[lane],
@@ -118,11 +118,11 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
   const std::vector<Box>& boxes = tree.boxes();
   const auto count = static_cast<Index>(boxes.size());
 
-  Expansions outgoing(count, 1, order);
+  Expansions multipole(count, 1, order);
   for (Index b = 0; b < count; ++b) {
     const Box& box = boxes[static_cast<std::size_t>(b)];
-    outgoing.clear(b);
-    if (box.is_leaf()) add_outgoing(box, nodes.of(box), outgoing(b, 0));
+    multipole.clear(b);
+    if (box.is_leaf()) p2m(box, nodes.of(box), multipole(b, 0));
   }
 
   Sum sum{ComplexVector(points.size())};
@@ -141,9 +141,9 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
       }
     }
     sum.operations += conversion(order) * static_cast<double>(far.size());
-    Expansion incoming = Expansion::Zero(4, order + 1);
-    translations.convert(boxes, outgoing, far, 0, target, incoming);
-    add_velocities(target, incoming, near, nodes, tree, sum.velocity);
+    Expansion local = Expansion::Zero(4, order + 1);
+    translations.m2l(boxes, multipole, far, 0, target, local);
+    add_velocities(target, local, near, nodes, tree, sum.velocity);
   }
   return sum;
 }

@@ -40,7 +40,7 @@ void add_to_register(const Box& box, Eigen::Ref<const Expansion> expansion, cons
 
 }  // namespace
 
-void add_outgoing(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum) {
+void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum) {
   constexpr Index chunk = 64;  // nodes, whose powers stay in the fast cache
   std::array<double, chunk> wx, wy, ax, ay, b, gx, gy, px, py, qx, qy;
   const double inverse = 1.0 / box.radius;
@@ -80,7 +80,7 @@ void add_outgoing(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expans
   }
 }
 
-void add_outgoing(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum) {
+void p2m(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum) {
   constexpr double scale = 0.25 * std::numbers::inv_pi;
   const Complex f = scale * point.force;
   const Complex w = (point.position - box.centre) / box.radius;
@@ -94,15 +94,16 @@ void add_outgoing(const Box& box, const PointForce& point, Eigen::Ref<Expansion>
   }
 }
 
-void add_velocities(const Box& box, Eigen::Ref<const Expansion> expansion,
-                    const VectorGroup& targets, VectorGroup& sum) {
+void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGroup& targets,
+         VectorGroup& sum) {
   for (int lane = 0; lane < VectorGroup::size; lane += lane_count) {
     add_to_register(box, expansion, &targets.x[0] + lane, &targets.y[0] + lane, &sum.x[0] + lane,
                     &sum.y[0] + lane);
   }
 }
 
-FlowDerivatives derivatives(const Box& box, Eigen::Ref<const Expansion> expansion, Complex target) {
+FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
+                                Complex target) {
   const Complex w = (target - box.centre) / box.radius;
   Complex phi{}, slope{}, curvature{}, psi{}, psi_slope{};
   for (Index l = expansion.cols() - 1; l >= 0; --l) {

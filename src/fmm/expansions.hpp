@@ -17,9 +17,9 @@ namespace stokesbook {
 /// where \f$ u = \phi - (z-c)\overline{\phi'} - \overline{\psi_c} \f$,
 /// \f$ \psi_c = \psi + \bar c\phi' \f$.
 ///
-/// Outgoing, with \f$ \zeta = z-c \f$ and the box's radius R:
+/// Multipole expansion, with \f$ \zeta = z-c \f$ and the box's radius R:
 /// \f$ \phi = A_0\log\zeta + \sum_{k\ge1} A_k(R/\zeta)^k \f$, and \f$ \psi_c \f$ likewise with
-/// \f$ B_k \f$ but for a constant \f$ -B_0 \f$. Incoming:
+/// \f$ B_k \f$ but for a constant \f$ -B_0 \f$. Local expansion:
 /// \f$ \phi = \sum_{l\ge0}\lambda_l(\zeta/R)^l \f$, and \f$ \psi_c \f$ likewise with \f$ \mu_l \f$.
 using Expansion = Eigen::Array<double, 4, Eigen::Dynamic>;
 
@@ -64,7 +64,7 @@ class Expansions {
   Expansion all_;
 };
 
-/// Adds the outgoing expansion of double-layer nodes.
+/// P2M: adds the multipole expansion of double-layer nodes.
 ///
 /// \f$ A_k = \frac{1}{R}\sum a W^{k-1} \f$,
 /// \f$ B_k = -\frac{1}{R}\sum (b W^{k-1} - (k-1) a\bar W W^{k-2}) \f$ with \f$ W = (y-c)/R \f$,
@@ -72,7 +72,7 @@ class Expansions {
 /// @param  box    their box
 /// @param  nodes  of the box, of which the first field is taken
 /// @param  sum    4 x (p + 1), to which is added
-void add_outgoing(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
+void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
 
 /// A point that pushes and turns the fluid.
 struct PointForce {
@@ -81,7 +81,7 @@ struct PointForce {
   double torque;     ///< L over the viscosity, length^2 / time
 };
 
-/// Adds the outgoing expansion of a point force with its torque, stokeslet() of gauge 1 and
+/// P2M: adds the multipole expansion of a point force with its torque, stokeslet() of gauge 1 and
 /// rotlet().
 ///
 /// With \f$ f = F/4\pi\mu \f$: \f$ A_0 = -\frac f2 \f$, \f$ A_k = \frac{f W^k}{2k} \f$,
@@ -90,24 +90,25 @@ struct PointForce {
 /// @param  box    of the point
 /// @param  point  position and strengths
 /// @param  sum    4 x (p + 1), to which is added
-void add_outgoing(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
+void p2m(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
 
-/// Adds the velocities of an incoming expansion.
+/// L2P: adds the velocities of a local expansion.
 ///
 /// @param  box        of the expansion
 /// @param  expansion  4 x (p + 1)
 /// @param  targets    points of the box, length
 /// @param  sum        velocities at the targets, length / time, to which is added
-void add_velocities(const Box& box, Eigen::Ref<const Expansion> expansion,
-                    const VectorGroup& targets, VectorGroup& sum);
+void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGroup& targets,
+         VectorGroup& sum);
 
-/// Evaluates pressure, vorticity and strain of an incoming expansion.
+/// L2P: evaluates pressure, vorticity and strain of a local expansion.
 ///
 /// @param  box        of the expansion
 /// @param  expansion  4 x (p + 1)
 /// @param  target     point of the box, length
 /// @return            derivatives, 1 / time
-FlowDerivatives derivatives(const Box& box, Eigen::Ref<const Expansion> expansion, Complex target);
+FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
+                                Complex target);
 
 /// @}
 

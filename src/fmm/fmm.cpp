@@ -74,8 +74,8 @@ FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
     : ex_(plan.sources().size(), fields),
       ey_(plan.sources().size(), fields),
       points_(static_cast<std::size_t>(plan.point_count_ * fields)),
-      outgoing_(box_count(plan.sources()), fields, plan.translations_.order()),
-      incoming_(box_count(plan.targets()), fields, plan.translations_.order()),
+      multipole_(box_count(plan.sources()), fields, plan.translations_.order()),
+      local_(box_count(plan.targets()), fields, plan.translations_.order()),
       velocity_(plan.target_count_, fields) {}
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings)
@@ -150,8 +150,8 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
   const bool without_points = strengths.force.rows() == 0 && strengths.torque.rows() == 0;
   if (work.ex_.rows() == sources_.size() && work.velocity_.rows() == target_count_ &&
       work.points_.size() == static_cast<std::size_t>(point_count_ * fields) &&
-      work.outgoing_.columns() == box_count(sources_) * fields * (translations_.order() + 1) &&
-      work.incoming_.columns() == box_count(targets()) * fields * (translations_.order() + 1) &&
+      work.multipole_.columns() == box_count(sources_) * fields * (translations_.order() + 1) &&
+      work.local_.columns() == box_count(targets()) * fields * (translations_.order() + 1) &&
       fits(strengths.density.rows(), strengths.density.cols(), node_count_) &&
       (without_points || (fits(strengths.force.rows(), strengths.force.cols(), point_count_) &&
                           fits(strengths.torque.rows(), strengths.torque.cols(), point_count_)))) {
@@ -209,7 +209,7 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
 }
 
 // From the leaves up.
-void Fmm::sum_outgoing(FmmWorkspace& work) const {
+void Fmm::sum_multipoles(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = sources_.boxes();
   const std::vector<Index>& levels = sources_.levels();
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
@@ -217,18 +217,18 @@ void Fmm::sum_outgoing(FmmWorkspace& work) const {
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       const Range sources{box.first, box.last};
-      work.outgoing_.clear(b);
+      work.multipole_.clear(b);
       for (Index field = 0; field < work.velocity_.cols(); ++field) {
-        auto sum = work.outgoing_(b, field);
+        auto sum = work.multipole_(b, field);
         if (box.is_leaf()) {
-          add_outgoing(box, nodes(sources, field, work), sum);
+          p2m(box, nodes(sources, field, work), sum);
           for (const PointForce& point : points(sources, field, work)) {
-            add_outgoing(box, point, sum);
+            p2m(box, point, sum);
           }
         }
         for (Index c = box.first_child; c < box.last_child; ++c) {
-          translations_.outgoing(boxes[static_cast<std::size_t>(c)],
-                                 std::as_const(work.outgoing_)(c, field), box, sum);
+          translations_.m2m(boxes[static_cast<std::size_t>(c)],
+                            std::as_const(work.multipole_)(c, field), box, sum);
         }
       }
     }
@@ -236,16 +236,16 @@ void Fmm::sum_outgoing(FmmWorkspace& work) const {
 }
 
 // From the sources, then from the root down.
-void Fmm::sum_incoming(FmmWorkspace& work) const {
+void Fmm::sum_locals(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = targets().boxes();
   const std::vector<Index>& levels = targets().levels();
   const Index fields = work.velocity_.cols();
 #pragma omp parallel for schedule(dynamic, 8)
   for (Index b = 0; b < box_count(targets()); ++b) {
-    work.incoming_.clear(b);
+    work.local_.clear(b);
     for (Index field = 0; field < fields; ++field) {
-      translations_.convert(sources_.boxes(), work.outgoing_, interactions_.far.of(b), field,
-                            boxes[static_cast<std::size_t>(b)], work.incoming_(b, field));
+      translations_.m2l(sources_.boxes(), work.multipole_, interactions_.far.of(b), field,
+                        boxes[static_cast<std::size_t>(b)], work.local_(b, field));
     }
   }
   for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
@@ -253,9 +253,9 @@ void Fmm::sum_incoming(FmmWorkspace& work) const {
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       for (Index field = 0; field < fields; ++field) {
-        translations_.incoming(boxes[static_cast<std::size_t>(box.parent)],
-                               std::as_const(work.incoming_)(box.parent, field), box,
-                               work.incoming_(b, field));
+        translations_.l2l(boxes[static_cast<std::size_t>(box.parent)],
+                          std::as_const(work.local_)(box.parent, field), box,
+                          work.local_(b, field));
       }
     }
   }
@@ -264,8 +264,8 @@ void Fmm::sum_incoming(FmmWorkspace& work) const {
 // All that does not depend on what is evaluated.
 void Fmm::expand(const FmmStrengths& strengths, FmmWorkspace& work) const {
   sort_strengths(strengths, work);
-  sum_outgoing(work);
-  sum_incoming(work);
+  sum_multipoles(work);
+  sum_locals(work);
 }
 
 // Velocities of some fields at sixteen targets of a leaf.
@@ -285,7 +285,7 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
   }
   for (Index f = 0; f < fields; ++f) {
     VectorGroup& velocity = sum[static_cast<std::size_t>(f)];
-    add_velocities(box, std::as_const(work.incoming_)(b, field + f), group, velocity);
+    l2p(box, std::as_const(work.local_)(b, field + f), group, velocity);
     for (Index i = 0; i < count; ++i) {
       const Index target = targets().order()[static_cast<std::size_t>(first + i)];
       if (target >= target_count_) continue;  // a point among the nodes
@@ -319,7 +319,7 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
                                     const FmmWorkspace& work) const {
   const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
   const Complex z{targets().x()[target], targets().y()[target]};
-  FlowDerivatives sum = stokesbook::derivatives(box, work.incoming_(b, field), z);
+  FlowDerivatives sum = l2p_derivatives(box, work.local_(b, field), z);
   for (const Range range : interactions_.near.of(b)) {
     add_derivatives(nodes(range, field, work), z, sum);
     for (const PointForce& point : points(range, field, work)) {

@@ -58,7 +58,7 @@ class FmmWorkspace {
   Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, a column a field
   std::vector<PointForce> points_;  // in the sources' order, field after field
   bool without_points_ = false;     // this time they carry nothing
-  Expansions outgoing_, incoming_;
+  Expansions multipole_, local_;
   Eigen::MatrixXcd velocity_;
   std::vector<FlowDerivatives> derivatives_;
 };
@@ -163,8 +163,8 @@ class Fmm {
   std::span<const PointForce> points(Range sources, Eigen::Index field,
                                      const FmmWorkspace& work) const;
   void sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const;
-  void sum_outgoing(FmmWorkspace& work) const;
-  void sum_incoming(FmmWorkspace& work) const;
+  void sum_multipoles(FmmWorkspace& work) const;
+  void sum_locals(FmmWorkspace& work) const;
   void expand(const FmmStrengths& strengths, FmmWorkspace& work) const;
   template <int fields>
   void sum_group(Eigen::Index box, Eigen::Index first, Eigen::Index field,

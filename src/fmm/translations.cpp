@@ -42,7 +42,7 @@ Translations::Translations(int order) : order_(order) {
   }
   const int columns = order + 1;
   pascal_.assign(static_cast<std::size_t>(columns * columns), 0.0);
-  convert_ = pascal_;
+  m2l_ = pascal_;
   const auto at = [columns](std::vector<double>& matrix, int row, int column) -> double& {
     return matrix[static_cast<std::size_t>(row * columns + column)];
   };
@@ -53,9 +53,9 @@ Translations::Translations(int order) : order_(order) {
   }
   // binomial(k + l - 1, l) by rows: 1 for l = 0, and sums of neighbours.
   for (int l = 0; l <= order; ++l) {
-    at(convert_, l, 0) = l == 0 ? 0.0 : -1.0 / l;
+    at(m2l_, l, 0) = l == 0 ? 0.0 : -1.0 / l;
     for (int k = 1; k <= order; ++k) {
-      at(convert_, l, k) = l == 0 || k == 1 ? 1.0 : at(convert_, l - 1, k) + at(convert_, l, k - 1);
+      at(m2l_, l, k) = l == 0 || k == 1 ? 1.0 : at(m2l_, l - 1, k) + at(m2l_, l, k - 1);
     }
   }
 }
@@ -64,8 +64,8 @@ double Translations::binomial(int n, int k) const {
   return pascal_[static_cast<std::size_t>(n * (order_ + 1) + k)];
 }
 
-void Translations::outgoing(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                            Eigen::Ref<Expansion> sum) const {
+void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+                       Eigen::Ref<Expansion> sum) const {
   const Complex d = from.centre - to.centre;
   const bool balanced = std::abs(d) > least_shift * from.radius;
   const Complex step = d / to.radius;
@@ -101,8 +101,8 @@ void Translations::outgoing(const Box& from, Eigen::Ref<const Expansion> expansi
   }
 }
 
-void Translations::incoming(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                            Eigen::Ref<Expansion> sum) const {
+void Translations::l2l(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+                       Eigen::Ref<Expansion> sum) const {
   const Complex d = to.centre - from.centre;
   const bool balanced = std::abs(d) > least_shift * to.radius;
   const Complex step = d / from.radius;
@@ -175,13 +175,13 @@ struct ComplexLanes {
 
 // The source boxes of a register; lanes beyond the list repeat its last box, and count nothing.
 struct Batch {
-  Batch(const std::vector<Box>& boxes, const Expansions& outgoing, std::span<const Index> list,
+  Batch(const std::vector<Box>& boxes, const Expansions& multipole, std::span<const Index> list,
         Index field, const Box& target) {
     for (int s = 0; s < lane_count; ++s) {
       const auto lane = static_cast<std::size_t>(s);
       const Index box = list[std::min(lane, list.size() - 1)];
       const Box& source = boxes[static_cast<std::size_t>(box)];
-      from[lane] = outgoing(box, field).data();
+      from[lane] = multipole(box, field).data();
       on[s] = lane < list.size() ? 1.0 : 0.0;
       distance.x[s] = target.centre.real() - source.centre.real();
       distance.y[s] = target.centre.imag() - source.centre.imag();
@@ -216,15 +216,15 @@ double sum_of(const Lanes& lanes) {
 
 }  // namespace
 
-void Translations::convert(const std::vector<Box>& boxes, const Expansions& outgoing,
-                           std::span<const Index> list, Index field, const Box& target,
-                           Eigen::Ref<Expansion> sum) const {
+void Translations::m2l(const std::vector<Box>& boxes, const Expansions& multipole,
+                       std::span<const Index> list, Index field, const Box& target,
+                       Eigen::Ref<Expansion> sum) const {
   if (list.empty()) return;
   const int columns = order_ + 1;
   Rows x, y, total;
   std::fill_n(total.begin(), columns, Parts{});
   for (std::size_t first = 0; first < list.size(); first += lane_count) {
-    const Batch batch(boxes, outgoing,
+    const Batch batch(boxes, multipole,
                       list.subspan(first, std::min<std::size_t>(lane_count, list.size() - first)),
                       field, target);
     const Parts logarithm = batch.gather(0);
@@ -234,7 +234,7 @@ void Translations::convert(const std::vector<Box>& boxes, const Expansions& outg
     for (int k = 1; k <= order_; ++k, power *= outward) {
       x[static_cast<std::size_t>(k)] = power.times(batch.gather(k));
     }
-    multiply(convert_.data(), columns, x, y);
+    multiply(m2l_.data(), columns, x, y);
     const ComplexLanes inward{-target.radius * batch.inverse.x, -target.radius * batch.inverse.y};
     const ComplexLanes conjugate{batch.distance.x / target.radius,
                                  -(batch.distance.y / target.radius)};

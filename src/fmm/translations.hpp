@@ -28,33 +28,33 @@ class Translations {
   /// @return p
   int order() const { return order_; }
 
-  /// Adds an outgoing expansion, moved to another centre.
+  /// M2M: adds a multipole expansion, moved to another centre.
   ///
   /// @param  from       box of the expansion
   /// @param  expansion  4 x (p + 1)
   /// @param  to         box that contains it
   /// @param  sum        4 x (p + 1), of that box, to which is added
   /// @par Cost          2 p^2 real multiplications
-  void outgoing(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                Eigen::Ref<Expansion> sum) const;
+  void m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+           Eigen::Ref<Expansion> sum) const;
 
-  /// Adds an incoming expansion, moved to another centre.
+  /// L2L: adds a local expansion, moved to another centre.
   ///
   /// @param  from       box of the expansion
   /// @param  expansion  4 x (p + 1)
   /// @param  to         box that it contains
   /// @param  sum        4 x (p + 1), of that box, to which is added
   /// @par Cost          2 p^2 real multiplications
-  void incoming(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
-                Eigen::Ref<Expansion> sum) const;
+  void l2l(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
+           Eigen::Ref<Expansion> sum) const;
 
-  /// Adds the incoming expansions of many boxes' outgoing ones.
+  /// M2L: adds the local expansion of the multipole expansions of many boxes.
   ///
   /// With \f$ D = c_t - c_s \f$: \f$ \lambda_l = (-R_t/D)^l\sum_{k\ge0} H_{lk}(R_s/D)^kA_k \f$ with
   /// \f$ H_{lk} = \binom{k+l-1}{l} \f$ and \f$ H_{l0} = -\frac1l \f$, and
   /// \f$ \lambda_0 \f$ has \f$ A_0\log D \f$ more.
   /// @param  boxes     all boxes of the sources' tree
-  /// @param  outgoing  their expansions
+  /// @param  multipole  their multipole expansions
   /// @param  list      indices of those that are well separated from the target
   /// @param  field     index of the field
   /// @param  target    box of the targets
@@ -63,16 +63,16 @@ class Translations {
   ///                   radius to the distance of the other disk, @ref claim_08_2
   /// @par Cost         4 p^2 real multiplications a source box, as many boxes at a time as a
   ///                   register has lanes
-  void convert(const std::vector<Box>& boxes, const Expansions& outgoing,
-               std::span<const Eigen::Index> list, Eigen::Index field, const Box& target,
-               Eigen::Ref<Expansion> sum) const;
+  void m2l(const std::vector<Box>& boxes, const Expansions& multipole,
+           std::span<const Eigen::Index> list, Eigen::Index field, const Box& target,
+           Eigen::Ref<Expansion> sum) const;
 
  private:
   double binomial(int n, int k) const;
 
   int order_;
-  std::vector<double> pascal_;   // binomial(n, k), row n, column k, n <= p
-  std::vector<double> convert_;  // H, row l, column k
+  std::vector<double> pascal_;  // binomial(n, k), row n, column k, n <= p
+  std::vector<double> m2l_;     // H, row l, column k
 };
 
 /// @}

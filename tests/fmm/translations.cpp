@@ -50,10 +50,10 @@ struct Sources {
             least2.data(), x.size(), ex.data(), ey.data()};
   }
 
-  Expansion outgoing() const {
+  Expansion multipole() const {
     Expansion sum = zero();
-    add_outgoing(box, block(), sum);
-    add_outgoing(box, point, sum);
+    p2m(box, block(), sum);
+    p2m(box, point, sum);
     return sum;
   }
 
@@ -81,8 +81,8 @@ struct Sources {
   PointForce point;
 };
 
-// The definition of an outgoing expansion.
-Complex outgoing_velocity(const Box& box, const Expansion& expansion, Complex z) {
+// The definition of a multipole expansion.
+Complex multipole_velocity(const Box& box, const Expansion& expansion, Complex z) {
   const Complex zeta = z - box.centre;
   const Complex a{expansion(0, 0), expansion(1, 0)}, b{expansion(2, 0), expansion(3, 0)};
   Complex phi = a * std::log(zeta), slope = a / zeta, psi = b * std::log(zeta) - b;
@@ -95,11 +95,11 @@ Complex outgoing_velocity(const Box& box, const Expansion& expansion, Complex z)
   return phi - zeta * std::conj(slope) - std::conj(psi);
 }
 
-Complex incoming_velocity(const Box& box, const Expansion& expansion, Complex z) {
+Complex local_velocity(const Box& box, const Expansion& expansion, Complex z) {
   VectorGroup targets, sum;
   targets.x.fill(z.real());
   targets.y.fill(z.imag());
-  add_velocities(box, expansion, targets, sum);
+  l2p(box, expansion, targets, sum);
   BOOST_TEST((sum.x[0] == sum.x[15] && sum.y[0] == sum.y[15]));
   return {sum.x[0], sum.y[0]};
 }
@@ -115,62 +115,62 @@ void check(Complex found, Complex exact) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(sources_to_outgoing) {
+BOOST_AUTO_TEST_CASE(sources_to_multipole) {
   const Sources sources(disk({0.3, -0.2}, 0.9));
   for (const Complex z : points_of(disk({9.0, 4.0}, 2.0))) {
-    check(outgoing_velocity(sources.box, sources.outgoing(), z), sources.velocity(z));
+    check(multipole_velocity(sources.box, sources.multipole(), z), sources.velocity(z));
   }
 }
 
 // By shifts of any length, none included.
-BOOST_AUTO_TEST_CASE(outgoing_to_outgoing) {
+BOOST_AUTO_TEST_CASE(multipole_to_multipole) {
   const Translations translations(order);
   for (const double shift : {0.0, 1e-9, 0.01, 0.03, 0.6, 1.5}) {
     const Sources sources(disk({0.3, -0.2}, 0.7));
     const Box parent = disk(sources.box.centre + std::polar(shift, 2.0), 0.7 + shift);
     Expansion sum = zero();
-    translations.outgoing(sources.box, sources.outgoing(), parent, sum);
+    translations.m2m(sources.box, sources.multipole(), parent, sum);
     for (const Complex z : points_of(disk({20.0, 4.0}, 2.0))) {
-      check(outgoing_velocity(parent, sum, z), sources.velocity(z));
+      check(multipole_velocity(parent, sum, z), sources.velocity(z));
     }
   }
 }
 
 // Any number of boxes, at once, with the logarithms on either side of their cut.
-BOOST_AUTO_TEST_CASE(outgoing_to_incoming) {
+BOOST_AUTO_TEST_CASE(multipole_to_local) {
   const Translations translations(order);
   const Box target = disk({0.1, 0.2}, 0.8);
   for (const std::size_t count : {1U, 2U, 7U, 8U, 9U, 19U}) {
     std::vector<Sources> sources;
     std::vector<Box> boxes;
     std::vector<Index> list;
-    Expansions outgoing(static_cast<Index>(count), 2, order);
+    Expansions multipole(static_cast<Index>(count), 2, order);
     for (std::size_t s = 0; s < count; ++s) {
       const double angle = 1.0 + static_cast<double>(s);
       sources.emplace_back(disk(std::polar(7.0, angle), 0.5), static_cast<unsigned>(s));
       boxes.push_back(sources.back().box);
-      outgoing.clear(static_cast<Index>(s));
-      outgoing(static_cast<Index>(s), 1) = sources.back().outgoing();
+      multipole.clear(static_cast<Index>(s));
+      multipole(static_cast<Index>(s), 1) = sources.back().multipole();
       list.push_back(static_cast<Index>(count - 1 - s));
     }
     Expansion sum = zero();
-    translations.convert(boxes, outgoing, list, 1, target, sum);
+    translations.m2l(boxes, multipole, list, 1, target, sum);
     for (const Complex z : points_of(target)) {
       Complex exact{};
       for (const Sources& some : sources) exact += some.velocity(z);
-      check(incoming_velocity(target, sum, z), exact);
+      check(local_velocity(target, sum, z), exact);
     }
   }
 }
 
 namespace {
 
-struct Incoming {
-  Incoming() : sources(disk({-5.0, 6.0}, 0.9)), box(disk({0.1, 0.2}, 1.2)), expansion(zero()) {
-    Expansions outgoing(1, 1, order);
-    outgoing(0, 0) = sources.outgoing();
+struct Local {
+  Local() : sources(disk({-5.0, 6.0}, 0.9)), box(disk({0.1, 0.2}, 1.2)), expansion(zero()) {
+    Expansions multipole(1, 1, order);
+    multipole(0, 0) = sources.multipole();
     const std::vector<Index> list{0};
-    Translations(order).convert({sources.box}, outgoing, list, 0, box, expansion);
+    Translations(order).m2l({sources.box}, multipole, list, 0, box, expansion);
   }
 
   Sources sources;
@@ -180,23 +180,23 @@ struct Incoming {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(incoming_to_incoming) {
-  const Incoming incoming;
+BOOST_AUTO_TEST_CASE(local_to_local) {
+  const Local local;
   for (const double shift : {0.0, 1e-9, 0.003, 0.03, 0.6}) {
-    const Box child = disk(incoming.box.centre + std::polar(shift, -2.0), 0.5);
+    const Box child = disk(local.box.centre + std::polar(shift, -2.0), 0.5);
     Expansion sum = zero();
-    Translations(order).incoming(incoming.box, incoming.expansion, child, sum);
+    Translations(order).l2l(local.box, local.expansion, child, sum);
     for (const Complex z : points_of(child)) {
-      check(incoming_velocity(child, sum, z), incoming.sources.velocity(z));
+      check(local_velocity(child, sum, z), local.sources.velocity(z));
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(incoming_to_derivatives) {
-  const Incoming incoming;
-  for (const Complex z : points_of(incoming.box)) {
-    const FlowDerivatives found = derivatives(incoming.box, incoming.expansion, z),
-                          exact = incoming.sources.flow(z);
+BOOST_AUTO_TEST_CASE(local_to_derivatives) {
+  const Local local;
+  for (const Complex z : points_of(local.box)) {
+    const FlowDerivatives found = l2p_derivatives(local.box, local.expansion, z),
+                          exact = local.sources.flow(z);
     BOOST_TEST(std::abs(found.pressure - exact.pressure) < rounding);
     BOOST_TEST(std::abs(found.vorticity - exact.vorticity) < rounding);
     BOOST_TEST(std::abs(found.strain - exact.strain) < rounding);
@@ -213,13 +213,13 @@ BOOST_AUTO_TEST_CASE(what_is_left_out) {
   }
   for (const int p : {4, 8, 16, 32}) {
     const Translations translations(p);
-    Expansions outgoing(1, 1, p);
-    outgoing(0, 0) = sources.outgoing().leftCols(p + 1);
+    Expansions multipole(1, 1, p);
+    multipole(0, 0) = sources.multipole().leftCols(p + 1);
     Expansion sum = Expansion::Zero(4, p + 1);
-    translations.convert({sources.box}, outgoing, std::vector<Index>{0}, 0, target, sum);
+    translations.m2l({sources.box}, multipole, std::vector<Index>{0}, 0, target, sum);
     double error = 0.0;
     for (const Complex z : points_of(target)) {
-      error = std::max(error, std::abs(incoming_velocity(target, sum, z) - sources.velocity(z)));
+      error = std::max(error, std::abs(local_velocity(target, sum, z) - sources.velocity(z)));
     }
     BOOST_TEST(error < p * std::pow(0.5, p) * largest);
     BOOST_TEST(error > 1e-6 * std::pow(0.5, p) * largest);

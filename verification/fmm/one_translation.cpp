@@ -1,4 +1,4 @@
-// One outgoing expansion, converted once: what is left out, by the order, the separation, and the
+// One multipole expansion, converted once: what is left out, by the order, the separation, and the
 // place in the plane.
 #include <algorithm>
 #include <array>
@@ -73,19 +73,19 @@ struct Pair {
     return as_points(sum[0]);
   }
 
-  /// The incoming expansion about a disk.
-  Expansion incoming(int order, const Box& about) const {
-    Expansions outgoing(1, 1, order);
-    outgoing.clear(0);
-    add_outgoing(from, block(), outgoing(0, 0));
+  /// The local expansion about a disk.
+  Expansion local(int order, const Box& about) const {
+    Expansions multipole(1, 1, order);
+    multipole.clear(0);
+    p2m(from, block(), multipole(0, 0));
     Expansion sum = Expansion::Zero(4, order + 1);
-    Translations(order).convert({from}, outgoing, std::array<Index, 1>{0}, 0, about, sum);
+    Translations(order).m2l({from}, multipole, std::array<Index, 1>{0}, 0, about, sum);
     return sum;
   }
 
   Points evaluated(const Expansion& expansion) const {
     VectorGroup sum;
-    stokesbook::add_velocities(to, expansion, targets, sum);
+    stokesbook::l2p(to, expansion, targets, sum);
     return as_points(sum);
   }
 
@@ -115,12 +115,12 @@ struct Pair {
 using TranslationMethod = std::function<double(const Pair&, int order)>;
 
 double converted(const Pair& pair, int order) {
-  return pair.error(pair.evaluated(pair.incoming(order, pair.to)));
+  return pair.error(pair.evaluated(pair.local(order, pair.to)));
 }
 /// A planted defect: D = c_s - c_t.
 double towards_the_other_side(const Pair& pair, int order) {
   const Box mirrored = disk(2.0 * pair.from.centre - pair.to.centre);
-  return pair.error(pair.evaluated(pair.incoming(order, mirrored)));
+  return pair.error(pair.evaluated(pair.local(order, mirrored)));
 }
 /// A planted defect: a loop that ends one power early.
 double one_power_less(const Pair& pair, int order) {
@@ -155,8 +155,7 @@ Line order_line(const std::string& key, const std::string& id, const std::string
                          .window = {.floor = 1e-15},
                          .reason = "a geometric series in the ratio of radius and distance; the "
                                    "factor p is that of a double pole",
-                         .api = {"stokesbook::Translations", "stokesbook::add_outgoing",
-                                 "stokesbook::add_velocities"}},
+                         .api = {"stokesbook::Translations", "stokesbook::p2m", "stokesbook::l2p"}},
           .control = Control{"converted towards the other side",
                              over_orders(rho, towards_the_other_side)}};
 }
@@ -196,12 +195,12 @@ double recentred(const Pair& pair) {
 
 /// With psi = psi_c - conj(c) phi', which does not know of any centre.
 double about_the_origin(const Pair& pair) {
-  const Expansion incoming = pair.incoming(high_order, pair.to);
+  const Expansion local = pair.local(high_order, pair.to);
   const Complex c = pair.to.centre;
-  const auto phi = [&](Index l) { return Complex{incoming(0, l), incoming(1, l)}; };
+  const auto phi = [&](Index l) { return Complex{local(0, l), local(1, l)}; };
   const auto psi = [&](Index l) {
     const Complex slope = l < high_order ? static_cast<double>(l + 1) * phi(l + 1) : Complex{};
-    return Complex{incoming(2, l), incoming(3, l)} - std::conj(c) * slope;
+    return Complex{local(2, l), local(3, l)} - std::conj(c) * slope;
   };
   Points found;
   for (std::size_t i = 0; i < count; ++i) {

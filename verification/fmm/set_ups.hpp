@@ -56,8 +56,8 @@ FmmSettings of_order(int order);
 /// Operations of an application in kernel evaluations.
 ///
 /// Each is taken for eight multiplications. Pairs of the near lists count one, a conversion counts
-/// p^2/2, an expansion that moves a level up or down p^2/4, a node's part in an outgoing expansion
-/// and its velocity by an incoming one 3p together.
+/// p^2/2, an expansion that moves a level up or down p^2/4, a node's part in a multipole expansion
+/// and its velocity by a local one 3p together.
 double operations(const Fmm& plan, int order);
 
 }  // namespace stokesbook::verification::fmm

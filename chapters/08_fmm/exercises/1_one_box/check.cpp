@@ -19,8 +19,8 @@ struct Sources {
 
 ComplexVector phi_coefficients(const Sources& sources, Complex centre, double radius, int order);
 ComplexVector psi_coefficients(const Sources& sources, Complex centre, double radius, int order);
-Complex outgoing_velocity(const ComplexVector& phi, const ComplexVector& psi, Complex centre,
-                          double radius, Complex z);
+Complex multipole_velocity(const ComplexVector& phi, const ComplexVector& psi, Complex centre,
+                           double radius, Complex z);
 ComplexVector one_level(const Sources& sources, int side, int order);
 
 namespace {
@@ -43,10 +43,10 @@ struct Nodes {
                           ex = eta.real(), ey = eta.imag(),
                           least2 = Eigen::VectorXd::Zero(t.size());
     Expansion sum = Expansion::Zero(4, order + 1);
-    add_outgoing(box,
-                 StressletBlock{x.data(), y.data(), nx.data(), ny.data(), least2.data(), t.size(),
-                                ex.data(), ey.data()},
-                 sum);
+    p2m(box,
+        StressletBlock{x.data(), y.data(), nx.data(), ny.data(), least2.data(), t.size(), ex.data(),
+                       ey.data()},
+        sum);
     Eigen::Matrix2Xcd both(2, order);
     for (Index k = 0; k < order; ++k) {
       both(0, k) = {sum(0, k + 1), sum(1, k + 1)};
@@ -143,7 +143,7 @@ void check_velocity() {
                  std::pow(box.radius / zeta, static_cast<double>(k));
       }
       expect({.what = name + ", at a distance of 20 radii",
-              .got = outgoing_velocity(both.row(0), both.row(1), box.centre, box.radius, z),
+              .got = multipole_velocity(both.row(0), both.row(1), box.centre, box.radius, z),
               .expected = exact,
               .tolerance = 1e-10,
               .mistakes = {{exact - box.centre * std::conj(slope),

@@ -101,8 +101,8 @@ ComplexVector psi_coefficients(const Sources& sources, Complex centre, double ra
 }
 
 // Task 3: velocity at z of the coefficients of phi and psi.
-Complex outgoing_velocity(const ComplexVector& phi, const ComplexVector& psi, Complex centre,
-                          double radius, Complex z) {
+Complex multipole_velocity(const ComplexVector& phi, const ComplexVector& psi, Complex centre,
+                           double radius, Complex z) {
   //@ starter
   not_done(phi, psi, centre, radius, z);  // your code instead of this line
   //@ solution
@@ -152,7 +152,7 @@ ComplexVector one_level(const Sources& sources, int side, int order) {
     for (Index i = 0; i < sources.t.size(); ++i) {
       const Complex z = sources.t[i];
       if (std::max(std::abs(place(z.real()) - column), std::abs(place(z.imag()) - row)) > 1) {
-        velocity[i] += outgoing_velocity(phi, psi, centre, radius, z);
+        velocity[i] += multipole_velocity(phi, psi, centre, radius, z);
         continue;
       }
       for (const Index j : of) {

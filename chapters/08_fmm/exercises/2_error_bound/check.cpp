@@ -24,17 +24,17 @@ namespace {
 void check_ratio() {
   for (const double source : {1.0, 0.2, 3.0}) {
     for (const double distance : {5.0, 8.0}) {
-      const double outgoing = source / (distance - 1.0), incoming = 1.0 / (distance - source);
+      const double multipole = source / (distance - 1.0), local = 1.0 / (distance - source);
       expect({.what = "radii " + exercise::text(source) + " and 1, distance " +
                       exercise::text(distance),
               .got = ratio(source, 1.0, distance),
-              .expected = std::max(outgoing, incoming),
+              .expected = std::max(multipole, local),
               .tolerance = 1e-12,
               .mistakes = {{std::max(source, 1.0) / distance,
                             "targets are nearer than the centre of their disk: D - R_t"},
-                           {outgoing, "the incoming expansion has a ratio too: R_t/(D - R_s)"},
-                           {incoming, "the outgoing expansion has a ratio too: R_s/(D - R_t)"},
-                           {std::min(outgoing, incoming), "the larger of both decides"}}});
+                           {multipole, "the local expansion has a ratio too: R_t/(D - R_s)"},
+                           {local, "the multipole expansion has a ratio too: R_s/(D - R_t)"},
+                           {std::min(multipole, local), "the larger of both decides"}}});
     }
   }
 }
@@ -123,13 +123,13 @@ class Translation {
 
   // Largest error of an order, relative to the largest velocity.
   double error(int order) const {
-    Expansions outgoing(1, 1, order);
-    outgoing.clear(0);
-    add_outgoing(from_, block(), outgoing(0, 0));
-    Expansion incoming = Expansion::Zero(4, order + 1);
-    Translations(order).convert({from_}, outgoing, std::array<Index, 1>{0}, 0, to_, incoming);
+    Expansions multipole(1, 1, order);
+    multipole.clear(0);
+    p2m(from_, block(), multipole(0, 0));
+    Expansion local = Expansion::Zero(4, order + 1);
+    Translations(order).m2l({from_}, multipole, std::array<Index, 1>{0}, 0, to_, local);
     VectorGroup sum;
-    add_velocities(to_, incoming, targets_, sum);
+    l2p(to_, local, targets_, sum);
     return (velocities(sum) - exact_).cwiseAbs().maxCoeff() / exact_.cwiseAbs().maxCoeff();
   }
 

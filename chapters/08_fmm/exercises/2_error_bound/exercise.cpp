@@ -16,7 +16,7 @@ double ratio(double source_radius, double target_radius, double distance) {
                   target_radius / (distance - source_radius));
   //@ wrong centres: targets are nearer than the centre of their disk
   return std::max(source_radius, target_radius) / distance;
-  //@ wrong outgoing_only: the incoming expansion has a ratio too
+  //@ wrong multipole_only: the local expansion has a ratio too
   return source_radius / (distance - target_radius);
   //@ end
 }
