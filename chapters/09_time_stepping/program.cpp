@@ -63,7 +63,7 @@ Scene cluster() {
 class Suspension {
  public:
   explicit Suspension(const Scene& scene)
-      : solver_(scene), nodes_(resolutions_of(solver_.solve(solver_.start()).references)) {}
+      : solver_(scene), nodes_(resolutions_of(solver_.solve(solver_.start()).discretisation)) {}
 
   VectorXd start() const { return to_state(solver_.start().configuration); }
   int solves() const { return solves_; }
@@ -201,7 +201,7 @@ Sweeps sweep(double gap) {
   for (const double residual : solution.gmres.history) sweeps.gmres += residual > 1e-6 ? 1 : 0;
   ComplexVector density = ComplexVector::Zero(exact.size());
   for (double error = exact.norm(); error > 1e-6 * exact.norm(); ++sweeps.count) {
-    const auto before = [&](const References&) { return density; };
+    const auto before = [&](const Discretisation&) { return density; };
     density = solver.solve_lagged(still, before).density;
     const double next = (density - exact).norm();
     sweeps.factor = next / error;
@@ -230,12 +230,12 @@ double iterations(std::size_t kept) {
   int solves = 0, iterations = 0;
   const Rate rate = [&](double t, const VectorXd& state) {
     const Configuration now = to_configuration(state);
-    const auto guess = [&](const References& references) -> ComplexVector {
+    const auto guess = [&](const Discretisation& discretisation) -> ComplexVector {
       if (kept == 0) return {};
-      return history.guess(t, now, references);
+      return history.guess(t, now, discretisation);
     };
     const Solution solution = solver.solve({now}, guess);
-    history.add(t, now, solution.references, solution.density);
+    history.add(t, now, solution.discretisation, solution.density);
     ++solves;
     iterations += solution.gmres.iterations;
     return to_rate(solution);

@@ -75,8 +75,8 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        scene.output.fields.has_value(),
                        scene.contact.has_value(),
                        fingerprint_of_program()};
-  for (std::size_t k = 0; k < solver.references().size(); ++k) {
-    const Curve& curve = solver.references()[k]->curve;
+  for (std::size_t k = 0; k < solver.discretisation().size(); ++k) {
+    const Curve& curve = solver.discretisation()[k]->curve;
     auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
     outlines.push_back({smooth_outline(curve.x), curve.side == Side::fluid_inside});
   }

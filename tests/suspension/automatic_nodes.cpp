@@ -27,7 +27,8 @@ Scene slender_beside_circle(int nodes_of_the_slender, int nodes_of_the_circle) {
 
 std::vector<int> nodes_of(const Solution& solution) {
   std::vector<int> nodes;
-  for (const auto& reference : solution.references) nodes.push_back(reference->resolution.n_nodes);
+  for (const auto& reference : solution.discretisation)
+    nodes.push_back(reference->resolution.n_nodes);
   return nodes;
 }
 
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(nearby_solves_keep_the_nodes) {
   Instant moved = solved.solver.start();
   moved.configuration[0].position += 1e-3;
   const Solution nearby =
-      solved.solver.solve_nearby(moved, resolutions_of(solved.solution.references));
+      solved.solver.solve_nearby(moved, resolutions_of(solved.solution.discretisation));
   BOOST_TEST(nodes_of(nearby) == nodes_of(solved.solution), boost::test_tools::per_element());
   BOOST_TEST(std::isnan(nearby.error_estimate));
   const Solution estimated = solved.solver.solve(moved);
@@ -106,17 +107,21 @@ BOOST_AUTO_TEST_CASE(few_counts_are_chosen) {
   BOOST_TEST(rounded_nodes(1025.0) == 1152);
 }
 
-BOOST_AUTO_TEST_CASE(a_shelf_drops_what_nobody_asks_for) {
-  ReferenceShelf shelf({}, 3);
-  const auto kept = shelf.get(Circle{1}, {32}, ComponentKind::free_body);
+BOOST_AUTO_TEST_CASE(a_cache_drops_the_shapes_that_were_not_used_lately) {
+  DiscretisationCache cache({}, 3);
+  const auto kept = cache.get(Circle{1}, {32}, ComponentKind::free_body);
   for (int n = 34; n < 100; n += 2) {
-    shelf.get(Circle{1}, {n}, ComponentKind::free_body);
-    BOOST_TEST(shelf.size() <= 5u);
+    cache.get(Circle{1}, {n}, ComponentKind::free_body);
+    BOOST_TEST(cache.size() <= 3u);
   }
-  const auto anew = shelf.get(Circle{1}, {32}, ComponentKind::free_body);
+  const auto latest = cache.get(Circle{1}, {98}, ComponentKind::free_body);
+  cache.get(Circle{1}, {94}, ComponentKind::free_body);  // used now, so that 96 goes first
+  cache.get(Circle{1}, {34}, ComponentKind::free_body);
+  BOOST_TEST((cache.get(Circle{1}, {98}, ComponentKind::free_body) == latest));
+  const auto anew = cache.get(Circle{1}, {32}, ComponentKind::free_body);
   BOOST_TEST((anew != kept));
   BOOST_TEST((anew->curve.x == kept->curve.x));
-  BOOST_TEST((shelf.get(Circle{1}, {32}, ComponentKind::free_body) == anew));
+  BOOST_TEST((cache.get(Circle{1}, {32}, ComponentKind::free_body) == anew));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

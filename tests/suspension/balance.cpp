@@ -20,7 +20,7 @@ Scene crowd() {
 // About component k, from its outermost point to its nearest neighbour's.
 Enclosed around(const Solved& solved, std::size_t k) {
   const StokesProblem problem =
-      solved.solver.problem(solved.solution.instant, solved.solution.references);
+      solved.solver.problem(solved.solution.instant, solved.solution.discretisation);
   const Complex centre = solved.solution.instant.configuration[k].position;
   const double own = bounding_radius(problem.components[k].curve, centre);
   double nearest = std::numeric_limits<double>::infinity();

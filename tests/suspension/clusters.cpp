@@ -14,7 +14,7 @@ namespace stokesbook::test {
 namespace {
 
 int iterations(const Scene& scene) {
-  const DiscreteProblem discrete = Discretised(scene).discrete;
+  const LinearSystem discrete = Discretised(scene).discrete;
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-8, 300});
   BOOST_TEST(result.converged);
   return result.iterations;
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_without_a_preconditioner) {
 }
 
 BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
-  const DiscreteProblem discrete =
+  const LinearSystem discrete =
       Discretised(with_preconditioner(disk_hexagon(1, 1e-2), PreconditionerKind::clusters))
           .discrete;
   const Eigen::Index n = 2 * discrete.system.offsets().back();
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
   for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
     const auto applied = [&](int threads) {
       omp_set_num_threads(threads);
-      const DiscreteProblem discrete = Discretised(disk_hexagon(1, 1e-2), form).discrete;
+      const LinearSystem discrete = Discretised(disk_hexagon(1, 1e-2), form).discrete;
       const ComplexVector rhs = discrete.system.right_hand_side();
       return discrete.precondition(interleaved(rhs));
     };
@@ -111,16 +111,16 @@ BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
 
 BOOST_AUTO_TEST_CASE(a_block_that_is_singular_is_told_of_whatever_the_threads) {
   const Discretised start(disk_hexagon(1, 1e-2));
-  References references = start.references;
-  Reference broken = *references[2];
+  Discretisation discretisation = start.discretisation;
+  DiscretisedShape broken = *discretisation[2];
   broken.curve.dx.setZero();
-  references[2] = std::make_shared<const Reference>(broken);
+  discretisation[2] = std::make_shared<const DiscretisedShape>(broken);
   for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
     for (const int threads : {1, 2}) {
       omp_set_num_threads(threads);
-      BOOST_CHECK_THROW(
-          cluster_preconditioner(start.discrete.problem, start.configuration, references, {}, form),
-          std::domain_error);
+      BOOST_CHECK_THROW(cluster_preconditioner(start.discrete.problem, start.configuration,
+                                               discretisation, {}, form),
+                        std::domain_error);
     }
   }
   omp_set_num_threads(1);
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_block_that_is_singular_is_told_of_whatever_the_threads) {
 BOOST_AUTO_TEST_CASE(free_clusters_solve_crowds_and_held_ones_networks,
                      *boost::unit_test::label("full")) {
   const auto count = [](const Scene& scene, ClusterForm form) {
-    const DiscreteProblem discrete = Discretised(scene, form).discrete;
+    const LinearSystem discrete = Discretised(scene, form).discrete;
     return solve(discrete, discrete.system.right_hand_side(), {1e-8, 300}).iterations;
   };
   const Scene crowd = disk_packing(200), network = disk_hexagon(2, 1e-2, 1e-3);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(free_clusters_solve_crowds_and_held_ones_networks,
 BOOST_AUTO_TEST_CASE(large_crowds_get_free_clusters_and_networks_held_ones) {
   const auto chosen = [](const Scene& scene) {
     const Discretised start(with_preconditioner(scene, PreconditionerKind::none));
-    return cluster_form(cluster_neighbours(start.configuration, start.references));
+    return cluster_form(cluster_neighbours(start.configuration, start.discretisation));
   };
   BOOST_TEST((chosen(disk_packing(200)) == ClusterForm::mobility));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2, 1e-3)) == ClusterForm::resistance));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(large_crowds_get_free_clusters_and_networks_held_ones) {
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
   const Wall container = outer_wall(Circle{6.0}, automatic_nodes);
   const Discretised start(mixed({container}));
-  const auto neighbours = cluster_neighbours(start.configuration, start.references);
+  const auto neighbours = cluster_neighbours(start.configuration, start.discretisation);
   BOOST_TEST(neighbours[3].empty());
   for (std::size_t a = 0; a < neighbours.size(); ++a) {
     for (const Neighbour& b : neighbours[a]) {
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   const auto chosen = [](const Scene& scene) {
     const Discretised start(with_preconditioner(scene, none));
     return chosen_preconditioner(make_plan(scene), start.solver.gaps(start.configuration),
-                                 start.references, start.solver.separation());
+                                 start.discretisation, start.solver.separation());
   };
   const auto in_contact = [](Scene scene, double separation) {
     scene.contact = ContactSettings{separation};

@@ -22,8 +22,8 @@ Scene pair(double gap) {
 
 // Largest modulus of an eigenvalue of I - M^{-1} A.
 double spectral_radius(const Solved& solved) {
-  const DiscreteProblem discrete =
-      solved.solver.discretise(solved.solution.instant, solved.solution.references);
+  const LinearSystem discrete =
+      solved.solver.linear_system(solved.solution.instant, solved.solution.discretisation);
   const Eigen::Index n = 2 * solved.solution.density.size();
   Eigen::MatrixXd sweep(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(sweeps_contract_to_the_coupled_solution_by_the_spectral_rad
     const double radius = spectral_radius(solved);
     const auto lagged = [&](const ComplexVector& before) {
       return solved.solver.solve_lagged(solved.solution.instant,
-                                        [&](const References&) { return before; });
+                                        [&](const Discretisation&) { return before; });
     };
     const ComplexVector& exact = solved.solution.density;
     BOOST_TEST((lagged(exact).density - exact).norm() < 1e-8 * exact.norm());

@@ -12,8 +12,8 @@ Configuration moving(double t) {
   return {{{0.1 * t, 0.2}, 0.3 * t}, {{3.0, t}, 1.0 - t * t}};
 }
 
-References references(const SuspensionSolver& solver, const Grading& first, int n) {
-  return solver.references({{n, first}, {n + 16, {}}});
+Discretisation discretised(const SuspensionSolver& solver, const Grading& first, int n) {
+  return solver.discretise({{n, first}, {n + 16, {}}});
 }
 
 SuspensionSolver two_bodies() {
@@ -23,7 +23,7 @@ SuspensionSolver two_bodies() {
 }
 
 // A function of the bodies' points and a cubic one of time, in the plane's frame.
-ComplexVector cubic(double t, const References& nodes) {
+ComplexVector cubic(double t, const Discretisation& nodes) {
   const Configuration at = moving(t);
   std::vector<Complex> all;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_SUITE(density_histories)
 
 BOOST_AUTO_TEST_CASE(cubic_densities_of_moving_bodies_are_guessed_exactly) {
   const SuspensionSolver solver = two_bodies();
-  const References nodes = references(solver, {}, 48);
+  const Discretisation nodes = discretised(solver, {}, 48);
   DensityHistory history(4);
   BOOST_TEST(history.guess(0.0, moving(0.0), nodes).size() == 0);
   for (double t : {-7.0, 0.0, 0.1, 0.25, 0.45}) history.add(t, moving(t), nodes, cubic(t, nodes));
@@ -62,14 +62,14 @@ BOOST_AUTO_TEST_CASE(nodes_may_differ_from_density_to_density) {
   const SuspensionSolver solver = two_bodies();
   const Grading here{{{0.3, 0.2}}}, there{{{2.0, 0.1}, {4.0, 0.3}}, 1.0};
   DensityHistory history(4);
-  const std::vector<References> nodes = {references(solver, {}, 48), references(solver, here, 96),
-                                         references(solver, there, 128),
-                                         references(solver, {}, 64)};
+  const std::vector<Discretisation> nodes = {
+      discretised(solver, {}, 48), discretised(solver, here, 96), discretised(solver, there, 128),
+      discretised(solver, {}, 64)};
   for (std::size_t k = 0; k < 4; ++k) {
     const double t = 0.2 * static_cast<double>(k);
     history.add(t, moving(t), nodes[k], cubic(t, nodes[k]));
   }
-  for (const References& now : {references(solver, here, 112), references(solver, {}, 32)}) {
+  for (const Discretisation& now : {discretised(solver, here, 112), discretised(solver, {}, 32)}) {
     const ComplexVector exact = cubic(0.9, now);
     BOOST_TEST((history.guess(0.9, moving(0.9), now) - exact).norm() < 1e-9 * exact.norm());
   }
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(nodes_may_differ_from_density_to_density) {
 
 BOOST_AUTO_TEST_CASE(after_a_reversal_the_past_is_the_future_with_the_other_sign) {
   const SuspensionSolver solver = two_bodies();
-  const References nodes = references(solver, {}, 48);
+  const Discretisation nodes = discretised(solver, {}, 48);
   DensityHistory history(4);
   for (double t : {0.0, 0.2, 0.4, 0.6}) history.add(t, moving(t), nodes, cubic(t, nodes));
   history.reverse(0.7);
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(after_a_reversal_the_past_is_the_future_with_the_other_sign
 
 BOOST_AUTO_TEST_CASE(packing_keeps_every_bit) {
   const SuspensionSolver solver = two_bodies();
-  const References nodes = references(solver, {{{0.3, 0.2}}}, 64);
+  const Discretisation nodes = discretised(solver, {{{0.3, 0.2}}}, 64);
   DensityHistory history(3), copy(3);
   for (double t : {0.1, 0.3}) history.add(t, moving(t), nodes, cubic(t, nodes));
   copy.unpack(history.packed(), 2);
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_guess_saves_iterations_and_changes_no_digit) {
            std::abs(other.motions[1].omega - cold.motions[1].omega);
   };
   for (double disturbance : {0.0, 1e-6}) {
-    const Solution warm = solver.solve(start, [&](const References&) -> ComplexVector {
+    const Solution warm = solver.solve(start, [&](const Discretisation&) -> ComplexVector {
       return cold.density + disturbance * random_vector(cold.density.size(), 1);
     });
     BOOST_TEST(warm.gmres.iterations <= (disturbance == 0.0 ? 0 : cold.gmres.iterations - 1));

@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(the_problem_is_named_with_what_is_in_it) {
 BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
   Scene pair = disk(1e-6);
   pair.bodies[0].n_nodes = automatic_nodes;
-  const int chosen = SuspensionSolver(pair).references()[0]->resolution.n_nodes;
+  const int chosen = SuspensionSolver(pair).discretisation()[0]->resolution.n_nodes;
   pair.bodies.push_back(body(Circle{1.0}, chosen, {100.0, 0.0}));
   for (int turn = 0; turn < 2; ++turn) {
     const std::vector<std::string> lines = told(pair, "components");

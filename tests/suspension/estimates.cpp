@@ -17,7 +17,7 @@ void move_to_gap(Scene& scene, Complex direction, double gap) {
   Configuration places = solver.start().configuration;
   const auto is_too_close = [&](double distance) {
     places.back().position = distance * direction;
-    return find_gaps(places, solver.references(), 1e-3).front().points.gap < gap;
+    return find_gaps(places, solver.discretisation(), 1e-3).front().points.gap < gap;
   };
   double low = 0.0, high = 8.0;
   for (int bisection = 0; bisection < 45; ++bisection) {
@@ -77,7 +77,7 @@ void check_estimates(int trials) {
     const Solved truth = accepted(fine, 3 * nodes);
     double error = 0.0;
     for (std::size_t k = 0; k < coarse.bodies.size(); ++k) {
-      const Curve& curve = answer.solution.references[k]->curve;
+      const Curve& curve = answer.solution.discretisation[k]->curve;
       const double a = RigidModes(curve, 0.0).gyration_radius();
       error = std::max(error, distance(answer.motion(k), truth.motion(k), a));
     }
@@ -100,11 +100,11 @@ BOOST_AUTO_TEST_CASE(what_a_gap_asks_for_does_not_depend_on_the_order_of_its_cur
   const SuspensionSolver solver(
       scene({body(Ellipse{1, 0.4}, 64, {}, 0.3), body(Circle{0.5}, 64, {0.2, 1.1})}, ShearFlow{1}));
   const Configuration places = solver.start().configuration;
-  const Gap gap = find_gaps(places, solver.references(), 1e-3).front();
+  const Gap gap = find_gaps(places, solver.discretisation(), 1e-3).front();
   const ClosestPoints& p = gap.points;
   const Gap turned{gap.b, gap.a, {p.gap, p.parameter_b, p.parameter_a, p.point_b, p.point_a}};
-  const GapResolution one = gap_resolution(gap, places, solver.references()),
-                      other = gap_resolution(turned, places, solver.references());
+  const GapResolution one = gap_resolution(gap, places, solver.discretisation()),
+                      other = gap_resolution(turned, places, solver.discretisation());
   BOOST_TEST(one.decay.a == other.decay.b, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(one.decay.b == other.decay.a, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(one.error == other.error, boost::test_tools::tolerance(1e-6));

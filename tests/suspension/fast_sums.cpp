@@ -18,7 +18,7 @@ SuspensionOperator operator_by(Summation summation, const SuspensionSolver& solv
   Plan plan = solver.plan();
   plan.summation = summation;
   plan.sum_tolerance = tolerance;
-  return {solver.problem(solver.start(), solver.references()), {}, plan};
+  return {solver.problem(solver.start(), solver.discretisation()), {}, plan};
 }
 
 double relative_difference(const ComplexVector& a, const ComplexVector& b) {
@@ -52,7 +52,7 @@ void check_shipped_scene(const std::filesystem::path& path) {
     };
     const Solved direct = solved_by(Summation::direct), fast = solved_by(Summation::fmm);
     const StokesProblem problem =
-        direct.solver.problem(direct.solution.instant, direct.solution.references);
+        direct.solver.problem(direct.solution.instant, direct.solution.discretisation);
     const auto completion = [](const Solution& solution) {
       return Completion{solution.motions, solution.loads, solution.uniform_velocity};
     };
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(flows) {
       return Complex{uniform(random), uniform(random)};
     });
     const std::vector<std::uint8_t> outside =
-        in_fluid(start.configuration, direct.references(), any);
+        in_fluid(start.configuration, direct.discretisation(), any);
     std::vector<Eigen::Index> fluid;
     for (Eigen::Index i = 0; i < any.size(); ++i) {
       if (outside[static_cast<std::size_t>(i)] == 1) fluid.push_back(i);

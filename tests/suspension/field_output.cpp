@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
   const SuspensionSolver solver(scene);
   const Configuration configuration = solver.start().configuration;
   for (std::size_t k = 0; k < 4; ++k) {
-    const SmoothCurve curve = smooth_curve(*solver.references()[k], configuration[k]);
+    const SmoothCurve curve = smooth_curve(*solver.discretisation()[k], configuration[k]);
     ComplexVector inner(500), outer(500);
     for (Index i = 0; i < 500; ++i) {
       const auto jet = curve.at(0.0123 + 2.0 * std::numbers::pi * static_cast<double>(i) / 500.0);
@@ -74,15 +74,15 @@ BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
       outer[i] = jet.value + 1e-12 * out;
     }
     const bool encloses = k == 3;
-    for (const std::uint8_t side : in_fluid(configuration, solver.references(), inner)) {
+    for (const std::uint8_t side : in_fluid(configuration, solver.discretisation(), inner)) {
       BOOST_TEST(side == (encloses ? 1 : 0));
     }
-    for (const std::uint8_t side : in_fluid(configuration, solver.references(), outer)) {
+    for (const std::uint8_t side : in_fluid(configuration, solver.discretisation(), outer)) {
       BOOST_TEST(side == (encloses ? 0 : 1));
     }
   }
   const ComplexVector far = ComplexVector::Constant(1, 1e3);
-  BOOST_TEST(in_fluid(configuration, solver.references(), far)[0] == 0);
+  BOOST_TEST(in_fluid(configuration, solver.discretisation(), far)[0] == 0);
 }
 
 // Two turning cylinders: u = A r + B / r. The grid passes close to both walls.

@@ -29,7 +29,7 @@ std::vector<Complex> fluid_points(const Solved& solved, double spread, double di
   std::uniform_real_distribution<double> uniform(-spread, spread);
   const auto is_free = [&](Complex point, std::size_t k) {
     const auto [position, orientation] = solved.solution.instant.configuration[k];
-    const CauchyCurve& curve = *solved.solution.references[k]->cauchy;
+    const CauchyCurve& curve = *solved.solution.discretisation[k]->cauchy;
     const Complex local = (point - position) * std::polar(1.0, -orientation);
     return curve.in_fluid(local) && (curve.curve().x.array() - local).abs().minCoeff() > distance;
   };
@@ -50,7 +50,8 @@ Complex derivative(const Solved& solved, Complex point, Complex step) {
 
 // Tractions of the whole flow at the nodes of a solution.
 ComplexVector tractions(const Solved& solved, const Solution& solution) {
-  const StokesProblem problem = solved.solver.problem(solved.solution.instant, solution.references);
+  const StokesProblem problem =
+      solved.solver.problem(solved.solution.instant, solution.discretisation);
   const ComplexVector& nodes = problem.components[0].curve.x;
   return boundary_traction(problem, solved.solver.derivatives(solution, nodes));
 }
@@ -146,8 +147,8 @@ BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
   for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(53), units));
     for (std::size_t k = 0; k < 3; ++k) {
-      const SmoothCurve curve =
-          smooth_curve(*solved.solution.references[k], solved.solution.instant.configuration[k]);
+      const SmoothCurve curve = smooth_curve(*solved.solution.discretisation[k],
+                                             solved.solution.instant.configuration[k]);
       const RigidMotion& motion = solved.motion(k);
       for (const double t : {0.1234, 1.777, 2.9, 4.4321, 5.9}) {
         const auto jet = curve.at(t);
@@ -177,7 +178,7 @@ BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   const Solved a(coarse), b(fine);
   for (std::size_t k = 0; k < 3; ++k) {
     const SmoothCurve curve =
-        smooth_curve(*a.solution.references[k], a.solution.instant.configuration[k]);
+        smooth_curve(*a.solution.discretisation[k], a.solution.instant.configuration[k]);
     for (const double height : {1e-9, 1e-4, 1e-2, 0.03, 0.1}) {
       ComplexVector points(7);
       for (Eigen::Index i = 0; i < 7; ++i) {

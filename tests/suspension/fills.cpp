@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(the_area_fraction_is_met) {
 
 BOOST_AUTO_TEST_CASE(all_gaps_keep_the_clearance) {
   const SuspensionSolver solver(place_fills(filled_cell(2)));
-  const std::vector<Gap> gaps = find_gaps(solver.start().configuration, solver.references(), 1e-12);
+  const std::vector<Gap> gaps =
+      find_gaps(solver.start().configuration, solver.discretisation(), 1e-12);
   BOOST_TEST(gaps.size() > 50U);
   BOOST_TEST(gaps.front().points.gap >= 0.05);
 }

@@ -43,17 +43,17 @@ Scene contained(Scene scene) {
 struct Placed {
   explicit Placed(const Scene& scene)
       : solver(scene),
-        references(solver.references()),
+        discretisation(solver.discretisation()),
         configuration(solver.start().configuration) {}
 
   Gap gap(std::size_t a, std::size_t b) const {
     return {a, b,
-            closest_points(smooth_curve(*references[a], configuration[a]),
-                           smooth_curve(*references[b], configuration[b]))};
+            closest_points(smooth_curve(*discretisation[a], configuration[a]),
+                           smooth_curve(*discretisation[b], configuration[b]))};
   }
 
   bool in_reach(std::size_t a, std::size_t b, double tolerance) const {
-    const Curve &p = references[a]->curve, &q = references[b]->curve;
+    const Curve &p = discretisation[a]->curve, &q = discretisation[b]->curve;
     if (p.side == Side::fluid_inside || q.side == Side::fluid_inside) return true;
     const double apart = std::abs(configuration[a].position - configuration[b].position) -
                          outer_radius(p, 0.0) - outer_radius(q, 0.0);
@@ -61,7 +61,7 @@ struct Placed {
   }
 
   SuspensionSolver solver;
-  References references;
+  Discretisation discretisation;
   Configuration configuration;
 };
 
@@ -91,7 +91,7 @@ bool test_gaps(const Scene& scene, double tolerance) {
   const std::vector<Gap> expected = gaps_of_all_pairs(placed, tolerance);
   for (int threads : {1, 2}) {
     omp_set_num_threads(threads);
-    const std::vector<Gap> gaps = find_gaps(placed.configuration, placed.references, tolerance);
+    const std::vector<Gap> gaps = find_gaps(placed.configuration, placed.discretisation, tolerance);
     BOOST_REQUIRE_EQUAL(gaps.size(), expected.size());
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       BOOST_TEST(gaps[i].a == expected[i].a);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
 
 BOOST_AUTO_TEST_CASE(one_component_has_no_gaps) {
   const Placed alone(scene({body(Circle{1.0}, 32, {0.0, 0.0})}));
-  BOOST_TEST(find_gaps(alone.configuration, alone.references, 1e-6).empty());
+  BOOST_TEST(find_gaps(alone.configuration, alone.discretisation, 1e-6).empty());
 }
 
 BOOST_AUTO_TEST_CASE(fluid_is_where_the_side_of_every_component_says_so) {
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(fluid_is_where_the_side_of_every_component_says_so) {
     for (Complex& point : points) point = {uniform(random), uniform(random)};
     std::vector<std::uint8_t> expected(2000, 1);
     for (std::size_t k = 0; k < placed.configuration.size(); ++k) {
-      const Barycentric barycentric(placed.references[k]->curve);
+      const Barycentric barycentric(placed.discretisation[k]->curve);
       const auto [position, orientation] = placed.configuration[k];
       for (Eigen::Index i = 0; i < points.size(); ++i) {
         const Complex local = (points[i] - position) * std::polar(1.0, -orientation);
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(fluid_is_where_the_side_of_every_component_says_so) {
     }
     for (int threads : {1, 2}) {
       omp_set_num_threads(threads);
-      BOOST_TEST(in_fluid(placed.configuration, placed.references, points) == expected,
+      BOOST_TEST(in_fluid(placed.configuration, placed.discretisation, points) == expected,
                  boost::test_tools::per_element());
     }
     omp_set_num_threads(1);

@@ -12,7 +12,7 @@ namespace {
 
 // The operator of a scene's start by plain trapezoid sums.
 SuspensionOperator plain_operator(const SuspensionSolver& solver) {
-  return {solver.problem(solver.start(), solver.references()), {}, solver.plan()};
+  return {solver.problem(solver.start(), solver.discretisation()), {}, solver.plan()};
 }
 
 LinearMap as_linear_map(const SuspensionOperator& system) {
@@ -25,7 +25,7 @@ LinearMap as_linear_map(const SuspensionOperator& system) {
 int iterations(const SuspensionSolver& solver, bool preconditioned, double tolerance = 1e-12) {
   const SuspensionOperator system = plain_operator(solver);
   std::vector<BlockDiagonalPreconditioner::Member> members;
-  for (const auto& reference : solver.references()) {
+  for (const auto& reference : solver.discretisation()) {
     members.push_back({reference->inverse_block.get()});
   }
   LinearMap precondition;
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(is_the_dense_system) {
                       outer_wall(Ellipse{3.5, 3.0}, 96)});
   cell.viscosity = 1.3;
   const SuspensionSolver solver(cell);
-  const StokesProblem problem = solver.problem(solver.start(), solver.references());
+  const StokesProblem problem = solver.problem(solver.start(), solver.discretisation());
   const DenseSystem dense = assemble_bounded(problem, ClosureForm::reduced);
   const SuspensionOperator system = plain_operator(solver);
   std::mt19937_64 random(1);

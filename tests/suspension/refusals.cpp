@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
       return separation_refusal(separation * unit, solver.start().configuration,
-                                solver.references());
+                                solver.discretisation());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
     BOOST_TEST(!refusal(0.99e-8).empty());
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_the_largest_body) {
   for (int order = 0; order < 2; ++order) {
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
-      return separation_refusal(separation, solver.start().configuration, solver.references());
+      return separation_refusal(separation, solver.start().configuration, solver.discretisation());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
     BOOST_TEST(!refusal(0.99e-8).empty());

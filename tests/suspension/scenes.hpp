@@ -66,7 +66,7 @@ struct Solved {
 
   /// S_11 + i S_12 of a component, -mu \int n eta ds.
   Complex stresslet(std::size_t component) const {
-    const StokesProblem problem = solver.problem(solution.instant, solution.references);
+    const StokesProblem problem = solver.problem(solution.instant, solution.discretisation);
     const Eigen::Index first = node_offsets(problem)[component];
     const Curve& curve = problem.components[component].curve;
     const auto density = solution.density.segment(first, curve.size());
@@ -78,7 +78,7 @@ struct Solved {
 /// Converts a residual that is relative to the whole flow, as published ones are, to ours, which
 /// are relative to what strains the bodies.
 inline double relative_to_whole_flow(const SuspensionSolver& solver, double published) {
-  const StokesProblem problem = solver.problem(solver.start(), solver.references());
+  const StokesProblem problem = solver.problem(solver.start(), solver.discretisation());
   const ComplexVector flow =
       background_velocity(solver.scene().flow, all_nodes(curves_of(problem)));
   return published * flow.norm() / problem.background.norm();

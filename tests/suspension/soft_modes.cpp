@@ -9,13 +9,13 @@ namespace stokesbook::test {
 namespace {
 
 double error_of(const Shape& shape, int n_nodes) {
-  ReferenceShelf shelf({}, 8);
-  return softest_mode_error(*shelf.get(shape, {n_nodes, {}}, ComponentKind::free_body));
+  DiscretisationCache cache({}, 8);
+  return softest_mode_error(*cache.get(shape, {n_nodes, {}}, ComponentKind::free_body));
 }
 
 int nodes_of(const Shape& shape, int n_nodes) {
-  ReferenceShelf shelf({}, 8);
-  return nodes_for_softest_mode(shelf, shape, ComponentKind::free_body, n_nodes);
+  DiscretisationCache cache({}, 8);
+  return nodes_for_softest_mode(cache, shape, ComponentKind::free_body, n_nodes);
 }
 
 // A slender ellipse beside another body, in shear.

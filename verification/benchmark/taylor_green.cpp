@@ -35,7 +35,7 @@ std::vector<double> time_case(const Case& c, double budget) {
   const Scene scene = taylor_green(c);
   const SuspensionSolver solver(scene);
   const Instant start = solver.start();
-  const SuspensionOperator system = solver.discretise(start, solver.references()).system;
+  const SuspensionOperator system = solver.linear_system(start, solver.discretisation()).system;
   const ComplexVector density = ComplexVector::Ones(system.offsets().back());
   const double setup = least_seconds([&] { return SuspensionSolver(scene); }, budget);
   const double matvec = least_seconds([&] { return system(density); }, budget);

@@ -21,7 +21,7 @@ using Kind = PreconditionerKind;
 /// What it takes to solve a scene's start to 1e-8.
 struct Effort {
   double iterations, unknowns;
-  double seconds;  // of references, operator, preconditioner and iteration
+  double seconds;  // of discretised shapes, operator, preconditioner and iteration
 };
 
 /// A preconditioner: as scenes name them, or clusters in one form.
@@ -34,7 +34,7 @@ test::Discretised discretised(const Scene& scene, const Choice& choice) {
 
 Effort effort(const Scene& scene, const Choice& choice) {
   const auto start = std::chrono::steady_clock::now();
-  const DiscreteProblem discrete = discretised(scene, choice).discrete;
+  const LinearSystem discrete = discretised(scene, choice).discrete;
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-8, 2000});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return {static_cast<double>(result.iterations), static_cast<double>(result.solution.size()),

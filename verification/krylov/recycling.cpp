@@ -25,7 +25,7 @@ namespace {
 constexpr GmresOptions step_options{1e-8, 500};
 
 /// A M^{-1}, interleaved.
-LinearMap preconditioned(const DiscreteProblem& discrete) {
+LinearMap preconditioned(const LinearSystem& discrete) {
   return [&discrete](const VectorXd& v) -> VectorXd {
     const VectorXd density = discrete.precondition ? discrete.precondition(v) : v;
     const ComplexVector velocity = discrete.system(deinterleaved(density));
@@ -80,7 +80,7 @@ MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
 /// The system of a scene's start, and that a short time later with the same nodes.
 struct TwoSteps {
   test::Discretised first;
-  DiscreteProblem second;
+  LinearSystem second;
   GmresResult solved;
 
   TwoSteps(const Scene& scene, double dt)
@@ -94,7 +94,7 @@ struct TwoSteps {
       moved[k].position += dt * completion.motions[k].velocity;
       moved[k].orientation += dt * completion.motions[k].omega;
     }
-    second = first.solver.discretise({moved}, first.references);
+    second = first.solver.linear_system({moved}, first.discretisation);
   }
 
   /// Products with the operator, those that the recycled directions take included.

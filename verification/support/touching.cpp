@@ -92,19 +92,19 @@ Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
 Discretised::Discretised(const Scene& scene)
     : solver(scene),
       configuration(solver.start().configuration),
-      references(
-          solver.references(solver.first_resolutions(configuration, solver.gaps(configuration)))),
-      discrete(solver.discretise({configuration}, references)) {}
+      discretisation(
+          solver.discretise(solver.first_resolutions(configuration, solver.gaps(configuration)))),
+      discrete(solver.linear_system({configuration}, discretisation)) {}
 
 Discretised::Discretised(const Scene& scene, ClusterForm form)
     : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {
   std::vector<PlacedCurve> placed;
-  for (std::size_t k = 0; k < references.size(); ++k) {
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
     const auto [position, orientation] = configuration[k];
-    placed.push_back({references[k]->cauchy, position, orientation});
+    placed.push_back({discretisation[k]->cauchy, position, orientation});
   }
   discrete.precondition =
-      cluster_preconditioner(discrete.problem, configuration, references, placed, form);
+      cluster_preconditioner(discrete.problem, configuration, discretisation, placed, form);
 }
 
 }  // namespace stokesbook::test

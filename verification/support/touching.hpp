@@ -31,8 +31,8 @@ Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner);
 struct Discretised {
   SuspensionSolver solver;
   Configuration configuration;
-  References references;
-  DiscreteProblem discrete;
+  Discretisation discretisation;
+  LinearSystem discrete;
 
   explicit Discretised(const Scene& scene);
   Discretised(const Scene& scene, ClusterForm form);  // clusters in this form

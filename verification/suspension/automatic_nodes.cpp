@@ -35,7 +35,7 @@ std::vector<Scene> scenes(int count) {
     const SuspensionSolver probe(scene);
     const double tolerance = scene.solver.tolerance;
     const std::vector<Gap> gaps =
-        find_gaps(probe.start().configuration, probe.references(), tolerance);
+        find_gaps(probe.start().configuration, probe.discretisation(), tolerance);
     if (gaps.front().points.gap < 1e-2 || scene.bodies.size() > 3) continue;
     scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
     if (is_solvable(scene)) found.push_back(scene);
@@ -56,13 +56,13 @@ Effort chosen(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   const SuspensionSolver solver(scene);
   const Solution solution = solver.solve(solver.start());
-  return {resolutions_of(solution.references), solution.gmres.residual};
+  return {resolutions_of(solution.discretisation), solution.gmres.residual};
 }
 
 // A planted defect: what the shapes ask for, whatever the gaps.
 Effort for_shapes(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
-  return {resolutions_of(SuspensionSolver(scene).references()), 0.01 * tolerance};
+  return {resolutions_of(SuspensionSolver(scene).discretisation()), 0.01 * tolerance};
 }
 
 Measure worst_errors(const Choice& choice) {

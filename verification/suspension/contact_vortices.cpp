@@ -113,9 +113,9 @@ Response solved_response(Pull pull) {
     return (solution.motions[pull.right].velocity - solution.motions[pull.left].velocity).real();
   };
   // A lagged solve knows the others by their densities of before, when there was no contact.
-  const auto nothing = [](const References& references) -> ComplexVector {
+  const auto nothing = [](const Discretisation& discretisation) -> ComplexVector {
     Eigen::Index nodes = 0;
-    for (const auto& reference : references) nodes += reference->curve.size();
+    for (const auto& shape : discretisation) nodes += shape->curve.size();
     return ComplexVector::Zero(nodes);
   };
   return {opening(solver.solve(start)), opening(solver.solve_lagged(start, nothing))};

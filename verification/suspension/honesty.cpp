@@ -56,7 +56,7 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
   move_away(scene, random);
   scene.solver.preconditioner = PreconditionerKind::none;
   const SuspensionSolver solver(scene);
-  Resolutions resolutions = resolutions_of(solver.references());
+  Resolutions resolutions = resolutions_of(solver.discretisation());
   const double most = static_cast<double>(most_nodes) / static_cast<double>(resolutions.size());
   const double share = uniform(random, 0.3, 1.0);
   for (Resolution& resolution : resolutions) {
@@ -141,7 +141,7 @@ JudgedScene judge_hard_scene(const Scene& scene) {
   const Instant start = reference.start();
   const Solution right = reference.solve(start);
   const auto error_of = [&](const Solution& found) {
-    const StokesProblem problem = solver.problem(start, found.references);
+    const StokesProblem problem = solver.problem(start, found.discretisation);
     return *relative_change(problem, {found.motions, found.loads, found.uniform_velocity},
                             {right.motions, right.loads, right.uniform_velocity},
                             found.velocity_scale);

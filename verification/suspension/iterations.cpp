@@ -30,7 +30,7 @@ double iterations(MakeScene make_scene, int nodes, PreconditionerKind preconditi
     scene.solver.preconditioner = preconditioner;
     const SuspensionSolver solver(scene);
     return static_cast<double>(
-        solved_at(solver, resolutions_of(solver.references()), 1e-6).gmres.iterations);
+        solved_at(solver, resolutions_of(solver.discretisation()), 1e-6).gmres.iterations);
   });
 }
 

@@ -47,7 +47,7 @@ double products(Size size, int nodes, PreconditionerKind preconditioner, Residua
         scene.bodies[k].orientation = frame.bodies[k].orientation;
       }
       const SuspensionSolver solver(scene);
-      sum += solved_at(solver, resolutions_of(solver.references()), tolerance).gmres.iterations;
+      sum += solved_at(solver, resolutions_of(solver.discretisation()), tolerance).gmres.iterations;
     }
     return sum;
   });

@@ -52,11 +52,11 @@ JudgedCrowd judge_crowd(int count) {
   const Scene scene = crowd_of(count);
   const auto start = std::chrono::steady_clock::now();
   const SuspensionSolver solver(scene);
-  const Resolutions resolutions = resolutions_of(solver.references());
+  const Resolutions resolutions = resolutions_of(solver.discretisation());
   const Solved answer = solved_at(solver, resolutions, *scene.solver.gmres_tol);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const DiscreteProblem fine =
-      solver.discretise(solver.start(), solver.references(finer(resolutions)));
+  const LinearSystem fine =
+      solver.linear_system(solver.start(), solver.discretise(finer(resolutions)));
   const Solved twice = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
   StokesProblem first = answer.discrete.problem;
   first.components.resize(looked_at);

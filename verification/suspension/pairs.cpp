@@ -58,7 +58,7 @@ double speed(const PairDrive& drive, double gap, double relative_error, int n_no
   if (n_nodes == automatic_nodes) {
     return solver.solve(start).motions[1].velocity.real();
   }
-  return solved_at(solver, resolutions_of(solver.references()), 1e-14)
+  return solved_at(solver, resolutions_of(solver.discretisation()), 1e-14)
       .completion.motions[1]
       .velocity.real();
 }

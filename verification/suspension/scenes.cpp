@@ -164,7 +164,7 @@ Scene hard_scene(std::mt19937_64& random, double slenderest) {
 
 Solved solved_at(const SuspensionSolver& solver, const Resolutions& resolutions,
                  double gmres_tolerance) {
-  DiscreteProblem discrete = solver.discretise(solver.start(), solver.references(resolutions));
+  LinearSystem discrete = solver.linear_system(solver.start(), solver.discretise(resolutions));
   const ComplexVector rhs = discrete.system.right_hand_side();
   GmresResult gmres = solve(discrete, rhs, {gmres_tolerance, 2000});
   const ComplexVector density = deinterleaved(gmres.solution);

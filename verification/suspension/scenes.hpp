@@ -45,7 +45,7 @@ Scene hard_scene(std::mt19937_64& random, double slenderest);
 
 /// A solution of a scene's start at given nodes.
 struct Solved {
-  DiscreteProblem discrete;
+  LinearSystem discrete;
   GmresResult gmres;
   ComplexVector density;
   Completion completion;

@@ -42,8 +42,8 @@ double contraction(double gap, Blocks blocks) {
   const SuspensionSolver solver(pair_of_nodes(gap, automatic_nodes));
   const Instant start = solver.start();
   const std::vector<Gap> gaps = solver.gaps(start.configuration);
-  const DiscreteProblem discrete = solver.discretise(
-      start, solver.references(solver.first_resolutions(start.configuration, gaps)));
+  const LinearSystem discrete = solver.linear_system(
+      start, solver.discretise(solver.first_resolutions(start.configuration, gaps)));
   const auto sweep = [&](const VectorXd& error) -> VectorXd {
     const ComplexVector velocity = discrete.system(deinterleaved(error));
     if (blocks == Blocks::half) return error + 2.0 * interleaved(velocity);
@@ -103,17 +103,17 @@ double error_of_lagged(double gap, int steps, Event event) {
   const int begin = std::max(0, steps - 100);
   const Solution first = solver.solve({at(time(begin))});
   DensityHistory densities(1);
-  densities.add(time(begin), at(time(begin)), first.references, first.density);
+  densities.add(time(begin), at(time(begin)), first.discretisation, first.density);
   Solution lagged;
   for (int k = begin + 1; k <= steps; ++k) {
     const double t = time(k);
     const bool reverses = k == steps && event != Event::none;
     if (reverses && event == Event::reversal_that_is_told) densities.reverse(t);
-    const auto before = [&](const References& references) {
-      return densities.guess(t, at(t), references);
+    const auto before = [&](const Discretisation& discretisation) {
+      return densities.guess(t, at(t), discretisation);
     };
     lagged = solver.solve_lagged({at(t), reverses ? -1.0 : 1.0}, before);
-    densities.add(t, at(t), lagged.references, lagged.density);
+    densities.add(t, at(t), lagged.discretisation, lagged.density);
   }
   const double amplitude = event == Event::none ? 1.0 : -1.0;
   const Complex velocity = exact.motions[0].velocity;

@@ -141,7 +141,7 @@ Motion couette_cell() {
 
 Rate solved_rate(const Scene& scene) {
   const auto solver = std::make_shared<SuspensionSolver>(scene);
-  const Resolutions first = resolutions_of(solver->solve(solver->start()).references);
+  const Resolutions first = resolutions_of(solver->solve(solver->start()).discretisation);
   return [=](double, const VectorXd& state) {
     try {
       return to_rate(solver->solve_nearby({to_configuration(state)}, first));

@@ -51,10 +51,10 @@ Last last(double dt, std::size_t kept, Reversal reversal) {
     const double t = 0.5 - dt * static_cast<double>(kept - k);
     const double amplitude = k == 0 && reversal == Reversal::untold ? -1.0 : 1.0;
     const Configuration now = at(t);
-    const Solution warm = solver.solve({now, amplitude}, [&](const References& references) {
-      return history.guess(t, now, references);
+    const Solution warm = solver.solve({now, amplitude}, [&](const Discretisation& discretisation) {
+      return history.guess(t, now, discretisation);
     });
-    history.add(t, now, warm.references, warm.density);
+    history.add(t, now, warm.discretisation, warm.density);
     last = {0.0, static_cast<double>(warm.gmres.iterations), warm.gmres.history.front()};
   }
   last.cold = solver.solve({at(0.5)}).gmres.iterations;

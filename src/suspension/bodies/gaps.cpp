@@ -13,23 +13,23 @@ namespace stokesbook {
 
 namespace {
 
-bool encloses(const Reference& reference) {
-  return reference.curve.side == Side::fluid_inside;
+bool encloses(const DiscretisedShape& discretised) {
+  return discretised.curve.side == Side::fluid_inside;
 }
 
 // Squares about the components' bounding circles; an enclosing wall is a neighbour of all.
 std::vector<Rectangle> rectangles_of(const Configuration& configuration,
-                                     const References& references) {
+                                     const Discretisation& discretisation) {
   std::vector<Rectangle> rectangles;
-  ComplexVector corners(2 * static_cast<Eigen::Index>(references.size()));
-  for (std::size_t k = 0; k < references.size(); ++k) {
+  ComplexVector corners(2 * static_cast<Eigen::Index>(discretisation.size()));
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
     rectangles.push_back(
-        square_about(configuration[k].position, outer_radius(references[k]->curve, 0.0)));
+        square_about(configuration[k].position, outer_radius(discretisation[k]->curve, 0.0)));
     corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles[k].lower,
         rectangles[k].upper;
   }
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    if (encloses(*references[k])) rectangles[k] = bounding_rectangle(corners);
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    if (encloses(*discretisation[k])) rectangles[k] = bounding_rectangle(corners);
   }
   return rectangles;
 }
@@ -37,21 +37,22 @@ std::vector<Rectangle> rectangles_of(const Configuration& configuration,
 // Bounding circles of all components and the reach of their trapezoid rules.
 class BroadPhase {
  public:
-  BroadPhase(const Configuration& configuration, const References& references, double tolerance)
+  BroadPhase(const Configuration& configuration, const Discretisation& discretisation,
+             double tolerance)
       : configuration_(configuration),
-        references_(references),
-        rectangles_(rectangles_of(configuration, references)),
+        discretisation_(discretisation),
+        rectangles_(rectangles_of(configuration, discretisation)),
         index_(rectangles_) {
-    for (const auto& reference : references) {
-      radius_.push_back(outer_radius(reference->curve, 0.0));
-      reach_.push_back(near_reach(reference->curve, tolerance));
+    for (const auto& discretised : discretisation) {
+      radius_.push_back(outer_radius(discretised->curve, 0.0));
+      reach_.push_back(near_reach(discretised->curve, tolerance));
     }
   }
 
   // Lower bound of a gap; an enclosing wall need not be convex, its bounding circle says nothing.
   double least_gap(const ComponentPair& pair) const {
     const auto [a, b] = pair;
-    if (encloses(*references_[a]) || encloses(*references_[b])) return 0.0;
+    if (encloses(*discretisation_[a]) || encloses(*discretisation_[b])) return 0.0;
     return std::abs(configuration_[a].position - configuration_[b].position) - radius_[a] -
            radius_[b];
   }
@@ -89,7 +90,7 @@ class BroadPhase {
   }
 
   const Configuration& configuration_;
-  const References& references_;
+  const Discretisation& discretisation_;
   std::vector<Rectangle> rectangles_;
   RectangleIndex index_;
   std::vector<double> radius_, reach_;
@@ -120,13 +121,13 @@ std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
 
 }  // namespace
 
-std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
+std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance) {
   if (configuration.size() < 2) return {};
-  const BroadPhase broad(configuration, references, tolerance);
+  const BroadPhase broad(configuration, discretisation, tolerance);
   std::vector<SmoothCurve> curves;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    curves.push_back(smooth_curve(*references[k], configuration[k]));
+    curves.push_back(smooth_curve(*discretisation[k], configuration[k]));
   }
   std::vector<Gap> gaps;
   for (const auto& [a, b] : broad.pairs_in_reach()) gaps.push_back({a, b, {}});

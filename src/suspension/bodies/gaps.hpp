@@ -5,7 +5,7 @@
 
 #include "near_singular/closest_points.hpp"
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/reference.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
@@ -22,12 +22,12 @@ struct Gap {
 /// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
 /// and the closest pair.
 ///
-/// @param  configuration  poses of all components
-/// @param  references     of each component
-/// @param  tolerance      of velocities, > 0; sets the reach
-/// @return                in ascending order of the gap; empty for a single component
+/// @param  configuration   poses of all components
+/// @param  discretisation  of each component
+/// @param  tolerance       of velocities, > 0; sets the reach
+/// @return                 in ascending order of the gap; empty for a single component
 /// @par Cost           a search in a RectangleIndex a component, N_a N_b distances a close pair
-std::vector<Gap> find_gaps(const Configuration& configuration, const References& references,
+std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
 
 /// @}

@@ -84,18 +84,18 @@ CloserPairs to_pairs(const VectorXd& numbers) {
   return pairs;
 }
 
-ContactShapes contact_shapes(const References& references, double sag_limit) {
+ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit) {
   ContactShapes shapes;
-  for (const auto& reference : references) {
-    const auto is_equal = [&](const std::shared_ptr<const Reference>& earlier) {
-      return earlier->shape == reference->shape && earlier->curve.side == reference->curve.side;
+  for (const auto& discretised : discretisation) {
+    const auto is_equal = [&](const std::shared_ptr<const DiscretisedShape>& earlier) {
+      return earlier->shape == discretised->shape && earlier->curve.side == discretised->curve.side;
     };
-    const auto known =
-        static_cast<std::size_t>(std::ranges::find_if(references, is_equal) - references.begin());
+    const auto known = static_cast<std::size_t>(std::ranges::find_if(discretisation, is_equal) -
+                                                discretisation.begin());
     shapes.push_back(known < shapes.size()
                          ? shapes[known]
-                         : std::make_shared<const ContactShape>(
-                               contact_shape(reference->shape, reference->curve.side, sag_limit)));
+                         : std::make_shared<const ContactShape>(contact_shape(
+                               discretised->shape, discretised->curve.side, sag_limit)));
   }
   return shapes;
 }
@@ -103,14 +103,14 @@ ContactShapes contact_shapes(const References& references, double sag_limit) {
 SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
     : solver_(solver),
       separation_(solver.separation()),
-      shapes_(contact_shapes(solver.references(), relative_sag * separation_)) {
+      shapes_(contact_shapes(solver.discretisation(), relative_sag * separation_)) {
   double sag = 0.0;
   for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
   polygon_separation_ = separation_ + 2.0 * sag;
 }
 
 bool SuspensionContact::is_free(std::size_t component) const {
-  return solver_.references()[component]->kind == ComponentKind::free_body;
+  return solver_.discretisation()[component]->kind == ComponentKind::free_body;
 }
 
 std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
@@ -130,7 +130,7 @@ std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configurati
 double SuspensionContact::curve_gap(const PolygonGap& found,
                                     const Configuration& configuration) const {
   const auto curve = [&](std::size_t k) {
-    return smooth_curve(*solver_.references()[k], configuration[k]);
+    return smooth_curve(*solver_.discretisation()[k], configuration[k]);
   };
   return closest_points(curve(found.a), curve(found.b)).gap;
 }
@@ -199,7 +199,7 @@ double SuspensionContact::relative_displacement(const Configuration& start,
                                                 const VectorXd& velocity, double dt) const {
   const std::vector<RigidPath> paths = straight_paths(start, velocity, dt);
   const auto area_over_perimeter = [this](std::size_t k) {
-    const Curve& curve = solver_.references()[k]->curve;
+    const Curve& curve = solver_.discretisation()[k]->curve;
     return area(curve) / perimeter(curve);
   };
   double largest = 0.0;
@@ -219,7 +219,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   const StageRules rules{this->rules(closer),
                          {separation_, closer},
                          [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); }};
-  StageRows rows(stage, solver_.references(), shapes_, rules);
+  StageRows rows(stage, solver_.discretisation(), shapes_, rules);
   const ContactStep step{
       .free_velocity = stage.free_velocity,
       .dt = stage.dt,

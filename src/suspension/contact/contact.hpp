@@ -28,10 +28,10 @@ CloserPairs to_pairs(const Eigen::VectorXd& numbers);
 
 /// Makes the polygons of components. Those of one shape and side share theirs.
 ///
-/// @param  references  of all components
-/// @param  sag_limit   largest distance of a polygon from its curve, length
-/// @return             one a component
-ContactShapes contact_shapes(const References& references, double sag_limit);
+/// @param  discretisation  of all components
+/// @param  sag_limit       largest distance of a polygon from its curve, length
+/// @return                 one a component
+ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
 
 /// What forces that components exert on each other leave over.
 struct Imbalance {

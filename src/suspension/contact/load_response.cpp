@@ -88,7 +88,7 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, const Solution& solut
                            AnsweredLoads earlier, std::optional<double> exact)
     : solver_(solver),
       configuration_(solution.instant.configuration),
-      references_(solution.references),
+      discretisation_(solution.discretisation),
       earlier_(std::move(earlier)),
       exact_(exact.value_or(solver.plan().gmres_tolerance)),
       tolerance_(std::max(earlier_.tolerance, exact_)),
@@ -98,15 +98,15 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, const Solution& solut
 
 void LoadResponse::begin() {
   flow_ = discrete_->system.right_hand_side().norm();
-  over_lengths_ = VectorXd::Zero(static_cast<Index>(3 * references_.size()));
-  for (std::size_t k = 0; k < references_.size(); ++k) {
-    const Reference& reference = *references_[k];
-    if (reference.kind != ComponentKind::free_body) continue;
+  over_lengths_ = VectorXd::Zero(static_cast<Index>(3 * discretisation_.size()));
+  for (std::size_t k = 0; k < discretisation_.size(); ++k) {
+    const DiscretisedShape& discretised = *discretisation_[k];
+    if (discretised.kind != ComponentKind::free_body) continue;
     over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0,
-        1.0 / reference.gyration_radius;
+        1.0 / discretised.gyration_radius;
   }
   if (discrete_->is_factorised) return;  // which needs no guesses
-  const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, references_);
+  const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, discretisation_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const VectorXd at_bodies = earlier_.loads.col(i);
     const SparseVector<double> load = turned(at_bodies, configuration_, 1.0).sparseView();
@@ -341,7 +341,7 @@ AnsweredLoads LoadResponse::answered() const {
     result.flows[i] = answer.flow;
     densities.col(i) = answer.density;
   }
-  result.densities.add(0.0, configuration_, references_, std::move(densities));
+  result.densities.add(0.0, configuration_, discretisation_, std::move(densities));
   result.tolerance = std::min(AnsweredLoads::most_tolerance, loosening * tolerance_);
   return result;
 }

@@ -157,11 +157,11 @@ class LoadResponse {
 
   const SuspensionSolver& solver_;
   Configuration configuration_;
-  References references_;
+  Discretisation discretisation_;
   AnsweredLoads earlier_;
   double exact_;      // relative residual
   double tolerance_;  // of columns
-  std::shared_ptr<const DiscreteProblem> discrete_;
+  std::shared_ptr<const LinearSystem> discrete_;
   double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
   double velocity_scale_;            // largest velocity of the scene's flow
   Eigen::VectorXd over_lengths_;     // what makes forces of loads, 1 / length for torques; 0 where

@@ -75,9 +75,9 @@ std::vector<RigidPath> straight_paths(const Configuration& start, const VectorXd
   return paths;
 }
 
-StageRows::StageRows(const ContactStage& stage, const References& references,
+StageRows::StageRows(const ContactStage& stage, const Discretisation& discretisation,
                      const ContactShapes& shapes, const StageRules& rules)
-    : stage_(stage), references_(references), shapes_(shapes), rules_(rules) {}
+    : stage_(stage), discretisation_(discretisation), shapes_(shapes), rules_(rules) {}
 
 ContactResult StageRows::resolved(const ContactStep& step) {
   const ContactResult first = resolved(step, Linearisation::exact, stage_.most_iterations);
@@ -200,7 +200,7 @@ double StageRows::sags(const StageRow& row) const {
 }
 
 SmoothCurve StageRows::curve(std::size_t component, const Configuration& at) const {
-  return smooth_curve(*references_[component], at[component]);
+  return smooth_curve(*discretisation_[component], at[component]);
 }
 
 // Where the curves are closest, at a configuration.

@@ -58,12 +58,12 @@ class StageRows {
  public:
   /// Takes a stage.
   ///
-  /// @param  stage       to resolve; must outlive the rows, as all arguments
-  /// @param  references  of all components
-  /// @param  shapes      their polygons
-  /// @param  rules       what keeps them apart
-  StageRows(const ContactStage& stage, const References& references, const ContactShapes& shapes,
-            const StageRules& rules);
+  /// @param  stage           to resolve; must outlive the rows, as all arguments
+  /// @param  discretisation  of all components
+  /// @param  shapes          their polygons
+  /// @param  rules           what keeps them apart
+  StageRows(const ContactStage& stage, const Discretisation& discretisation,
+            const ContactShapes& shapes, const StageRules& rules);
 
   /// Runs the loop, with the exact derivative of gaps, which converges fast, or else with that of
   /// the forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
@@ -95,7 +95,7 @@ class StageRows {
   ClosestPoints closest(const RowKey& key, const Configuration& at) const;
 
   const ContactStage& stage_;
-  const References& references_;
+  const Discretisation& discretisation_;
   const ContactShapes& shapes_;
   const StageRules& rules_;
   std::set<ComponentPair> pressed_;                      // violated at some velocity

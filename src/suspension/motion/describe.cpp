@@ -55,17 +55,17 @@ std::string recommendation(int most) {
 std::vector<std::string> component_lines(const SuspensionSolver& solver,
                                          const Resolutions& resolutions,
                                          const std::vector<int>& recommended) {
-  const References& references = solver.references();
+  const Discretisation& discretisation = solver.discretisation();
   std::vector<std::string> lines;
   const auto is_chosen = [&](std::size_t component) {
     return component_of(solver.scene(), component).has_automatic_nodes();
   };
-  std::vector<bool> done(references.size(), false);
-  for (std::size_t k = 0; k < references.size(); ++k) {
+  std::vector<bool> done(discretisation.size(), false);
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
     if (done[k]) continue;
     int members = 0, most = 0;
-    for (std::size_t j = k; j < references.size(); ++j) {
-      if (references[j] != references[k] || !alike(resolutions[j], resolutions[k]) ||
+    for (std::size_t j = k; j < discretisation.size(); ++j) {
+      if (discretisation[j] != discretisation[k] || !alike(resolutions[j], resolutions[k]) ||
           is_chosen(j) != is_chosen(k)) {
         continue;
       }
@@ -75,7 +75,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
     }
     lines.push_back(aligned(
         "components",
-        std::to_string(members) + " x " + shape_name(references[k]->shape) + ", " +
+        std::to_string(members) + " x " + shape_name(discretisation[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
             (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
             (is_chosen(k) ? " to begin with, chosen for shape and gaps" : recommendation(most))));
@@ -172,7 +172,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
 
 std::string describe(const SuspensionSolver& solver, const Solution& solution) {
   std::map<int, int> components;  // by their nodes
-  for (const Resolution& resolution : resolutions_of(solution.references)) {
+  for (const Resolution& resolution : resolutions_of(solution.discretisation)) {
     ++components[resolution.n_nodes];
   }
   std::string nodes;

@@ -20,10 +20,10 @@ namespace {
 constexpr double relative_sag = 1e-3;   // of polygons, in radii of gyration of the smallest body
 constexpr double accepted_sags = 10.0;  // depth of an overlap that is not seen
 
-double smallest_radius(const References& references) {
+double smallest_radius(const Discretisation& discretisation) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& reference : references)
-    smallest = std::min(smallest, reference->gyration_radius);
+  for (const auto& discretised : discretisation)
+    smallest = std::min(smallest, discretised->gyration_radius);
   return smallest;
 }
 
@@ -31,8 +31,8 @@ double smallest_radius(const References& references) {
 
 PassingTest::PassingTest(const SuspensionSolver& solver)
     : solver_(solver),
-      sag_(relative_sag * smallest_radius(solver.references())),
-      shapes_(contact_shapes(solver.references(), sag_)) {}
+      sag_(relative_sag * smallest_radius(solver.discretisation())),
+      shapes_(contact_shapes(solver.discretisation(), sag_)) {}
 
 std::string PassingTest::refusal(const Configuration& start, const Configuration& end,
                                  double closest) const {

@@ -132,7 +132,7 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
   SolveMemory before = latest_;
   Solution solution = dated(t, [&] { return solve_by_guess(t, instant, estimated); });
   if (!estimated) solution.error_estimate = latest_.error_estimate;
-  latest_.densities.add(t, instant.configuration, solution.references, solution.density);
+  latest_.densities.add(t, instant.configuration, solution.discretisation, solution.density);
   if (!contact_) solution.system.reset();  // its memory: nobody asks for it
   latest_.error_estimate = solution.error_estimate;
   latest_.since = estimated ? 0 : latest_.since + 1;
@@ -143,8 +143,8 @@ Simulation::Solved Simulation::solve(double t, const VectorXd& state, Role role)
 }
 
 DensityGuess Simulation::guess(double t, const Configuration& configuration) const {
-  return [this, t, &configuration](const References& references) {
-    return latest_.densities.guess(t, configuration, references);
+  return [this, t, &configuration](const Discretisation& discretisation) {
+    return latest_.densities.guess(t, configuration, discretisation);
   };
 }
 
@@ -183,7 +183,7 @@ void Simulation::note_step(StepInfo step, const VectorXd& error) {
 
 void Simulation::note_resolution(const Solution& solution) {
   std::vector<int> nodes;
-  for (const Resolution& resolution : resolutions_of(solution.references)) {
+  for (const Resolution& resolution : resolutions_of(solution.discretisation)) {
     nodes.push_back(resolution.n_nodes);
   }
   if (resolution_.first_nodes.empty()) resolution_.first_nodes = resolution_.most_nodes = nodes;

@@ -54,7 +54,7 @@ FastestComponent fastest(const Solution& solution) {
   FastestComponent found;
   for (std::size_t k = 0; k < solution.motions.size(); ++k) {
     const auto& [velocity, omega] = solution.motions[k];
-    const double radius = outer_radius(solution.references[k]->curve, 0.0);
+    const double radius = outer_radius(solution.discretisation[k]->curve, 0.0);
     const double speed = std::abs(velocity) + std::abs(omega) * radius;
     if (speed > found.speed) found = {k, speed};
   }
@@ -123,7 +123,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
     totals_.matvecs += check.estimate.matvecs;
     found.solution.error_estimate =
         std::max({flow.error_estimate, check.estimate.error, found.outcome.corrected});
-    const bool nodes_do = check.needed == resolutions_of(flow.references);
+    const bool nodes_do = check.needed == resolutions_of(flow.discretisation);
     const bool enough = nodes_do && check.gmres_tolerance == latest_.gmres_tolerance;
     if (enough || found.free.raised == most_raised) return found;
     latest_.in_contact = check.needed;
@@ -138,7 +138,7 @@ Simulation::InContact Simulation::in_contact(const Stage& stage, Solved free) {
 // exceeds the tolerance.
 LoadedCheck Simulation::check(const InContact& found) const {
   const double gmres_tolerance = latest_.gmres_tolerance;
-  const Resolutions resolutions = resolutions_of(found.free.solution.references);
+  const Resolutions resolutions = resolutions_of(found.free.solution.discretisation);
   const auto& unseen = found.outcome.unseen;
   if (!unseen.empty()) {
     return {{}, finer_in_pairs(solver_.scene(), resolutions, unseen), gmres_tolerance};
@@ -163,7 +163,7 @@ void Simulation::put_on_more_nodes(const Stage& stage, InContact& found) {
   found.cost += flow.cost;
   flow.cost = before.cost;
   flow.error_estimate = before.error_estimate;
-  latest_.densities.add(stage.t, stage.acting, flow.references, flow.density);
+  latest_.densities.add(stage.t, stage.acting, flow.discretisation, flow.density);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   found.seconds += passed.count();
 }
@@ -200,7 +200,7 @@ double Simulation::end_within_scene(const Solution& solution, double t_end) cons
   double size = 0.0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     size = std::max(size, std::abs(configuration[k].position - configuration[0].position) +
-                              outer_radius(solution.references[k]->curve, 0.0));
+                              outer_radius(solution.discretisation[k]->curve, 0.0));
   }
   const auto [component, speed] = fastest(solution);
   const double dt = t_end - now_.t, longest = scenes_in_a_step * size / speed;
@@ -251,7 +251,7 @@ Simulation::SecondHalf Simulation::second_half(const Begun& begun, StepInfo& inf
     throw ConfigurationRefused(refusal_of(begun.t_end, stage.outcome));
   }
   const Configuration end = to_configuration(now_.state + dt * stage.outcome.result.velocity);
-  const double distance = largest_distance(stage.free.solution.references, acting, end);
+  const double distance = largest_distance(stage.free.solution.discretisation, acting, end);
   return {std::move(stage.outcome), to_state(end) - predicted,
           distance / (stepping_.bound.tolerance * stepping_.bound.scale[0])};
 }

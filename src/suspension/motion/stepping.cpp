@@ -16,7 +16,7 @@ namespace {
 double largest_radius(const SuspensionSolver& solver) {
   double radius = 0.0;
   for (std::size_t k = 0; k < solver.scene().bodies.size(); ++k) {
-    radius = std::max(radius, bounding_radius(solver.references()[k]->curve, 0.0));
+    radius = std::max(radius, bounding_radius(solver.discretisation()[k]->curve, 0.0));
   }
   return radius > 0.0 ? radius : 1.0;
 }
@@ -41,12 +41,13 @@ double step_tolerance(const TimeSettings& time) {
   return time.tolerance.value_or(default_step_tolerance);
 }
 
-double largest_distance(const References& references, const Configuration& p,
+double largest_distance(const Discretisation& discretisation, const Configuration& p,
                         const Configuration& q) {
   double largest = 0.0;
-  for (std::size_t k = 0; k < references.size(); ++k) {
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
     const auto at = [&](const Pose& pose) {
-      return (pose.position + std::polar(1.0, pose.orientation) * references[k]->curve.x.array())
+      return (pose.position +
+              std::polar(1.0, pose.orientation) * discretisation[k]->curve.x.array())
           .eval();
     };
     largest = std::max(largest, (at(p[k]) - at(q[k])).abs().maxCoeff());
@@ -62,7 +63,7 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver) {
       std::min({time.t_final, time.dt.value_or(none), time.dt_max.value_or(none)});
   settings.dt_min = time.dt_min.value_or(1e-6 * longest);
   if (time.dt_max) settings.dt_max = *time.dt_max;
-  Configuration scale(solver.references().size(),
+  Configuration scale(solver.discretisation().size(),
                       {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
   settings.bound = {error_of_a_step * step_tolerance(time), to_state(scale)};
   return settings;

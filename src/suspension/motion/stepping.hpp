@@ -23,11 +23,11 @@ double step_tolerance(const TimeSettings& time);
 
 /// Measures how far two configurations are apart.
 ///
-/// @param  references  of each component
-/// @param  p           one configuration
-/// @param  q           the other one
-/// @return             largest distance between the two places of a node, length
-double largest_distance(const References& references, const Configuration& p,
+/// @param  discretisation  of each component
+/// @param  p               one configuration
+/// @param  q               the other one
+/// @return                 largest distance between the two places of a node, length
+double largest_distance(const Discretisation& discretisation, const Configuration& p,
                         const Configuration& q);
 
 /// Says how the state of a scene is advanced.

@@ -52,14 +52,14 @@ double resolution_error(double decay, Eigen::Index n_nodes) {
 }
 
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
-                             const References& references) {
-  const Reference& a = *references[gap.a];
-  const Reference& b = *references[gap.b];
+                             const Discretisation& discretisation) {
+  const DiscretisedShape& a = *discretisation[gap.a];
+  const DiscretisedShape& b = *discretisation[gap.b];
   const DensityDecay decay = density_decay(smooth_curve(a, configuration[gap.a]),
                                            smooth_curve(b, configuration[gap.b]), gap.points);
-  const auto error = [](const Reference& reference, double parameter, double depth) {
+  const auto error = [](const DiscretisedShape& discretised, double parameter, double depth) {
     if (std::isinf(depth)) return 0.0;
-    const Resolution& nodes = reference.resolution;
+    const Resolution& nodes = discretised.resolution;
     return resolution_error(graded_depth(nodes.grading, parameter, depth), nodes.n_nodes);
   };
   return {decay, std::max(error(a, gap.points.parameter_a, decay.a),

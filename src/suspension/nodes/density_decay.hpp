@@ -47,12 +47,12 @@ struct GapResolution {
 
 /// Estimates how well a gap is resolved, before any solve.
 ///
-/// @param  gap            of two components, > 0
-/// @param  configuration  poses of all components
-/// @param  references     of each component
-/// @return                rates of decay and estimated error
+/// @param  gap             of two components, > 0
+/// @param  configuration   poses of all components
+/// @param  discretisation  of each component
+/// @return                 rates of decay and estimated error
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
-                             const References& references);
+                             const Discretisation& discretisation);
 
 /// Recommends the number of nodes for which resolution_error() meets a tenth of a tolerance, so
 /// that estimate_error() mostly meets the tolerance too.

@@ -4,7 +4,7 @@
 
 #include "scene/scene.hpp"
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/reference.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
@@ -16,7 +16,7 @@ namespace stokesbook {
 /// @return bytes: what the machine has, or less where a limit is set
 double available_memory();
 
-/// Estimates the memory of a Reference.
+/// Estimates the memory of a DiscretisedShape.
 ///
 /// @param  n_nodes  N
 /// @return          bytes: that of three dense matrices of 2 N rows

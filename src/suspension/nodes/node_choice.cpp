@@ -31,16 +31,16 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
   return 0;
 }
 
-int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
+int nodes_for_softest_mode(DiscretisationCache& cache, const Shape& shape, ComponentKind kind,
                            int n_nodes) {
   constexpr double allowed = 0.1, aimed_at = 0.05;
   while (true) {
-    const auto reference = shelf.get(shape, {n_nodes, {}}, kind);
-    const double error = softest_mode_error(*reference);
+    const auto discretised = cache.get(shape, {n_nodes, {}}, kind);
+    const double error = softest_mode_error(*discretised);
     if (!(error > allowed)) return n_nodes;
     // Few nodes show the mode stiffer than it is: what they recommend is tried again.
-    const double residual = reference->shape_residual * aimed_at / error;
-    const Side side = reference->curve.side;
+    const double residual = discretised->shape_residual * aimed_at / error;
+    const Side side = discretised->curve.side;
     int more = nodes_for_shape(shape, side, residual, n_nodes + 2);
     if (more == 0 || more > most_nodes_of_a_component) return n_nodes;
     // All bodies of the shape get so many: a few less are worth a look.

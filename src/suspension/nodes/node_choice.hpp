@@ -14,7 +14,7 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Most nodes that are chosen for one component: matrices of its reference take 0.4 GB.
+/// Most nodes that are chosen for one component: matrices of its shape take 0.4 GB.
 inline constexpr int most_nodes_of_a_component = 2048;
 
 /// Most nodes that are chosen in all: an application of the operator takes some seconds a core, a
@@ -36,14 +36,14 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 
 /// Recommends a node count that resolves the softest mode of a component's own block to a tenth.
 ///
-/// @param  shelf    where references are kept
+/// @param  cache    where discretised shapes are kept
 /// @param  shape    in its own frame
 /// @param  kind     of the component
 /// @param  n_nodes  where the search starts, <= most_nodes_of_a_component
 /// @return          the same number where it does, or a multiple of 4; the last one tried where no
 ///                  number up to most_nodes_of_a_component does
 /// @par Cost        softest_mode_error() of two or three counts, O(N^3)
-int nodes_for_softest_mode(ReferenceShelf& shelf, const Shape& shape, ComponentKind kind,
+int nodes_for_softest_mode(DiscretisationCache& cache, const Shape& shape, ComponentKind kind,
                            int n_nodes);
 
 /// Explains that no number of nodes resolves a shape.
@@ -70,7 +70,7 @@ int own_nodes(const Component& component, Side side, double tolerance, const std
   return nodes;
 }
 
-/// Rounds a number of nodes up to one of few, so that configurations nearby share references.
+/// Rounds a number of nodes up to one of few, so that configurations nearby share discretised shapes.
 ///
 /// @param  nodes  >= 0
 /// @return        multiple of 16, above 256 of an eighth of the power of two below; >= 16

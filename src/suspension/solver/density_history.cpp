@@ -26,8 +26,8 @@ double lagrange_weight(const std::vector<double>& times, std::size_t k, double t
   return weight;
 }
 
-// Interpolates one component's densities to the nodes of a reference.
-MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Reference& to) {
+// Interpolates one component's densities to other nodes of its shape.
+MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const DiscretisedShape& to) {
   if (from == to.resolution) return densities;
   if (!from.is_graded() && !to.resolution.is_graded()) {
     const Index n = to.resolution.n_nodes;
@@ -40,11 +40,11 @@ MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Refere
 
 }  // namespace
 
-void DensityHistory::add(double t, const Configuration& configuration, const References& references,
-                         MatrixXcd densities) {
+void DensityHistory::add(double t, const Configuration& configuration,
+                         const Discretisation& discretisation, MatrixXcd densities) {
   Index first = 0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Index n = references[k]->curve.size();
+    const Index n = discretisation[k]->curve.size();
     densities.middleRows(first, n) *= std::polar(1.0, -configuration[k].orientation);
     first += n;
   }
@@ -53,7 +53,7 @@ void DensityHistory::add(double t, const Configuration& configuration, const Ref
   std::erase_if(entries_,
                 [=](const Entry& earlier) { return std::abs(earlier.t - t) <= same_time * span; });
   if (entries_.size() == most_) entries_.pop_front();
-  entries_.push_back({t, resolutions_of(references), std::move(densities)});
+  entries_.push_back({t, resolutions_of(discretisation), std::move(densities)});
 }
 
 void DensityHistory::reverse(double t) {
@@ -64,17 +64,17 @@ void DensityHistory::reverse(double t) {
 }
 
 MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
-                                const References& references) const {
+                                const Discretisation& discretisation) const {
   if (entries_.empty()) return {0, 1};
   std::vector<double> times;
   Index nodes = 0;
   for (const Entry& entry : entries_) times.push_back(entry.t);
-  for (const auto& reference : references) nodes += reference->resolution.n_nodes;
+  for (const auto& discretised : discretisation) nodes += discretised->resolution.n_nodes;
   MatrixXcd result = MatrixXcd::Zero(nodes, entries_.front().densities.cols());
   std::vector<Index> first(entries_.size(), 0);
   Index own = 0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Reference& to = *references[k];
+    const DiscretisedShape& to = *discretisation[k];
     auto sum = result.middleRows(own, to.resolution.n_nodes);
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const Resolution& from = entries_[e].resolutions[k];

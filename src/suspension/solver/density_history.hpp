@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/reference.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
@@ -37,11 +37,11 @@ class DensityHistory {
   /// Adds a density; it takes the place of one at the same time, or else of the oldest one if all
   /// places are taken.
   ///
-  /// @param  t              time
-  /// @param  configuration  where the components are
-  /// @param  references     that the density lives on, one a component
-  /// @param  densities      at all n nodes, length / time; as many columns every time
-  void add(double t, const Configuration& configuration, const References& references,
+  /// @param  t               time
+  /// @param  configuration   where the components are
+  /// @param  discretisation  that the density lives on, one a component
+  /// @param  densities       at all n nodes, length / time; as many columns every time
+  void add(double t, const Configuration& configuration, const Discretisation& discretisation,
            Eigen::MatrixXcd densities);
 
   /// Reverses flow, walls and loads: what was done is then undone, with
@@ -52,14 +52,14 @@ class DensityHistory {
 
   /// Guesses the density at a time.
   ///
-  /// @param  t              time
-  /// @param  configuration  where the components are
-  /// @param  references     of each component; nodes need not be those of earlier solutions
-  /// @return                at all n nodes, length / time; no rows where nothing is kept
+  /// @param  t               time
+  /// @param  configuration   where the components are
+  /// @param  discretisation  of each component; nodes need not be those of earlier solutions
+  /// @return                 at all n nodes, length / time; no rows where nothing is kept
   /// @par Cost              O(n) where nodes are the same, O(N^2) a component where they crowd
   ///                        elsewhere
   Eigen::MatrixXcd guess(double t, const Configuration& configuration,
-                         const References& references) const;
+                         const Discretisation& discretisation) const;
 
   /// Packs what is kept into numbers.
   /// @return one vector a density, the oldest first

@@ -32,10 +32,10 @@ std::vector<Index> fluid_indices(const std::vector<std::uint8_t>& in_fluid) {
 double pressure_datum(const SuspensionSolver& solver, const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Reference& reference = *solution.references[k];
-    if (reference.kind != ComponentKind::enclosing_wall) continue;
+    const DiscretisedShape& discretised = *solution.discretisation[k];
+    if (discretised.kind != ComponentKind::enclosing_wall) continue;
     const auto [position, orientation] = configuration[k];
-    const Curve wall = place(reference.curve, position, orientation);
+    const Curve wall = place(discretised.curve, position, orientation);
     const std::vector<FlowDerivatives> flow = solver.derivatives(solution, wall.x);
     const Eigen::VectorXd w = weights(wall);
     double sum = 0.0;
@@ -87,7 +87,7 @@ Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   Field field;
   field.grid = field_grid(settings);
   const ComplexVector all = field.grid.points();
-  field.in_fluid = in_fluid(solution.instant.configuration, solver.references(), all);
+  field.in_fluid = in_fluid(solution.instant.configuration, solver.discretisation(), all);
   const std::vector<Index> fluid = fluid_indices(field.in_fluid);
   const ComplexVector points = all(fluid);
   if (asked(FieldQuantity::velocity)) {
@@ -131,7 +131,7 @@ FieldErrors field_differences(const Field& p, const Field& q) {
 EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution) {
   EstimatedField found{evaluate_field(solver, solution), {}};
   bool may_raise = false;
-  for (std::size_t k = 0; k < solution.references.size(); ++k) {
+  for (std::size_t k = 0; k < solution.discretisation.size(); ++k) {
     may_raise = may_raise || component_of(solver.scene(), k).has_automatic_nodes();
   }
   Solution latest = solution;

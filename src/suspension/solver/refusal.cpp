@@ -76,15 +76,16 @@ std::string overlap_message(const Scene& scene, const Gap& gap) {
          "): move them apart, or take smaller steps if this happened during a run";
 }
 
-std::string shape_message(const Scene& scene, std::size_t component, const Reference& reference) {
+std::string shape_message(const Scene& scene, std::size_t component,
+                          const DiscretisedShape& discretised) {
   const double tolerance = scene.solver.tolerance;
-  const int nodes = nodes_for_shape(reference.shape, reference.curve.side, tolerance,
-                                    reference.resolution.n_nodes);
-  return component_of(scene, component).name() + ": " + std::to_string(reference.curve.size()) +
-         " nodes resolve its shape to " + short_number(reference.shape_residual) + " only" +
+  const int nodes = nodes_for_shape(discretised.shape, discretised.curve.side, tolerance,
+                                    discretised.resolution.n_nodes);
+  return component_of(scene, component).name() + ": " + std::to_string(discretised.curve.size()) +
+         " nodes resolve its shape to " + short_number(discretised.shape_residual) + " only" +
          (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
                           "; give it n_nodes = " + std::to_string(nodes) + " at least"
-                    : "; " + unresolved_shape(reference.shape, tolerance));
+                    : "; " + unresolved_shape(discretised.shape, tolerance));
 }
 
 // Without near corrections the trapezoid rule of either curve must do at the other's nearest point.
@@ -131,14 +132,14 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
 }  // namespace
 
 std::string separation_refusal(double separation, const Configuration& start,
-                               const References& references) {
+                               const Discretisation& discretisation) {
   // Measured on pairs of disks pressed together: a gap of 1e-8 radii is kept to a part in 1e8, with
   // polygons of 70 MB; of 1e-9, steps do not end. Gaps are kept to 1e-5 of themselves at 1e-10 of
   // the distance from the origin; at 1e-11 steps are halved, and at 1e-12 gaps err by 3e-5.
   constexpr double least_in_radii = 1e-8, least_in_distances = 1e-10;
   double radius = 0.0, distance = 0.0;
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    const double own = outer_radius(references[k]->curve, 0.0);
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    const double own = outer_radius(discretisation[k]->curve, 0.0);
     radius = std::max(radius, own);
     distance = std::max(distance, std::abs(start[k].position) + own);
   }
@@ -253,20 +254,21 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
 }
 
 std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                             const Configuration& configuration, const References& references) {
+                             const Configuration& configuration,
+                             const Discretisation& discretisation) {
   const double tolerance = scene.solver.tolerance;
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    if (references[k]->shape_residual > hopeless * tolerance) {
-      return shape_message(scene, k, *references[k]);
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    if (discretisation[k]->shape_residual > hopeless * tolerance) {
+      return shape_message(scene, k, *discretisation[k]);
     }
   }
   for (const Gap& gap : gaps) {
-    const GapResolution resolution = gap_resolution(gap, configuration, references);
+    const GapResolution resolution = gap_resolution(gap, configuration, discretisation);
     if (resolution.error > hopeless * tolerance) return gap_message(scene, gap, resolution);
     if (scene.solver.near_singular == NearSingular::off) {
       const std::string message =
-          plain_rule_message(scene, gap, smooth_curve(*references[gap.a], configuration[gap.a]),
-                             smooth_curve(*references[gap.b], configuration[gap.b]));
+          plain_rule_message(scene, gap, smooth_curve(*discretisation[gap.a], configuration[gap.a]),
+                             smooth_curve(*discretisation[gap.b], configuration[gap.b]));
       if (!message.empty()) return message;
     }
   }

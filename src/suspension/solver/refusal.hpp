@@ -34,14 +34,15 @@ std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 
 /// Explains which shape or gap is hopeless at a resolution: no solve is needed to know.
 ///
-/// @param  scene          names the components and the tolerance
-/// @param  gaps           in ascending order
-/// @param  configuration  poses of all components
-/// @param  references     of each component
-/// @return                a message naming components, values and what to change; empty when a
-///                        solve may succeed
+/// @param  scene           names the components and the tolerance
+/// @param  gaps            in ascending order
+/// @param  configuration   poses of all components
+/// @param  discretisation  of each component
+/// @return                 a message naming components, values and what to change; empty when a
+///                         solve may succeed
 std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                             const Configuration& configuration, const References& references);
+                             const Configuration& configuration,
+                             const Discretisation& discretisation);
 
 /// Explains that the nodes which automatic counts ask for are beyond their limits.
 ///
@@ -56,12 +57,12 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
 /// the largest radius, where polygons take too long, or below 1e-10 of the distance from the
 /// origin, where rounding of positions is no longer small against the gaps' tolerance.
 ///
-/// @param  separation  that contact keeps, length; 0: no contact
-/// @param  start       poses of all components
-/// @param  references  of each component
-/// @return             a message naming lengths and limit; empty where there is no reason
+/// @param  separation      that contact keeps, length; 0: no contact
+/// @param  start           poses of all components
+/// @param  discretisation  of each component
+/// @return                 a message naming lengths and limit; empty where there is no reason
 std::string separation_refusal(double separation, const Configuration& start,
-                               const References& references);
+                               const Discretisation& discretisation);
 
 /// Explains why data have no solution, or none that could be trusted: a net flux out of an enclosed
 /// fluid, a net force in an unbounded one, a gauge length that is not large.

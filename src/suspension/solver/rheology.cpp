@@ -87,7 +87,7 @@ std::optional<double> long_axis(const Curve& curve) {
 Rheometer::Rheometer(const SuspensionSolver& solver) : solver_(solver) {
   const Scene& scene = solver.scene();
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    long_axes_.push_back(long_axis(solver.references()[k]->curve));
+    long_axes_.push_back(long_axis(solver.discretisation()[k]->curve));
   }
   if (is_couette_cell(scene)) empty_torque_ = torque_without_bodies(scene);
 }
@@ -141,10 +141,11 @@ Rheology Rheometer::operator()(const Solution& solution) const {
   Rheology rheology;
   rheology.order_parameter = order_parameter(solution.instant.configuration);
   // Only the power of walls that deform asks for tractions, and these for close evaluation.
-  const SolvedFlow flow = std::ranges::any_of(scene.walls, deforms)
-                              ? solver_.disturbance(solution)
-                              : SolvedFlow(solver_.problem(solution.instant, solution.references),
-                                           {}, solution.density);
+  const SolvedFlow flow =
+      std::ranges::any_of(scene.walls, deforms)
+          ? solver_.disturbance(solution)
+          : SolvedFlow(solver_.problem(solution.instant, solution.discretisation), {},
+                       solution.density);
   if (has_outer_wall(scene)) {
     const std::vector<double> powers = power_of_loads(flow);
     rheology.dissipation = std::accumulate(powers.begin(), powers.end(), 0.0);

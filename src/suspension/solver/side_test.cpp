@@ -37,12 +37,13 @@ class Border {
 
 }  // namespace
 
-std::vector<std::uint8_t> in_fluid(const Configuration& configuration, const References& references,
+std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
+                                   const Discretisation& discretisation,
                                    const ComplexVector& points) {
   std::vector<Border> enclosing, others;
   std::vector<Rectangle> rectangles;  // of the others
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Curve& curve = references[k]->curve;
+    const Curve& curve = discretisation[k]->curve;
     const Border border(curve, configuration[k]);
     if (curve.side == Side::fluid_inside) {
       enclosing.push_back(border);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/reference.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
@@ -14,14 +14,15 @@ namespace stokesbook {
 /// Tells which points lie in the fluid: outside all bodies and inner walls, and inside the
 /// enclosing wall, by Barycentric::side().
 ///
-/// @param  configuration  poses of all components
-/// @param  references     of each component
-/// @param  points         m points, length
-/// @return                one a point: 1 in the fluid, else 0
+/// @param  configuration   poses of all components
+/// @param  discretisation  of each component
+/// @param  points          m points, length
+/// @return                 one a point: 1 in the fluid, else 0
 /// @par Accuracy  the border is the boundary up to 1e-12 of a component's size, between nodes too,
 /// once shapes are resolved: @ref claim_06_25
 /// @par Cost      a search in a RectangleIndex a point, O(N) for a point inside a bounding circle
-std::vector<std::uint8_t> in_fluid(const Configuration& configuration, const References& references,
+std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
+                                   const Discretisation& discretisation,
                                    const ComplexVector& points);
 
 /// @}

@@ -24,11 +24,11 @@ Resolution own_resolution(const ComponentView& component, double tolerance) {
   return {own_nodes(component, side_of(component.kind), tolerance, component.name())};
 }
 
-double mean_spacing(const Scene& scene, const References& references) {
+double mean_spacing(const Scene& scene, const Discretisation& discretisation) {
   double length = 0.0, nodes = 0.0;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    length += perimeter(references[k]->curve);
-    nodes += static_cast<double>(references[k]->curve.size());
+    length += perimeter(discretisation[k]->curve);
+    nodes += static_cast<double>(discretisation[k]->curve.size());
   }
   return length / nodes;
 }
@@ -54,13 +54,13 @@ Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
 DensityGuess guess_from(const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
   DensityHistory found(1);
-  found.add(0.0, configuration, solution.references, solution.density);
-  return [configuration, found](const References& references) {
-    return found.guess(0.0, configuration, references);
+  found.add(0.0, configuration, solution.discretisation, solution.density);
+  return [configuration, found](const Discretisation& discretisation) {
+    return found.guess(0.0, configuration, discretisation);
   };
 }
 
-std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Solution& solution) {
+std::vector<TailEstimate> tails_of(const LinearSystem& discrete, const Solution& solution) {
   const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
   const std::vector<Index>& offsets = discrete.system.offsets();
   std::vector<TailEstimate> tails;
@@ -68,7 +68,7 @@ std::vector<TailEstimate> tails_of(const DiscreteProblem& discrete, const Soluti
     tails.push_back(tail_estimate(rest.segment(offsets[k], offsets[k + 1] - offsets[k]),
                                   solution.velocity_scale));
     // What aliases in the kernel, tails do not show.
-    tails[k].error = std::max(tails[k].error, solution.references[k]->shape_residual);
+    tails[k].error = std::max(tails[k].error, solution.discretisation[k]->shape_residual);
   }
   return tails;
 }
@@ -79,49 +79,49 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   const bool bounded = plan_.null_space_fix;
   const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
   const std::size_t count = count_components(scene_);
-  // A solve asks for one a component, and so does its estimate: some sixty solves long.
-  const std::size_t patience = 64 * count;
-  const ReferenceNeeds needs{plan_.near_correction,
-                             interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
-                             bounded ? std::nullopt : scene.gauge_length};
-  shelf_ = std::make_shared<ReferenceShelf>(needs, patience);
+  // A solve uses at most one shape a component, and its error estimate another: those of two kept.
+  const std::size_t most_shapes = 4 * count;
+  const DiscretisationNeeds needs{
+      plan_.near_correction, interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
+      bounded ? std::nullopt : scene.gauge_length};
+  cache_ = std::make_shared<DiscretisationCache>(needs, most_shapes);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k)
     own.push_back(own_resolution(component_of(scene_, k), scene_.solver.tolerance));
   refuse(limit_refusal(scene_, own, {}));
-  references_ = references(own);
-  std::map<const Reference*, int> least;
+  discretisation_ = discretise(own);
+  std::map<const DiscretisedShape*, int> least;
   for (std::size_t k = 0; k < count; ++k) {
-    const Reference& reference = *references_[k];
-    const auto [entry, is_new] = least.try_emplace(&reference);
+    const DiscretisedShape& discretised = *discretisation_[k];
+    const auto [entry, is_new] = least.try_emplace(&discretised);
     if (is_new) {
       entry->second =
-          nodes_for_softest_mode(*shelf_, reference.shape, reference.kind, own[k].n_nodes);
+          nodes_for_softest_mode(*cache_, discretised.shape, discretised.kind, own[k].n_nodes);
     }
     least_.push_back({entry->second});
     if (component_of(scene_, k).has_automatic_nodes()) own[k] = least_[k];
   }
   refuse(limit_refusal(scene_, own, {}));
-  references_ = references(own);
-  refuse(separation_refusal(separation(), start().configuration, references_));
+  discretisation_ = discretise(own);
+  refuse(separation_refusal(separation(), start().configuration, discretisation_));
 }
 
 double SuspensionSolver::separation() const {
   if (!scene_.contact) return 0.0;
-  const double unit = scene_.contact->in_spacings ? mean_spacing(scene_, references_) : 1.0;
+  const double unit = scene_.contact->in_spacings ? mean_spacing(scene_, discretisation_) : 1.0;
   return unit * scene_.contact->minimum_separation;
 }
 
 Instant SuspensionSolver::start() const {
   Instant start;
-  for (std::size_t k = 0; k < references_.size(); ++k) {
+  for (std::size_t k = 0; k < discretisation_.size(); ++k) {
     start.configuration.push_back(component_of(scene_, k).start);
   }
   return start;
 }
 
 std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
-  return find_gaps(configuration, references_, scene_.solver.tolerance);
+  return find_gaps(configuration, discretisation_, scene_.solver.tolerance);
 }
 
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
@@ -133,7 +133,7 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
 Solution SuspensionSolver::attempt(const Instant& instant, const std::vector<Gap>& gaps,
                                    const Effort& effort) const {
   const System system = this->system(instant, gaps, effort.resolutions);
-  const ComplexVector guess = effort.guess ? effort.guess(system.references) : ComplexVector{};
+  const ComplexVector guess = effort.guess ? effort.guess(system.discretisation) : ComplexVector{};
   Solution solution = converged(system, effort.gmres_tolerance, guess);
   solution.velocity_scale = system.discrete->system.right_hand_side().cwiseAbs().maxCoeff();
   solution.gaps = gaps;
@@ -156,29 +156,29 @@ Solution SuspensionSolver::converged(const System& system, double gmres_toleranc
 
 // A quarter more nodes, and as many as the softest modes ask for.
 Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
-  return at_least(least_, finer(resolutions_of(solution.references)));
+  return at_least(least_, finer(resolutions_of(solution.discretisation)));
 }
 
 Solution SuspensionSolver::refined(const Solution& solution) const {
   const Configuration& configuration = solution.instant.configuration;
   const Resolutions resolutions = finer_than(solution);
   refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, solution.gaps));
-  System system{solution.instant, references(resolutions), {}};
-  const StokesProblem problem = loaded_problem(solution, system.references);
-  system.discrete = std::make_shared<const DiscreteProblem>(
-      discretise(problem, configuration, solution.gaps, system.references));
+  System system{solution.instant, discretise(resolutions), {}};
+  const StokesProblem problem = loaded_problem(solution, system.discretisation);
+  system.discrete = std::make_shared<const LinearSystem>(
+      preconditioned(problem, configuration, solution.gaps, system.discretisation));
   Solution finer =
-      converged(system, least_gmres_tolerance(plan_), guess_from(solution)(system.references));
+      converged(system, least_gmres_tolerance(plan_), guess_from(solution)(system.discretisation));
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
   return finer;
 }
 
-ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
+ErrorEstimate SuspensionSolver::estimate(const LinearSystem& discrete,
                                          const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
-  const References finer = references(finer_than(solution));
-  const DiscreteProblem fine =
+  const Discretisation finer = discretise(finer_than(solution));
+  const LinearSystem fine =
       unpreconditioned(loaded_problem(solution, finer), solution.instant.configuration, finer);
   try {
     return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
@@ -189,18 +189,19 @@ ErrorEstimate SuspensionSolver::estimate(const DiscreteProblem& discrete,
 }
 
 LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_tolerance) const {
-  const Resolutions resolutions = resolutions_of(loaded.references);
-  DiscreteProblem discrete = unpreconditioned(loaded_problem(loaded, loaded.references),
-                                              loaded.instant.configuration, loaded.references);
+  const Resolutions resolutions = resolutions_of(loaded.discretisation);
+  LinearSystem discrete = unpreconditioned(loaded_problem(loaded, loaded.discretisation),
+                                           loaded.instant.configuration, loaded.discretisation);
   discrete.precondition = loaded.system->precondition;
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
   const Completion completion = discrete.system.closure().complete(loaded.density);
-  for (std::size_t k = 0; k < loaded.references.size(); ++k) {
-    if (loaded.references[k]->kind != ComponentKind::free_body) continue;
+  for (std::size_t k = 0; k < loaded.discretisation.size(); ++k) {
+    if (loaded.discretisation[k]->kind != ComponentKind::free_body) continue;
     const auto& [velocity, omega] = completion.motions[k];  // relative to the flow that carries it
-    solution.velocity_scale = std::max({solution.velocity_scale, std::abs(velocity),
-                                        loaded.references[k]->gyration_radius * std::abs(omega)});
+    solution.velocity_scale =
+        std::max({solution.velocity_scale, std::abs(velocity),
+                  loaded.discretisation[k]->gyration_radius * std::abs(omega)});
   }
   const ErrorEstimate estimate = this->estimate(discrete, solution);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
@@ -274,7 +275,7 @@ Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGue
   const std::vector<Gap> gaps = open_gaps(instant.configuration);
   const System system = this->system(instant, gaps, first_resolutions(instant.configuration, gaps));
   const SuspensionOperator& apply = system.discrete->system;
-  const ComplexVector rhs = apply.right_hand_side(), before = guess(system.references);
+  const ComplexVector rhs = apply.right_hand_side(), before = guess(system.discretisation);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
   sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));

@@ -10,12 +10,12 @@
 #include "scene/scene.hpp"
 #include "stress/solved_flow.hpp"
 #include "suspension/bodies/configuration.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/numerics_refused.hpp"
-#include "suspension/bodies/reference.hpp"
 #include "suspension/nodes/density_decay.hpp"
-#include "suspension/system/discrete_problem.hpp"
 #include "suspension/system/error_estimate.hpp"
+#include "suspension/system/linear_system.hpp"
 #include "suspension/system/plan.hpp"
 
 namespace stokesbook {
@@ -23,8 +23,8 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Guesses the density on the nodes of some references, one a component; empty: from nothing.
-using DensityGuess = std::function<ComplexVector(const References&)>;
+/// Guesses the density on the nodes of a discretisation; empty: no guess, GMRES starts from zero.
+using DensityGuess = std::function<ComplexVector(const Discretisation&)>;
 
 /// What a solution has cost, attempts at fewer nodes included.
 struct SolveCost {
@@ -42,10 +42,10 @@ struct SolveCost {
 
 /// One quasi-static solution: all that velocities, fields and rheology of its instant require.
 struct Solution {
-  Instant instant;                                ///< that it was solved for
-  References references;                          ///< that the density lives on, one a component
-  std::shared_ptr<const DiscreteProblem> system;  ///< that it solves, on the same nodes
-  ComplexVector density;  ///< at all nodes, components in order, length / time
+  Instant instant;                             ///< that it was solved for
+  Discretisation discretisation;               ///< that the density lives on, one a component
+  std::shared_ptr<const LinearSystem> system;  ///< that it solves, on the same nodes
+  ComplexVector density;                       ///< at all nodes, components in order, length / time
   std::vector<RigidMotion>
       motions;                  ///< of every component about its position: solved on free bodies,
                                 ///< prescribed on held bodies and rigidly moving walls, else zero
@@ -70,18 +70,18 @@ struct LoadedCheck {
 
 /// Solves a scene for any configuration of its components.
 ///
-/// Scene -> geometry -> plan -> resolution -> operator -> velocities. References are shared between
-/// solves; everything else is made anew for a configuration, and depends on it alone.
+/// Scene -> geometry -> plan -> resolution -> operator -> velocities. Discretised shapes are
+/// shared between solves; everything else is made anew for a configuration, and depends on it alone.
 /// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or the solve refuses
 class SuspensionSolver {
  public:
-  /// Plans a scene and prepares its references.
+  /// Plans a scene and discretises its shapes.
   ///
   /// @param  scene  to be solved
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes, and by
   ///                separation_refusal()
-  /// @par Cost      that of ReferenceShelf::get() a distinct shape, node count and kind
+  /// @par Cost      that of DiscretisationCache::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
   /// Returns the instant at which the scene starts.
@@ -187,19 +187,19 @@ class SuspensionSolver {
 
   /// Poses the boundary value problem of an instant at a resolution.
   ///
-  /// @param  instant     poses and flow amplitude
-  /// @param  references  of each component, such as a solution's
-  /// @return             bodies, then walls, with their nodes, loads and velocities
-  StokesProblem problem(const Instant& instant, const References& references) const;
+  /// @param  instant         poses and flow amplitude
+  /// @param  discretisation  of each component, such as a solution's
+  /// @return                 bodies, then walls, with their nodes, loads and velocities
+  StokesProblem problem(const Instant& instant, const Discretisation& discretisation) const;
 
   /// Builds the linear system of an instant at a resolution.
   ///
-  /// @param  instant     poses and flow amplitude
-  /// @param  references  of each component
-  /// @return             problem, operator, and the preconditioner of the plan
+  /// @param  instant         poses and flow amplitude
+  /// @param  discretisation  of each component
+  /// @return                 problem, operator, and the preconditioner of the plan
   /// @throws NumericsRefused when the preconditioner is singular, as the block of a held component
   ///                is whose size is at the degenerate scale of flow.gauge_length
-  DiscreteProblem discretise(const Instant& instant, const References& references) const;
+  LinearSystem linear_system(const Instant& instant, const Discretisation& discretisation) const;
 
   /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
   /// tolerance.
@@ -208,7 +208,7 @@ class SuspensionSolver {
   /// @param  gaps           in it, as gaps() finds them
   /// @return                multiples of 16, one a component; 0 where no number up to 4096 resolves
   ///                        a shape, and no gap requires more
-  /// @par Cost      that of nodes_for_shape() a distinct reference
+  /// @par Cost      that of nodes_for_shape() a distinct shape
   std::vector<int> recommended_nodes(const Configuration& configuration,
                                      const std::vector<Gap>& gaps) const;
 
@@ -227,13 +227,13 @@ class SuspensionSolver {
   /// @par Cost      that of find_gaps()
   std::vector<Gap> gaps(const Configuration& configuration) const;
 
-  /// Returns the shared references of a resolution; builds those that are not there.
+  /// Discretises the shape of each component, or returns what an earlier call built.
   ///
   /// @param  resolutions  of each component
   /// @return              bodies, then walls, in the scene's order
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @par Cost      that of ReferenceShelf::get() a component
-  References references(const Resolutions& resolutions) const;
+  /// @par Cost      that of DiscretisationCache::get() a component
+  Discretisation discretise(const Resolutions& resolutions) const;
 
   /// Returns the scene.
   /// @return the scene that was planned
@@ -243,10 +243,10 @@ class SuspensionSolver {
   /// @return what the scene needs, and why
   const Plan& plan() const { return plan_; }
 
-  /// Returns the shared reference of each component as far as it depends on no configuration.
-  /// @return bodies, then walls, in the scene's order; where nodes are automatic, with those that
-  ///         the shape alone asks for
-  const References& references() const { return references_; }
+  /// Returns the discretisation that depends on no configuration.
+  /// @return bodies, then walls, in the scene's order; where nodes are automatic, with as many as
+  ///         the shape alone requires
+  const Discretisation& discretisation() const { return discretisation_; }
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
@@ -259,23 +259,25 @@ class SuspensionSolver {
   };
   struct System {
     Instant instant;
-    References references;
-    std::shared_ptr<const DiscreteProblem> discrete;
+    Discretisation discretisation;
+    std::shared_ptr<const LinearSystem> discrete;
   };
   /// @endcond
   Solution attempt(const Instant& instant, const std::vector<Gap>& gaps,
                    const Effort& effort) const;
-  ErrorEstimate estimate(const DiscreteProblem& discrete, const Solution& solution) const;
+  ErrorEstimate estimate(const LinearSystem& discrete, const Solution& solution) const;
   Resolutions finer_than(const Solution& solution) const;
   Complex frame_velocity(double amplitude) const;
-  StokesProblem loaded_problem(const Solution& solution, const References& references) const;
+  StokesProblem loaded_problem(const Solution& solution,
+                               const Discretisation& discretisation) const;
   Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
-  DiscreteProblem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
-                                   const References& references) const;
-  DiscreteProblem discretise(const StokesProblem& problem, const Configuration& configuration,
-                             const std::vector<Gap>& gaps, const References& references) const;
+  LinearSystem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
+                                const Discretisation& discretisation) const;
+  LinearSystem preconditioned(const StokesProblem& problem, const Configuration& configuration,
+                              const std::vector<Gap>& gaps,
+                              const Discretisation& discretisation) const;
   std::vector<PlacedCurve> near_curves(const Configuration& configuration,
-                                       const References& references) const;
+                                       const Discretisation& discretisation) const;
   System system(const Instant& instant, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
@@ -283,12 +285,13 @@ class SuspensionSolver {
                      const ComplexVector& guess) const;
   Solution completed(const System& system, GmresResult gmres) const;
   std::vector<PlacedCurve> placed(const Configuration& configuration,
-                                  const References& references) const;
+                                  const Discretisation& discretisation) const;
 
   Scene scene_;
   Plan plan_;
-  std::shared_ptr<ReferenceShelf> shelf_;  // shared by copies; solve() is const, and may fill it
-  References references_;
+  std::shared_ptr<DiscretisationCache>
+      cache_;  // shared by copies; solve() is const, and may fill it
+  Discretisation discretisation_;
   Resolutions least_;  // that resolve the softest mode of each component, for estimates
 };
 

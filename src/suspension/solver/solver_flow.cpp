@@ -21,36 +21,37 @@ PlainSum planned_sum(const Plan& plan) {
 }
 
 // A component that is alone has none: only the flow near it asks for one.
-std::shared_ptr<const CauchyCurve> cauchy_of(const Reference& reference) {
-  return reference.cauchy ? reference.cauchy : std::make_shared<const CauchyCurve>(reference.curve);
+std::shared_ptr<const CauchyCurve> cauchy_of(const DiscretisedShape& discretised) {
+  return discretised.cauchy ? discretised.cauchy
+                            : std::make_shared<const CauchyCurve>(discretised.curve);
 }
 
 }  // namespace
 
 std::vector<PlacedCurve> SuspensionSolver::placed(const Configuration& configuration,
-                                                  const References& references) const {
+                                                  const Discretisation& discretisation) const {
   std::vector<PlacedCurve> placed;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const Reference& reference = *references[k];
-    CloseScheme scheme = cauchy_of(reference);
-    if (reference.interpolation) scheme = reference.interpolation;
+    const DiscretisedShape& discretised = *discretisation[k];
+    CloseScheme scheme = cauchy_of(discretised);
+    if (discretised.interpolation) scheme = discretised.interpolation;
     placed.push_back({scheme, configuration[k].position, configuration[k].orientation});
   }
   return placed;
 }
 
 std::vector<PlacedCurve> SuspensionSolver::near_curves(const Configuration& configuration,
-                                                       const References& references) const {
-  return plan_.near_correction ? placed(configuration, references) : std::vector<PlacedCurve>{};
+                                                       const Discretisation& discretisation) const {
+  return plan_.near_correction ? placed(configuration, discretisation) : std::vector<PlacedCurve>{};
 }
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,
                                          const ComplexVector& points) const {
   const auto& [configuration, amplitude] = solution.instant;
-  const StokesProblem problem = this->problem(solution.instant, solution.references);
+  const StokesProblem problem = this->problem(solution.instant, solution.discretisation);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
-                               : placed(configuration, solution.references);
+                               : placed(configuration, solution.discretisation);
   ComplexVector velocity =
       SolvedFlow(problem, near_curves, solution.density, {plan_.near_tolerance, planned_sum(plan_)})
           .velocity(points);
@@ -63,9 +64,9 @@ SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
   std::vector<PlacedCurve> curves;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
-    curves.push_back({cauchy_of(*solution.references[k]), position, orientation});
+    curves.push_back({cauchy_of(*solution.discretisation[k]), position, orientation});
   }
-  return {problem(solution.instant, solution.references),
+  return {problem(solution.instant, solution.discretisation),
           std::move(curves),
           solution.density,
           {plan_.near_tolerance, planned_sum(plan_)}};

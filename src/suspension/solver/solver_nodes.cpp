@@ -13,18 +13,18 @@ namespace stokesbook {
 std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& configuration,
                                                      const std::vector<Gap>& gaps) const {
   const double tolerance = scene_.solver.tolerance;
-  std::map<const Reference*, int> shape_nodes;
+  std::map<const DiscretisedShape*, int> shape_nodes;
   std::vector<int> nodes;
-  for (const auto& reference : references_) {
-    const auto [entry, is_new] = shape_nodes.try_emplace(reference.get());
+  for (const auto& discretised : discretisation_) {
+    const auto [entry, is_new] = shape_nodes.try_emplace(discretised.get());
     if (is_new) {
-      entry->second = nodes_for_shape(reference->shape, reference->curve.side, tolerance, 16);
+      entry->second = nodes_for_shape(discretised->shape, discretised->curve.side, tolerance, 16);
     }
     nodes.push_back(entry->second);
   }
   for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
-    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
+    const DensityDecay decay = gap_resolution(gap, configuration, discretisation_).decay;
     nodes[gap.a] = std::max(nodes[gap.a], stokesbook::recommended_nodes(decay.a, tolerance));
     nodes[gap.b] = std::max(nodes[gap.b], stokesbook::recommended_nodes(decay.b, tolerance));
   }
@@ -33,11 +33,11 @@ std::vector<int> SuspensionSolver::recommended_nodes(const Configuration& config
 
 Resolutions SuspensionSolver::first_resolutions(const Configuration& configuration,
                                                 const std::vector<Gap>& gaps) const {
-  Resolutions resolutions = resolutions_of(references_);
+  Resolutions resolutions = resolutions_of(discretisation_);
   std::vector<std::vector<GapDemand>> demands(resolutions.size());
   for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
-    const DensityDecay decay = gap_resolution(gap, configuration, references_).decay;
+    const DensityDecay decay = gap_resolution(gap, configuration, discretisation_).decay;
     demands[gap.a].push_back({gap.points.parameter_a, decay.a});
     demands[gap.b].push_back({gap.points.parameter_b, decay.b});
   }
@@ -52,13 +52,13 @@ Resolutions SuspensionSolver::first_resolutions(const Configuration& configurati
   return resolutions;
 }
 
-References SuspensionSolver::references(const Resolutions& resolutions) const {
-  References references;
+Discretisation SuspensionSolver::discretise(const Resolutions& resolutions) const {
+  Discretisation discretisation;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     const ComponentView component = component_of(scene_, k);
-    references.push_back(shelf_->get(component.shape, resolutions[k], component.kind));
+    discretisation.push_back(cache_->get(component.shape, resolutions[k], component.kind));
   }
-  return references;
+  return discretisation;
 }
 
 }  // namespace stokesbook

@@ -20,9 +20,9 @@ namespace {
 
 // The inverse of a component's own block, or the reason why there is none.
 std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::size_t component,
-                                                     const Reference& reference) {
+                                                     const DiscretisedShape& discretised) {
   try {
-    return reference.inverse_block.get();
+    return discretised.inverse_block.get();
   } catch (const std::domain_error& error) {
     throw NumericsRefused(
         component_of(scene, component).name() + ": " + error.what() +
@@ -32,10 +32,10 @@ std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::si
 
 // Its clusters, or the reason why there are none.
 ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configuration& configuration,
-                                  const References& references,
+                                  const Discretisation& discretisation,
                                   const std::vector<PlacedCurve>& near) {
   try {
-    return cluster_preconditioner(problem, configuration, references, near);
+    return cluster_preconditioner(problem, configuration, discretisation, near);
   } catch (const std::domain_error& error) {
     throw NumericsRefused("preconditioner by clusters: " + std::string(error.what()) +
                           "; set solver.preconditioner = \"block_diagonal\"");
@@ -45,13 +45,13 @@ ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configurat
 }  // namespace
 
 StokesProblem SuspensionSolver::problem(const Instant& instant,
-                                        const References& references) const {
+                                        const Discretisation& discretisation) const {
   const auto& [configuration, amplitude] = instant;
   StokesProblem problem{{}, scene_.viscosity, {}, scene_.gauge_length};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
-    const Curve curve = place(references[k]->curve, position, orientation);
-    Component component{references[k]->kind, curve, position, {}, 0.0, {}};
+    const Curve curve = place(discretisation[k]->curve, position, orientation);
+    Component component{discretisation[k]->kind, curve, position, {}, 0.0, {}};
     const ComponentView source = component_of(scene_, k);
     if (source.kind == ComponentKind::free_body) {
       component.force = amplitude * source.body->force;
@@ -85,8 +85,8 @@ Complex SuspensionSolver::frame_velocity(double amplitude) const {
 
 // Free bodies bear the solution's own loads: the scene's, and those of contact where there are any.
 StokesProblem SuspensionSolver::loaded_problem(const Solution& solution,
-                                               const References& references) const {
-  StokesProblem problem = this->problem(solution.instant, references);
+                                               const Discretisation& discretisation) const {
+  StokesProblem problem = this->problem(solution.instant, discretisation);
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     Component& component = problem.components[k];
     if (component.kind != ComponentKind::free_body) continue;
@@ -96,26 +96,27 @@ StokesProblem SuspensionSolver::loaded_problem(const Solution& solution,
   return problem;
 }
 
-DiscreteProblem SuspensionSolver::discretise(const Instant& instant,
-                                             const References& references) const {
+LinearSystem SuspensionSolver::linear_system(const Instant& instant,
+                                             const Discretisation& discretisation) const {
   const Configuration& configuration = instant.configuration;
-  return discretise(problem(instant, references), configuration, gaps(configuration), references);
+  return preconditioned(problem(instant, discretisation), configuration, gaps(configuration),
+                        discretisation);
 }
 
-DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
-                                             const Configuration& configuration,
-                                             const std::vector<Gap>& gaps,
-                                             const References& references) const {
-  const std::vector<PlacedCurve> near = near_curves(configuration, references);
-  DiscreteProblem discrete{problem, SuspensionOperator(problem, near, plan_)};
-  switch (chosen_preconditioner(plan_, gaps, references, separation())) {
+LinearSystem SuspensionSolver::preconditioned(const StokesProblem& problem,
+                                              const Configuration& configuration,
+                                              const std::vector<Gap>& gaps,
+                                              const Discretisation& discretisation) const {
+  const std::vector<PlacedCurve> near = near_curves(configuration, discretisation);
+  LinearSystem discrete{problem, SuspensionOperator(problem, near, plan_)};
+  switch (chosen_preconditioner(plan_, gaps, discretisation, separation())) {
     case PreconditionerKind::direct:
       discrete.precondition =
           DirectPreconditioner(problem, layer_blocks(problem, near, plan_.near_tolerance));
       discrete.is_factorised = true;
       return discrete;
     case PreconditionerKind::clusters:
-      discrete.precondition = clusters_of(problem, configuration, references, near);
+      discrete.precondition = clusters_of(problem, configuration, discretisation, near);
       return discrete;
     case PreconditionerKind::none:
       return discrete;
@@ -124,16 +125,16 @@ DiscreteProblem SuspensionSolver::discretise(const StokesProblem& problem,
   }
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({inverse_block(scene_, k, *references[k]), configuration[k].orientation});
+    members.push_back({inverse_block(scene_, k, *discretisation[k]), configuration[k].orientation});
   }
   discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
   return discrete;
 }
 
-DiscreteProblem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
-                                                   const Configuration& configuration,
-                                                   const References& references) const {
-  return {problem, SuspensionOperator(problem, near_curves(configuration, references), plan_)};
+LinearSystem SuspensionSolver::unpreconditioned(const StokesProblem& problem,
+                                                const Configuration& configuration,
+                                                const Discretisation& discretisation) const {
+  return {problem, SuspensionOperator(problem, near_curves(configuration, discretisation), plan_)};
 }
 
 SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
@@ -141,20 +142,20 @@ SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
                                                   const Resolutions& resolutions) const {
   const Configuration& configuration = instant.configuration;
   refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
-  References references = this->references(resolutions);
-  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, references));
-  const StokesProblem problem = this->problem(instant, references);
+  Discretisation discretisation = this->discretise(resolutions);
+  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, discretisation));
+  const StokesProblem problem = this->problem(instant, discretisation);
   refuse(data_refusal(scene_, problem));
-  auto discrete =
-      std::make_shared<const DiscreteProblem>(discretise(problem, configuration, gaps, references));
-  return {instant, std::move(references), std::move(discrete)};
+  auto discrete = std::make_shared<const LinearSystem>(
+      preconditioned(problem, configuration, gaps, discretisation));
+  return {instant, std::move(discretisation), std::move(discrete)};
 }
 
 Solution SuspensionSolver::completed(const System& system, GmresResult gmres) const {
   const double amplitude = system.instant.amplitude;
   Solution solution;
   solution.instant = system.instant;
-  solution.references = system.references;
+  solution.discretisation = system.discretisation;
   solution.system = system.discrete;
   solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
@@ -162,7 +163,7 @@ Solution SuspensionSolver::completed(const System& system, GmresResult gmres) co
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
-  for (std::size_t k = 0; k < system.references.size(); ++k) {
+  for (std::size_t k = 0; k < system.discretisation.size(); ++k) {
     const ComponentView component = component_of(scene_, k);
     if (component.kind != ComponentKind::free_body) {
       const RigidMotion motion = prescribed_motion(component);

@@ -20,23 +20,23 @@ constexpr double layer_tolerance = 1e-3;
 // network.
 constexpr double cluster_reach = 2.0, touching = 0.05;
 
-using Inverses = std::map<const Reference*, std::shared_ptr<const MatrixXd>>;
+using Inverses = std::map<const DiscretisedShape*, std::shared_ptr<const MatrixXd>>;
 
-// Of the cluster_block() of each distinct reference.
-Inverses inverse_blocks(const References& references, ClusterForm form, double gauge) {
+// Identifies the cluster_block() of each distinct shape.
+Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, double gauge) {
   Inverses inverses;
-  std::vector<const Reference*> distinct;
-  for (const auto& reference : references) {
-    if (inverses.try_emplace(reference.get()).second) distinct.push_back(reference.get());
+  std::vector<const DiscretisedShape*> distinct;
+  for (const auto& discretised : discretisation) {
+    if (inverses.try_emplace(discretised.get()).second) distinct.push_back(discretised.get());
   }
   // An exception must not leave a parallel loop; of several, that of the first component counts.
   std::vector<std::exception_ptr> failures(distinct.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < distinct.size(); ++k) {
-    const Reference& reference = *distinct[k];
+    const DiscretisedShape& discretised = *distinct[k];
     try {
-      inverses.at(&reference) = std::make_shared<const MatrixXd>(invert_block(
-          cluster_block({reference.kind, reference.curve, {}, {}, 0.0, {}}, form, gauge)));
+      inverses.at(&discretised) = std::make_shared<const MatrixXd>(invert_block(
+          cluster_block({discretised.kind, discretised.curve, {}, {}, 0.0, {}}, form, gauge)));
     } catch (...) {
       failures[k] = std::current_exception();
     }
@@ -50,18 +50,18 @@ Inverses inverse_blocks(const References& references, ClusterForm form, double g
 }  // namespace
 
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
-                                                       const References& references) {
-  const std::size_t count = references.size();
+                                                       const Discretisation& discretisation) {
+  const std::size_t count = discretisation.size();
   const auto encloses = [&](std::size_t k) {
-    return references[k]->kind == ComponentKind::enclosing_wall;
+    return discretisation[k]->kind == ComponentKind::enclosing_wall;
   };
   std::vector<double> radius;
   std::vector<Rectangle> rectangles;
   std::vector<SmoothCurve> curves;
   double largest = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
-    radius.push_back(references[k]->gyration_radius);
-    curves.push_back(smooth_curve(*references[k], configuration[k]));
+    radius.push_back(discretisation[k]->gyration_radius);
+    curves.push_back(smooth_curve(*discretisation[k], configuration[k]));
     rectangles.push_back(bounding_rectangle(curves[k].nodes.x));
     if (!encloses(k)) largest = std::max(largest, radius[k]);
   }
@@ -97,15 +97,15 @@ ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) 
 
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
-                                             const References& references,
+                                             const Discretisation& discretisation,
                                              const std::vector<PlacedCurve>& placed,
                                              std::optional<ClusterForm> given_form) {
-  const auto neighbours = cluster_neighbours(configuration, references);
+  const auto neighbours = cluster_neighbours(configuration, discretisation);
   const ClusterForm form = given_form.value_or(cluster_form(neighbours));
-  const Inverses inverses = inverse_blocks(references, form, held_gauge(problem));
+  const Inverses inverses = inverse_blocks(discretisation, form, held_gauge(problem));
   std::vector<BlockDiagonalPreconditioner::Member> alone;
-  for (std::size_t k = 0; k < references.size(); ++k) {
-    alone.push_back({inverses.at(references[k].get()), configuration[k].orientation});
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    alone.push_back({inverses.at(discretisation[k].get()), configuration[k].orientation});
   }
   return {problem, form, std::move(alone), neighbours,
           layer_blocks(problem, placed, layer_tolerance)};

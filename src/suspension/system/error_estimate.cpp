@@ -24,8 +24,8 @@ double correction_tolerance(double relative, double iteration) {
 }
 
 // Interpolates, component by component, from the nodes of one system to those of another.
-ComplexVector transferred(const ComplexVector& density, const DiscreteProblem& from,
-                          const DiscreteProblem& to) {
+ComplexVector transferred(const ComplexVector& density, const LinearSystem& from,
+                          const LinearSystem& to) {
   const std::vector<Index>& source = from.system.offsets();
   const std::vector<Index>& target = to.system.offsets();
   ComplexVector result(target.back());
@@ -39,7 +39,7 @@ ComplexVector transferred(const ComplexVector& density, const DiscreteProblem& f
 
 // The coarse system's preconditioner for the fine one. Of modes beyond the coarse nodes the
 // operator leaves little but the jump -1/2.
-LinearMap refined_preconditioner(const DiscreteProblem& coarse, const DiscreteProblem& fine) {
+LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem& fine) {
   if (!coarse.precondition) return {};
   return [&](const Eigen::VectorXd& v) {
     const ComplexVector all = deinterleaved(v), low = transferred(all, fine, coarse);
@@ -76,8 +76,8 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
   return std::max(motions / scale, loads / load_scale);
 }
 
-ErrorEstimate estimate_error(const DiscreteProblem& coarse, const GmresResult& solution,
-                             const DiscreteProblem& fine, double scale) {
+ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
+                             const LinearSystem& fine, double scale) {
   const Closure& closure = fine.system.closure();
   const ComplexVector density = deinterleaved(solution.solution);
   const ComplexVector interpolated = transferred(density, coarse, fine);

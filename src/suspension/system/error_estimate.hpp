@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "suspension/system/discrete_problem.hpp"
+#include "suspension/system/linear_system.hpp"
 
 namespace stokesbook {
 
@@ -50,8 +50,8 @@ struct ErrorEstimate {
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of it, @ref claim_12_2
 /// @par Cost      about as many iterations of GMRES as the solution took, with a quarter more nodes
-ErrorEstimate estimate_error(const DiscreteProblem& coarse, const GmresResult& solution,
-                             const DiscreteProblem& fine, double scale);
+ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
+                             const LinearSystem& fine, double scale);
 
 /// @}
 

@@ -122,7 +122,7 @@ void check_experiment() {
   scene.solver.gmres_tol = 1e-12;
   const SuspensionSolver solver(scene);
   const Instant initial = solver.start();
-  const Resolutions nodes = resolutions_of(solver.solve(initial).references);
+  const Resolutions nodes = resolutions_of(solver.solve(initial).discretisation);
   int solves = 0;
   const Flow disks = [&](const VectorXd& q) {
     ++solves;

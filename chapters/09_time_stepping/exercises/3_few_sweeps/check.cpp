@@ -88,7 +88,7 @@ double left_by_the_book(double gap, int k) {
   ComplexVector density = ComplexVector::Zero(exact.size());
   const auto error_after = [&](int count) {
     for (int sweep = 0; sweep < count; ++sweep) {
-      const auto before = [&](const References&) { return density; };
+      const auto before = [&](const Discretisation&) { return density; };
       density = solver.solve_lagged(still, before).density;
     }
     return (density - exact).norm();

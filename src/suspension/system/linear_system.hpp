@@ -10,7 +10,7 @@ namespace stokesbook {
 /// @{
 
 /// The linear system of one configuration at one resolution.
-struct DiscreteProblem {
+struct LinearSystem {
   StokesProblem problem;        ///< components with their nodes and data
   SuspensionOperator system;    ///< density in, velocity at the nodes out
   LinearMap precondition = {};  ///< interleaved, as GMRES takes it; empty: none
@@ -26,7 +26,7 @@ struct DiscreteProblem {
 /// @return           solution and history, interleaved
 /// @throws NumericsRefused when gmres() breaks down, or meets numbers that are not finite
 /// @par Cost         that of gmres()
-GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
+GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
 
 /// @}

@@ -1,4 +1,4 @@
-#include "suspension/system/discrete_problem.hpp"
+#include "suspension/system/linear_system.hpp"
 
 #include <stdexcept>
 
@@ -7,7 +7,7 @@
 
 namespace stokesbook {
 
-GmresResult solve(const DiscreteProblem& discrete, const ComplexVector& rhs,
+GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess) {
   const LinearMap apply = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
     const ComplexVector velocity = discrete.system(deinterleaved(v));

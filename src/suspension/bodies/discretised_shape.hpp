@@ -20,8 +20,9 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// What all components of one shape, resolution and kind share, in the shape's own frame.
-struct Reference {
+/// A shape with its nodes, in its own frame: all that components of one shape, resolution and kind
+/// share.
+struct DiscretisedShape {
   Shape shape;                                             ///< what was sampled
   Resolution resolution;                                   ///< how finely
   ComponentKind kind;                                      ///< sets the side of the curve
@@ -37,8 +38,8 @@ struct Reference {
       inverse_block;  ///< of the preconditioner; found when first it is asked for, at O(N^3)
 };
 
-/// What a reference is to hold beside its nodes.
-struct ReferenceNeeds {
+/// What a discretised shape holds beside its nodes.
+struct DiscretisationNeeds {
   bool cauchy = false;                            ///< matrices of the near corrections
   std::optional<double> interpolation_tolerance;  ///< of velocities by interpolation, if wanted
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
@@ -59,71 +60,63 @@ double shape_residual(const Shape& shape, const Curve& curve);
 /// a hundredth for an ellipse 10:1 and a hundred-thousandth for 65:1. Where errors of the block are
 /// as large, such modes come out at any size, and so do the motions of neighbours that excite them;
 /// a few nodes more change little, since these do not see them either.
-/// @param  reference  of a component
-/// @return            its shape_residual times the norm of its inverse block; where it is above a
-///                    tenth, a solution may be wrong whatever tails and residuals say
+/// @param  discretised  shape of a component
+/// @return              its shape_residual times the norm of its inverse block; where it is above a
+///                      tenth, a solution may be wrong whatever tails and residuals say
 /// @par Cost          inverse_block, unless the errors are so small that no shape needs less
-double softest_mode_error(const Reference& reference);
+double softest_mode_error(const DiscretisedShape& discretised);
 
-/// The shared reference of each component.
-using References = std::vector<std::shared_ptr<const Reference>>;
+/// The discretised shape of each component: bodies, then walls, in the scene's order.
+using Discretisation = std::vector<std::shared_ptr<const DiscretisedShape>>;
 
-/// Returns the resolution of each reference.
+/// Returns the resolution of each component.
 ///
-/// @param  references  of each component
-/// @return             in the same order
-Resolutions resolutions_of(const References& references);
+/// @param  discretisation  of each component
+/// @return                 in the same order
+Resolutions resolutions_of(const Discretisation& discretisation);
 
 /// Places a component.
 ///
-/// @param  reference  shared nodes, in the shape's own frame
-/// @param  pose       where they are
-/// @return            its nodes and its curve in the plane
-SmoothCurve smooth_curve(const Reference& reference, const Pose& pose);
+/// @param  discretised  shape of the component
+/// @param  pose         where the component is
+/// @return              its nodes and its curve in the plane
+SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 
-/// Keeps the references that are in use, each built once.
+/// Shares the discretised shapes of a scene's components, each built once.
 ///
-/// Resolutions may change from solve to solve: what has not been asked for lately is dropped, and
-/// built anew, equal to the last bit, should it be asked for again. Graded nodes belong to one
-/// configuration and are not kept. Safe to use from several threads at once.
-class ReferenceShelf {
+/// Node numbers may change from solve to solve. The cache keeps the shapes that were used last; a
+/// shape that was dropped is built again, equal to the last bit. Shapes with graded nodes belong to
+/// one configuration and are not kept. Several threads may use the cache at once.
+class DiscretisationCache {
  public:
-  /// Starts with an empty shelf.
-  /// @param  needs     what each reference is to hold
-  /// @param  patience  calls of get() for which a reference is kept that none of them asks for
-  ReferenceShelf(const ReferenceNeeds& needs, std::size_t patience)
-      : needs_(needs), patience_(patience) {}
+  /// Starts empty.
+  /// @param  needs  what a discretised shape holds beside its nodes
+  /// @param  most   number of shapes that are kept
+  DiscretisationCache(const DiscretisationNeeds& needs, std::size_t most)
+      : needs_(needs), most_(most) {}
 
-  /// Returns the reference of a shape, resolution and kind; builds it when it is not there.
+  /// Returns the discretised shape of a shape, resolution and kind; builds it if it is not kept.
   ///
   /// @param  shape       in its own frame
   /// @param  resolution  N nodes, even, >= 4
   /// @param  kind        of the component
-  /// @return             the one that all such components share
+  /// @return             the object that all such components share
   /// @throws std::invalid_argument when N is odd or too small
   /// @par Cost        O(N^2 log N) for a new one, O(N^2) without near corrections
-  std::shared_ptr<const Reference> get(const Shape& shape, const Resolution& resolution,
-                                       ComponentKind kind);
+  std::shared_ptr<const DiscretisedShape> get(const Shape& shape, const Resolution& resolution,
+                                              ComponentKind kind);
 
-  /// Counts what is kept.
-  /// @return number of references
+  /// Counts the shapes that are kept.
+  /// @return their number
   std::size_t size() const {
     const std::lock_guard lock(mutex_);
     return kept_.size();
   }
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
-  /// @cond
-  struct Kept {
-    std::shared_ptr<const Reference> reference;
-    std::size_t last_call;
-  };
-  /// @endcond
-
-  ReferenceNeeds needs_;
-  std::size_t patience_, calls_ = 0;
-  std::vector<Kept> kept_;
+  DiscretisationNeeds needs_;
+  std::size_t most_;
+  Discretisation kept_;  // the latest used last
   mutable std::mutex mutex_;
 };
 

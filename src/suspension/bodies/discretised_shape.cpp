@@ -1,0 +1,99 @@
+// Samples a shape, and prepares once what all components of that shape share (chapter 12).
+#include "suspension/bodies/discretised_shape.hpp"
+
+#include <algorithm>
+
+#include "closure/rigid_modes.hpp"
+#include "double_layer/double_layer.hpp"
+#include "suspension/bodies/components.hpp"
+#include "trapezoid/fourier.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+DiscretisedShape build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
+                       const DiscretisationNeeds& needs) {
+  const Side side = side_of(kind);
+  const auto parameters = graded_parameters(resolution.grading, resolution.n_nodes);
+  DiscretisedShape discretised{shape,
+                               resolution,
+                               kind,
+                               parameters,
+                               resolution.is_graded() ? sample(shape, parameters, side)
+                                                      : sample(shape, resolution.n_nodes, side),
+                               std::make_shared<const Parametrisation>(parametrisation(shape)),
+                               0.0,
+                               0.0,
+                               {},
+                               {},
+                               {}};
+  discretised.shape_residual = resolution.is_graded() ? rigid_motion_residual(discretised.curve)
+                                                      : shape_residual(shape, discretised.curve);
+  discretised.gyration_radius = RigidModes(discretised.curve, {}).gyration_radius();
+  if (needs.cauchy) discretised.cauchy = std::make_shared<CauchyCurve>(discretised.curve);
+  if (needs.interpolation_tolerance) {
+    discretised.interpolation = std::make_shared<InterpolationCurve>(
+        discretised.curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
+  }
+  const Component alone{kind, discretised.curve, {}, {}, 0.0, {}};
+  discretised.inverse_block = std::async(std::launch::deferred, [alone, needs] {
+                                return std::make_shared<const Eigen::MatrixXd>(
+                                    invert_block(self_block(alone, needs.gauge_length)));
+                              }).share();
+  return discretised;
+}
+
+}  // namespace
+
+double shape_residual(const Shape& shape, const Curve& curve) {
+  const ComplexVector between = sample(shape, 2 * curve.size(), curve.side).x;
+  const double distance = (resample(curve.x, between.size()) - between).cwiseAbs().maxCoeff();
+  return std::max(rigid_motion_residual(curve), distance / between.cwiseAbs().maxCoeff());
+}
+
+double softest_mode_error(const DiscretisedShape& discretised) {
+  constexpr double beyond_question = 1e-9;
+  if (discretised.shape_residual < beyond_question) return discretised.shape_residual;
+  try {
+    const Eigen::MatrixXd& inverse = *discretised.inverse_block.get();
+    return discretised.shape_residual * inverse.cwiseAbs().rowwise().sum().maxCoeff();
+  } catch (const std::domain_error&) {
+    return discretised.shape_residual;  // no inverse at any number of nodes: solves are refused
+  }
+}
+
+Resolutions resolutions_of(const Discretisation& discretisation) {
+  Resolutions resolutions;
+  for (const auto& discretised : discretisation) resolutions.push_back(discretised->resolution);
+  return resolutions;
+}
+
+SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose) {
+  SmoothCurve curve{place(discretised.curve, pose.position, pose.orientation),
+                    discretised.parametrisation, pose.position, pose.orientation};
+  if (discretised.resolution.is_graded()) curve.parameters = discretised.parameters;
+  return curve;
+}
+
+std::shared_ptr<const DiscretisedShape> DiscretisationCache::get(const Shape& shape,
+                                                                 const Resolution& resolution,
+                                                                 ComponentKind kind) {
+  if (resolution.is_graded()) {
+    return std::make_shared<DiscretisedShape>(build(shape, resolution, kind, needs_));
+  }
+  const std::lock_guard lock(mutex_);
+  const auto known = std::ranges::find_if(kept_, [&](const auto& kept) {
+    return kept->kind == kind && kept->resolution == resolution && kept->shape == shape;
+  });
+  if (known != kept_.end()) {
+    std::rotate(known, known + 1, kept_.end());
+  } else {
+    if (kept_.size() == most_) kept_.erase(kept_.begin());
+    kept_.push_back(
+        std::make_shared<const DiscretisedShape>(build(shape, resolution, kind, needs_)));
+  }
+  return kept_.back();
+}
+
+}  // namespace stokesbook
