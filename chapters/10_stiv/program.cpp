@@ -154,12 +154,12 @@ std::string diagram(double left, double velocity_a, double velocity_b, const std
     return Complex{left + 34.0 * x, 250.0 - 190.0 * tau};
   };
   const auto band = [&](const RigidPath& path) {
-    const double from = path.start.centre.real(), to = path.at(1.0).centre.real();
+    const double from = path.start.position.real(), to = path.at(1.0).position.real();
     return svg::polygon(ComplexVector{{pixel(from - 1.0, 0.0), pixel(from + 1.0, 0.0),
                                        pixel(to + 1.0, 1.0), pixel(to - 1.0, 1.0)}});
   };
-  const auto front_of_a = [&](double tau) { return a.at(tau).centre.real() + 1.0 + separation; };
-  const auto front_of_b = [&](double tau) { return b.at(tau).centre.real() - 1.0; };
+  const auto front_of_a = [&](double tau) { return a.at(tau).position.real() + 1.0 + separation; };
+  const auto front_of_b = [&](double tau) { return b.at(tau).position.real() - 1.0; };
   const ComplexVector interference = ComplexVector{
       {pixel(front_of_b(time), time), pixel(front_of_a(1.0), 1.0), pixel(front_of_b(1.0), 1.0)}};
   const Complex start = pixel(front_of_b(time), time);

@@ -17,7 +17,7 @@
 #include "cli/sweep_command.hpp"
 #include "record/record_error.hpp"
 #include "scene/error.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 
 namespace stokesbook {
 
@@ -116,7 +116,7 @@ int run_program(int argc, char** argv) {
   } catch (const SceneError& error) {
     std::cerr << "stokes: " << for_terminal(error.what()) << '\n';
     return exit_bad_usage;
-  } catch (const NumericsRefused& error) {
+  } catch (const SolverError& error) {
     std::cerr << "stokes: refused: " << for_terminal(error.what()) << '\n';
     return exit_refused;
   } catch (const RecordError& error) {

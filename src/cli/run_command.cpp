@@ -1,4 +1,5 @@
-// Runs or solves one scene: reads it, prints the plan, moves it, and writes its folder.
+// Runs or solves one scene: reads the scene, prints the plan, computes the motion, and writes the
+// files of the run.
 #include "cli/run_command.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@
 #include "suspension/contact/contact.hpp"
 #include "suspension/motion/describe.hpp"
 #include "suspension/motion/simulation.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
@@ -44,7 +45,7 @@ Scene load_scene(const RunOptions& options) {
   }
 }
 
-/// As many points as look smooth; the nodes are among them.
+/// Interpolates a curve at a multiple of its nodes, at 64 points or more, so that it looks smooth.
 ComplexVector smooth_outline(const ComplexVector& nodes) {
   constexpr Eigen::Index least = 64;
   return resample(nodes, nodes.size() * ((least + nodes.size() - 1) / nodes.size()));
@@ -98,10 +99,10 @@ RunInfo run_info(const std::vector<std::string>& plan) {
 
 struct OpenedRun {
   RunDirectory directory;
-  std::optional<Checkpoint> checkpoint;  // where a resumed run goes on
+  std::optional<Checkpoint> checkpoint;  // state from which a resumed run continues
 };
 
-// A run that was killed before its first checkpoint is resumed from the start.
+// Opens the folder of a run. A run killed before its first checkpoint is resumed from the start.
 OpenedRun open_directory(const std::filesystem::path& out, const RunContents& contents,
                          const RunOptions& options) {
   const bool has_checkpoint = std::filesystem::exists(out / "checkpoint");
@@ -138,7 +139,7 @@ void go_on_from(const Checkpoint& checkpoint, Simulation& simulation,
   }
 }
 
-// Largest resident set so far, in bytes; getrusage() counts in units of 1024.
+// Returns the largest resident set so far, in bytes; getrusage() returns multiples of 1024 bytes.
 long long peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -181,7 +182,8 @@ void print_report(const RunInfo& info, const std::filesystem::path& out) {
       short_number(totals.energy_injected).c_str());
 }
 
-// With forces of contact, and by the lagged coupling: all others are refused.
+// Warns of error estimates above the tolerance: of fields, and of velocities with contact forces or
+// lagged coupling. In all other cases, such an estimate of velocities stops the run.
 void warn_of_estimate(const RunInfo& info, double tolerance) {
   for (const auto& [quantity, error] : info.resolution.field_errors) {
     if (error <= tolerance) continue;
@@ -209,7 +211,7 @@ void print_motions(const Frame& frame) {
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     const BodyState& body = frame.bodies[k];
     std::printf("%6zu %24.15g %24.15g %24.15g\n", k, body.velocity.real() + 0.0,
-                body.velocity.imag() + 0.0, body.omega + 0.0);  // 0 for -0
+                body.velocity.imag() + 0.0, body.omega + 0.0);  // -0 becomes 0
   }
 }
 
@@ -274,8 +276,8 @@ int run_scene(const RunOptions& options) {
   directory.write_text("run.json", to_json(info));
   try {
     options.once ? simulation.solve_once() : simulation.run();
-  } catch (const NumericsRefused& refusal) {
-    finish(exit_refused, refusal.what());
+  } catch (const SolverError& error) {
+    finish(exit_refused, error.what());
     throw;
   }
   finish(exit_done, "done");

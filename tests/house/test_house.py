@@ -99,16 +99,16 @@ class PlantedTree(unittest.TestCase):
                          ["src/attic: this room is not in the table"])
 
     def test_folders_of_suspension(self):
-        self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/fill.hpp"\n'
+        self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/random_fill.hpp"\n'
                                                     '#include "suspension/bodies/gaps.hpp"\n'
                                                     '#include "stiv/separation.hpp"\n')
         self.assertEqual(house.folder_violations(self.root), [])
-        self.plant("src/suspension/nodes/fill.hpp", '#include "suspension/solver/solver.hpp"\n')
+        self.plant("src/suspension/nodes/random_fill.hpp", '#include "suspension/solver/solver.hpp"\n')
         self.plant("src/suspension/plan.hpp", "")
         for k in range(21):
             self.plant(f"src/suspension/motion/step_{k}.cpp", "")
         self.assertEqual(house.folder_violations(self.root), [
-            "src/suspension/nodes/fill.hpp includes suspension/solver/solver.hpp, "
+            "src/suspension/nodes/random_fill.hpp includes suspension/solver/solver.hpp, "
             "which nodes may not use",
             "src/suspension/plan.hpp: the folder is not in the list",
             "src/suspension/motion: 21 files"])

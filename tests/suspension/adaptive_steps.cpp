@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/known_motions.hpp"
+#include "suspension/motion/stepping.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

@@ -7,7 +7,8 @@
 #include "contact_setup.hpp"
 #include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
-#include "suspension/contact/load_response.hpp"
+#include "suspension/contact/contact_mobility.hpp"
+#include "suspension/motion/stepping.hpp"
 
 namespace stokesbook::test {
 
@@ -52,9 +53,9 @@ void check_unique_motions(const Scene& scene, double pitch, Index contacts, doub
   const Solution free = solver.solve({start});
   const Forces forces = forces_between(bodies, pitch);
   BOOST_REQUIRE(forces.cols() == contacts);
-  AnsweredLoads none;
+  MobilityColumns none;
   none.tolerance = 0.0;
-  LoadResponse respond(solver, free, none);
+  ContactMobility respond(solver, free, none);
   const MatrixXd response = respond(forces);
   const MatrixXd unsymmetric = forces.transpose() * response;
   const VectorXd free_velocity = to_rate(free);

@@ -27,8 +27,8 @@ Scene in_turning_container(double radius, const std::vector<Body>& bodies, doubl
 }
 
 auto mentions(const std::vector<std::string>& words) {
-  return [=](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
+  return [=](const SolverError& error) {
+    const std::string message = error.what();
     for (const std::string& word : words) {
       BOOST_TEST(message.find(word) != std::string::npos, "no \"" << word << "\" in: " << message);
     }
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(too_few_nodes_stop_the_run) {
   for (const double tolerance : {1e-5, 1.0}) {
     scene.solver.tolerance = tolerance;
     BOOST_CHECK_EXCEPTION(
-        recorded_run(scene), NumericsRefused,
+        recorded_run(scene), SolverError,
         mentions({"body 0 and body 1", "too close for the plain trapezoid rule"}));
   }
 }

@@ -21,8 +21,8 @@ double gap(const Frame& frame) {
 // are written and the sag of polygons.
 void check_start_refused(const Scene& scene, const std::string& reason,
                          const std::vector<std::pair<std::string, double>>& pairs) {
-  const auto tells = [&](const ConfigurationRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto tells = [&](const ConfigurationError& error) {
+    const std::string message = error.what();
     BOOST_TEST(message.find(reason) != std::string::npos);
     for (const auto& [text, length] : pairs) {
       const std::size_t at = message.find(text);
@@ -32,7 +32,7 @@ void check_start_refused(const Scene& scene, const std::string& reason,
     }
     return true;
   };
-  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationRefused, tells);
+  BOOST_CHECK_EXCEPTION(recorded_run(scene), ConfigurationError, tells);
 }
 
 }  // namespace
@@ -122,12 +122,12 @@ BOOST_AUTO_TEST_CASE(steps_longer_than_the_scene_are_shortened_or_refused) {
   cell.solver.tolerance = 1e-2;
   cell.contact = ContactSettings{0.05};
   cell.walls[0].motion = RotatingWall{1e18};
-  const auto tells = [](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto tells = [](const SolverError& error) {
+    const std::string message = error.what();
     return message.find("wall 0 moves by") != std::string::npos &&
            message.find("time.dt_min") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION(recorded_run(over(cell, 1.0, 0.1)), NumericsRefused, tells);
+  BOOST_CHECK_EXCEPTION(recorded_run(over(cell, 1.0, 0.1)), SolverError, tells);
   cell.walls[0].motion = RotatingWall{1e3};
   for (const StepInfo& step : recorded_run(over(cell, 0.1, 0.1)).steps) {
     BOOST_TEST(step.dt * 1e3 * 3.0 <= 40.0 * (1.0 + 1e-12));

@@ -59,7 +59,7 @@ Solved accepted(const Scene& scene, int at_least) {
   for (int n = at_least;; n += n < 64 ? 8 : 16) {
     try {
       return Solved(with_nodes(scene, n));
-    } catch (const NumericsRefused&) {
+    } catch (const SolverError&) {
       BOOST_REQUIRE(n < 1000);
     }
   }

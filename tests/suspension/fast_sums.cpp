@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "scene/parse.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 #include "suspension/random_scenes.hpp"
-#include "suspension/solver/side_test.hpp"
+#include "suspension/solver/fluid_mask.hpp"
 #include "suspension/system/error_estimate.hpp"
 
 namespace stokesbook::test {

@@ -5,7 +5,7 @@
 #include "suspension/bodies/field_grid.hpp"
 #include "suspension/scenes.hpp"
 #include "suspension/solver/fields.hpp"
-#include "suspension/solver/side_test.hpp"
+#include "suspension/solver/fluid_mask.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/smooth_curve.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 #include "suspension/solver/solver.hpp"
 #include "suspension/trajectories.hpp"
 

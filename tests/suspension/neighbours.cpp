@@ -10,7 +10,7 @@
 #include "near_singular/near_test.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/scenes.hpp"
-#include "suspension/solver/side_test.hpp"
+#include "suspension/solver/fluid_mask.hpp"
 
 namespace stokesbook::test {
 

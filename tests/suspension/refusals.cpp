@@ -7,7 +7,7 @@
 
 #include "suspension/nodes/memory.hpp"
 #include "suspension/random_scenes.hpp"
-#include "suspension/solver/refusal.hpp"
+#include "suspension/solver/solver_checks.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) 
   const Resolutions nodes(2, {64, {}});
   const double unknown = std::numeric_limits<double>::infinity();
   const std::string message =
-      accuracy_refusal(close, nodes, nodes, {{1e-15, 1.0}, {1e-15, 1.0}}, unknown, {});
+      accuracy_error(close, nodes, nodes, {{1e-15, 1.0}, {1e-15, 1.0}}, unknown, {});
   BOOST_TEST(message.starts_with("nothing is known of the error"), message);
   BOOST_TEST(message.find("inf") == std::string::npos, message);
 }
@@ -85,10 +85,10 @@ BOOST_AUTO_TEST_CASE(memory_that_is_not_there) {
   // A shape counts once.
   const Scene twins = scene({body(Circle{1.0}, 1000, {}), body(Circle{1.0}, 1000, 4.0)});
   const Resolutions nodes(2, {1000, {}});
-  BOOST_TEST(memory_refusal(twins, nodes, 1.1 * memory_of_reference(1000)).empty());
+  BOOST_TEST(memory_error(twins, nodes, 1.1 * memory_of_reference(1000)).empty());
   Scene others = twins;
   others.bodies[1].shape = Circle{2.0};
-  BOOST_TEST(!memory_refusal(others, nodes, 1.1 * memory_of_reference(1000)).empty());
+  BOOST_TEST(!memory_error(others, nodes, 1.1 * memory_of_reference(1000)).empty());
   BOOST_TEST(available_memory() > 1e8);
 }
 
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
         scene({body(Circle{unit}, 32, {}), body(Circle{unit}, 32, {3.0 * unit, 0.0})});
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
-      return separation_refusal(separation * unit, solver.start().configuration,
+      return separation_error(separation * unit, solver.start().configuration,
                                 solver.discretisation());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_the_largest_body) {
   for (int order = 0; order < 2; ++order) {
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
-      return separation_refusal(separation, solver.start().configuration, solver.discretisation());
+      return separation_error(separation, solver.start().configuration, solver.discretisation());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
     BOOST_TEST(!refusal(0.99e-8).empty());

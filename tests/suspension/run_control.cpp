@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -250,14 +250,14 @@ BOOST_AUTO_TEST_CASE(a_run_that_cannot_go_on_says_when_and_why) {
   double last_written = -1.0;
   Observer observer;
   observer.frame = [&](const Frame& frame) { last_written = frame.t; };
-  const auto names_time_and_bodies = [](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto names_time_and_bodies = [](const SolverError& error) {
+    const std::string message = error.what();
     return message.starts_with("t = ") && message.find("body 0") != std::string::npos &&
            message.find("body 1") != std::string::npos &&
            message.find("n_nodes") != std::string::npos;
   };
   Simulation simulation(solver, observer);
-  BOOST_CHECK_EXCEPTION(simulation.run(), NumericsRefused, names_time_and_bodies);
+  BOOST_CHECK_EXCEPTION(simulation.run(), SolverError, names_time_and_bodies);
   BOOST_TEST(last_written > 0.5);
   BOOST_TEST(last_written < 3.0);
 }

@@ -86,14 +86,14 @@ inline double relative_to_whole_flow(const SuspensionSolver& solver, double publ
 
 /// Solves, and checks that the refusal mentions all words.
 inline void check_refused(const Scene& scene, const std::vector<std::string>& words) {
-  const auto mentions_all = [&](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto mentions_all = [&](const SolverError& error) {
+    const std::string message = error.what();
     for (const std::string& word : words) {
       BOOST_TEST(message.find(word) != std::string::npos, "no \"" << word << "\" in: " << message);
     }
     return true;
   };
-  BOOST_CHECK_EXCEPTION(Solved{scene}, NumericsRefused, mentions_all);
+  BOOST_CHECK_EXCEPTION(Solved{scene}, SolverError, mentions_all);
 }
 
 /// Nodes that shapes and gaps require at the start.

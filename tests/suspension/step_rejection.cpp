@@ -4,9 +4,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/known_motions.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
-#include "suspension/motion/passing.hpp"
-#include "suspension/motion/step_counts.hpp"
+#include "suspension/bodies/solver_error.hpp"
+#include "suspension/contact/passing.hpp"
+#include "suspension/motion/statistics.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {
@@ -74,12 +74,12 @@ BOOST_AUTO_TEST_CASE(adapted_steps_into_an_overlap_are_halved_and_stay_accurate)
 BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
   TimeSettings time{2.0, 1.0, euler};
   time.dt_min = 0.6;
-  const auto names_time_bodies_and_limit = [](const ConfigurationRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto names_time_bodies_and_limit = [](const ConfigurationError& error) {
+    const std::string message = error.what();
     return message.starts_with("t = 1: ") && message.find("body 0") != std::string::npos &&
            message.find("time.dt_min = 0.6") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), ConfigurationRefused,
+  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), ConfigurationError,
                         names_time_bodies_and_limit);
 }
 
@@ -93,13 +93,13 @@ BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
     for (Body& body : scene.bodies) body.n_nodes = 32;
     scene.solver.tolerance = 1e-4;
     scene.contact = ContactSettings{1e-4};
-    const auto says_when_and_what = [](const NumericsRefused& refusal) {
-      const std::string message = refusal.what();
+    const auto says_when_and_what = [](const SolverError& error) {
+      const std::string message = error.what();
       return message.starts_with("t = ") && message.find("t = ", 1) == std::string::npos &&
              message.find("body 0") != std::string::npos &&
              message.find("time.dt_min = ") != std::string::npos;
     };
-    BOOST_CHECK_EXCEPTION(steps_of(scene), NumericsRefused, says_when_and_what);
+    BOOST_CHECK_EXCEPTION(steps_of(scene), SolverError, says_when_and_what);
   }
 }
 
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(bodies_do_not_pass_through_each_other_within_a_step) {
       };
       const SuspensionSolver solver(scene);
       Simulation(solver, observer).run();
-    } catch (const NumericsRefused& refusal) {
-      stopped = refusal.what();
+    } catch (const SolverError& error) {
+      stopped = error.what();
     }
     if (method != dormand_prince54)
       BOOST_TEST(stopped.find("body 0 and body 1") != std::string::npos, stopped);
@@ -150,11 +150,11 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   Configuration end = start;
   std::swap(end[0].position, end[1].position);
   for (Pose& pose : end) pose.position = std::conj(pose.position);
-  BOOST_TEST(test.refusal(start, end, 3.0) == "");
+  BOOST_TEST(test.error(start, end, 3.0) == "");
   for (Pose& pose : end) pose.position = pose.position.real();
   BOOST_TEST(
-      test.refusal(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
-  BOOST_TEST(test.refusal(start, end, 9.0) == "");  // as long as it is told that they are far apart
+      test.error(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
+  BOOST_TEST(test.error(start, end, 9.0) == "");  // as long as it is told that they are far apart
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
@@ -169,12 +169,12 @@ BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
 BOOST_AUTO_TEST_CASE(a_tolerance_beyond_the_least_step_stops_the_run) {
   TimeSettings time{2.0, 0.5, dormand_prince54, 1e-10};
   time.dt_min = 0.4;
-  const auto names_time_and_limit = [](const NumericsRefused& refusal) {
-    const std::string message = refusal.what();
+  const auto names_time_and_limit = [](const SolverError& error) {
+    const std::string message = error.what();
     return message.starts_with("t = 0: the estimated error of a step of 0.5 is ") &&
            message.find("time.dt_min = 0.4") != std::string::npos;
   };
-  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), NumericsRefused, names_time_and_limit);
+  BOOST_CHECK_EXCEPTION(steps_of(approaching(time)), SolverError, names_time_and_limit);
 }
 
 BOOST_AUTO_TEST_CASE(steps_by_effort_double_and_halve_within_their_limits) {

@@ -47,7 +47,7 @@ Finding solve(const Scene& scene, const Measure& error) {
     finding.error = error(solution) / solution.velocity_scale;
     finding.estimate = solution.error_estimate;
     finding.iterations = solution.cost.gmres_iterations;
-  } catch (const NumericsRefused& refusal) {
+  } catch (const SolverError& refusal) {
     finding.refusal = refusal.what();
   }
   return finding;

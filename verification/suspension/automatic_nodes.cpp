@@ -21,7 +21,7 @@ bool is_solvable(Scene scene) {
   try {
     solver.solve(solver.start());
     return true;
-  } catch (const NumericsRefused&) {
+  } catch (const SolverError&) {
     return false;
   }
 }

@@ -158,7 +158,7 @@ Experiment cost_of_contact() {
                               .law = Identity{0.2},
                               .reason = "responses are those of the step before, and their sum is "
                                         "corrected; only new pairs ask for their own",
-                              .api = {"stokesbook::LoadResponse"}},
+                              .api = {"stokesbook::ContactMobility"}},
                .control = Control{"a solve for each pair", over_rings(a_solve)}},
               shown("with", "GMRES iterations with contact", with_contact),
               shown("without", "GMRES iterations without", without_contact),

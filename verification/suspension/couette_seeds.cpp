@@ -10,7 +10,7 @@
 #include "experiments.hpp"
 #include "scenes.hpp"
 #include "support/once.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 #include "sweep/estimate.hpp"
 #include "sweep/parse.hpp"
 #include "sweep/task.hpp"

@@ -5,7 +5,7 @@
 
 #include "experiments.hpp"
 #include "scenes.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook::verification::suspension {
@@ -86,7 +86,7 @@ const std::vector<JudgedSolution>& judged(Size size) {
       try {
         const JudgedSolution one = judge(random, most_nodes);
         if (is_in_range(one)) found.push_back(one);
-      } catch (const NumericsRefused&) {
+      } catch (const SolverError&) {
         // Rounding rules: GMRES breaks down, and the solver refuses such a scene.
       }
     }
@@ -149,7 +149,7 @@ JudgedScene judge_hard_scene(const Scene& scene) {
   JudgedScene judged{scene.solver.tolerance, {}, error_of(solver.solve_nearby(start, {}))};
   try {
     judged.accepted = error_of(solver.solve(start));
-  } catch (const NumericsRefused&) {
+  } catch (const SolverError&) {
     // The given nodes do not do.
   }
   return judged;
@@ -163,7 +163,7 @@ const std::vector<JudgedScene>& judged_hard_scenes(Size size) {
       const Scene scene = hard_scene(random, slenderest);
       try {
         found.push_back(judge_hard_scene(scene));
-      } catch (const NumericsRefused&) {
+      } catch (const SolverError&) {
         // The nodes are hopeless, or bodies overlap, or rounding rules.
       }
     }

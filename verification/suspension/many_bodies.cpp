@@ -6,7 +6,7 @@
 #include "experiments.hpp"
 #include "scenes.hpp"
 #include "support/once.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 
 namespace stokesbook::verification::suspension {
 

@@ -10,7 +10,7 @@
 #include "scene/parse.hpp"
 #include "support/smooth_curve.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 
 namespace stokesbook::verification::suspension {
 

@@ -145,7 +145,7 @@ Rate solved_rate(const Scene& scene) {
   return [=](double, const VectorXd& state) {
     try {
       return to_rate(solver->solve_nearby({to_configuration(state)}, first));
-    } catch (const NumericsRefused& refusal) {  // an overlap, or too close for their nodes
+    } catch (const SolverError& refusal) {  // an overlap, or too close for their nodes
       throw InadmissibleState(refusal.what());
     }
   };

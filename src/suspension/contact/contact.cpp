@@ -7,7 +7,7 @@
 #include "double_layer/double_layer.hpp"
 #include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/contact/stage_rows.hpp"
+#include "suspension/contact/gap_constraints.hpp"
 
 namespace stokesbook {
 
@@ -31,7 +31,7 @@ bool is_close(const ContactResult& result, double separation) {
 }
 
 // Makes a response that does not do one that may; false where there is none to be had.
-bool make_better(LoadResponse& response, ContactStatus status) {
+bool make_better(ContactMobility& response, ContactStatus status) {
   const bool unsolved = status == ContactStatus::no_linear_solution;
   if (!unsolved && status != ContactStatus::response_not_seen) return false;
   return response.tighten() || (unsolved && response.keep_correction());
@@ -159,11 +159,11 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
       }
     }
   }
-  if (!overlaps.empty()) throw ConfigurationRefused("bodies overlap at the start: " + overlaps);
+  if (!overlaps.empty()) throw ConfigurationError("bodies overlap at the start: " + overlaps);
   if (!narrow.empty() && !solver_.scene().contact->allow_close) {
-    throw ConfigurationRefused("pairs are closer at the start than contact.minimum_separation = " +
-                               short_number(separation_) + ": " + narrow +
-                               "; set contact.allow_close = true, or move them");
+    throw ConfigurationError("pairs are closer at the start than contact.minimum_separation = " +
+                             short_number(separation_) + ": " + narrow +
+                             "; set contact.allow_close = true, or move them");
   }
   return closer;
 }
@@ -213,13 +213,14 @@ double SuspensionContact::relative_displacement(const Configuration& start,
   return largest;
 }
 
-ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadResponse& response,
+ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobility& response,
                                           const CloserPairs& closer) const {
   const auto begun = std::chrono::steady_clock::now();
-  const StageRules rules{this->rules(closer),
-                         {separation_, closer},
-                         [this](std::size_t a, std::size_t b) { return is_free(a) || is_free(b); }};
-  StageRows rows(stage, solver_.discretisation(), shapes_, rules);
+  const ConstraintRules rules{
+      this->rules(closer), {separation_, closer}, [this](std::size_t a, std::size_t b) {
+        return is_free(a) || is_free(b);
+      }};
+  GapConstraints rows(stage, solver_.discretisation(), shapes_, rules);
   const ContactStep step{
       .free_velocity = stage.free_velocity,
       .dt = stage.dt,
@@ -234,7 +235,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
           stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{},
       .name =
           [&](const ContactKey& key) {
-            const StageRow& row = rows.seen(key);
+            const GapConstraint& row = rows.seen(key);
             return names(row.a, row.b);
           }};
   ContactOutcome outcome{};
@@ -250,7 +251,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];
     if (force <= 0.0) continue;
-    const StageRow& row = rows.seen(result.keys[i]);
+    const GapConstraint& row = rows.seen(result.keys[i]);
     outcome.forces.push_back(
         {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
@@ -262,7 +263,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
                       outcome.corrected <= solver_.scene().solver.tolerance;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
-    const StageRow& row = rows.seen(result.keys[i]);
+    const GapConstraint& row = rows.seen(result.keys[i]);
     outcome.unseen.emplace_back(row.a, row.b);
   }
   const auto [net_force, net_torque] = imbalance(result.force, stage.acting, shapes_);
@@ -275,7 +276,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, LoadRespons
 }
 
 Solution SuspensionContact::with_forces(Solution free, const ContactOutcome& outcome,
-                                        const LoadResponse& response) const {
+                                        const ContactMobility& response) const {
   if (outcome.forces.empty()) return free;
   const LoadSolution added = response.combined(outcome.result.multipliers);
   free.density += added.density;

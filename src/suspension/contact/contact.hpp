@@ -7,7 +7,7 @@
 #include "record/run_data.hpp"
 #include "stiv/interferences.hpp"
 #include "stiv/polygon_gaps.hpp"
-#include "suspension/contact/load_response.hpp"
+#include "suspension/contact/contact_mobility.hpp"
 
 namespace stokesbook {
 
@@ -73,7 +73,7 @@ struct ContactOutcome {
   double torque_imbalance = 0.0;     ///< net torque, both by imbalance()
   double kkt_residual = 0.0;         ///< of the result, in separations
   int iterations = 0;                ///< linear problems, those on columns too coarse included
-  double corrected = 0.0;            ///< LoadResponse::corrected_by(), of what is resolved
+  double corrected = 0.0;            ///< ContactMobility::corrected_by(), of what is resolved
   double seconds = 0.0;              ///< wall time, those of the responses included
   /// Pairs that do not open under their own force, or under no forces of all of them, or only by
   /// more correction of the response than the solver's tolerance: what too few nodes do.
@@ -102,7 +102,7 @@ class SuspensionContact {
   ///
   /// @param  configuration  where the components are
   /// @return                their gaps, length
-  /// @throws ConfigurationRefused on overlap, naming all pairs and depths; and on narrower gaps
+  /// @throws ConfigurationError on overlap, naming all pairs and depths; and on narrower gaps
   ///                unless contact.allow_close
   CloserPairs admit_start(const Configuration& configuration) const;
 
@@ -119,8 +119,8 @@ class SuspensionContact {
   /// @param  response  mobility where forces act
   /// @param  closer    pairs that may come closer
   /// @return           outcome; its velocity is to be used only where its status is resolved
-  /// @throws NumericsRefused as LoadResponse does
-  ContactOutcome resolve(const ContactStage& stage, LoadResponse& response,
+  /// @throws SolverError as ContactMobility does
+  ContactOutcome resolve(const ContactStage& stage, ContactMobility& response,
                          const CloserPairs& closer) const;
 
   /// Adds the forces of contact to a solution.
@@ -130,7 +130,7 @@ class SuspensionContact {
   /// @param  response  that resolve() was given
   /// @return           motions, loads, density with them
   Solution with_forces(Solution free, const ContactOutcome& outcome,
-                       const LoadResponse& response) const;
+                       const ContactMobility& response) const;
 
   /// Measures how far a step moves components past each other that come near each other in it.
   ///

@@ -32,7 +32,7 @@ double available_memory() {
   return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;
 }
 
-std::string memory_refusal(const Scene& scene, const Resolutions& resolutions, double available) {
+std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available) {
   std::map<int, std::vector<std::size_t>> distinct;  // components by nodes, one of each shape
   double bytes = 0.0;
   std::size_t largest = 0;

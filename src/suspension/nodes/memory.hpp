@@ -30,7 +30,7 @@ constexpr double memory_of_reference(int n_nodes) {
 /// @param  resolutions  of each component
 /// @param  available    bytes
 /// @return              a message with numbers of nodes and bytes; empty when there is enough
-std::string memory_refusal(const Scene& scene, const Resolutions& resolutions, double available);
+std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available);
 
 /// @}
 

@@ -6,7 +6,7 @@
 #include "scene/scene.hpp"
 #include "stiv/component_pair.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
@@ -60,13 +60,13 @@ std::string unresolved_shape(const Shape& shape, double tolerance);
 /// @param  tolerance  of shape_residual()
 /// @param  name       of the component, for messages
 /// @return            nodes, > 0
-/// @throws NumericsRefused when the nodes are automatic and most_nodes_for_shape are not enough
+/// @throws SolverError when the nodes are automatic and most_nodes_for_shape are not enough
 /// @par Cost          that of nodes_for_shape() where nodes are automatic
 template <class Component>
 int own_nodes(const Component& component, Side side, double tolerance, const std::string& name) {
   if (component.n_nodes != automatic_nodes) return component.n_nodes;
   const int nodes = nodes_for_shape(component.shape, side, tolerance, 16);
-  if (nodes == 0) throw NumericsRefused(name + ": " + unresolved_shape(component.shape, tolerance));
+  if (nodes == 0) throw SolverError(name + ": " + unresolved_shape(component.shape, tolerance));
   return nodes;
 }
 

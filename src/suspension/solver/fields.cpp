@@ -9,8 +9,8 @@
 #include "stress/stress.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/field_grid.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
-#include "suspension/solver/side_test.hpp"
+#include "suspension/bodies/solver_error.hpp"
+#include "suspension/solver/fluid_mask.hpp"
 
 namespace stokesbook {
 
@@ -138,7 +138,7 @@ EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& s
   while (true) {
     try {
       latest = solver.refined(latest);
-    } catch (const NumericsRefused&) {
+    } catch (const SolverError&) {
       if (found.solves == 0) found.errors = unknown_errors(found.field);
       return found;
     }

@@ -42,7 +42,7 @@ class Rheometer {
   /// Prepares the measurements.
   ///
   /// @param  solver  of the scene; must outlive the rheometer
-  /// @throws NumericsRefused when the walls of a Couette cell are refused without bodies
+  /// @throws SolverError when the walls of a Couette cell are refused without bodies
   /// @par Cost       in a Couette cell, one solve without bodies
   explicit Rheometer(const SuspensionSolver& solver);
 

@@ -11,7 +11,7 @@
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
-#include "suspension/solver/refusal.hpp"
+#include "suspension/solver/solver_checks.hpp"
 
 namespace stokesbook {
 
@@ -88,7 +88,7 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k)
     own.push_back(own_resolution(component_of(scene_, k), scene_.solver.tolerance));
-  refuse(limit_refusal(scene_, own, {}));
+  throw_if(limit_error(scene_, own, {}));
   discretisation_ = discretise(own);
   std::map<const DiscretisedShape*, int> least;
   for (std::size_t k = 0; k < count; ++k) {
@@ -101,9 +101,9 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
     least_.push_back({entry->second});
     if (component_of(scene_, k).has_automatic_nodes()) own[k] = least_[k];
   }
-  refuse(limit_refusal(scene_, own, {}));
+  throw_if(limit_error(scene_, own, {}));
   discretisation_ = discretise(own);
-  refuse(separation_refusal(separation(), start().configuration, discretisation_));
+  throw_if(separation_error(separation(), start().configuration, discretisation_));
 }
 
 double SuspensionSolver::separation() const {
@@ -126,7 +126,7 @@ std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) cons
 
 std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
   std::vector<Gap> gaps = this->gaps(configuration);
-  refuse<ConfigurationRefused>(overlap_refusal(scene_, gaps, configuration));
+  throw_if<ConfigurationError>(overlap_error(scene_, gaps, configuration));
   return gaps;
 }
 
@@ -146,7 +146,7 @@ Solution SuspensionSolver::converged(const System& system, double gmres_toleranc
       stokesbook::solve(*system.discrete, system.discrete->system.right_hand_side(),
                         {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
   if (!gmres.converged) {
-    throw NumericsRefused(
+    throw SolverError(
         "GMRES stopped at a relative residual of " + short_number(gmres.history.back()) +
         " after " + std::to_string(gmres.iterations) + " iterations, asked " +
         short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
@@ -162,7 +162,7 @@ Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
 Solution SuspensionSolver::refined(const Solution& solution) const {
   const Configuration& configuration = solution.instant.configuration;
   const Resolutions resolutions = finer_than(solution);
-  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, solution.gaps));
+  throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
   System system{solution.instant, discretise(resolutions), {}};
   const StokesProblem problem = loaded_problem(solution, system.discretisation);
   system.discrete = std::make_shared<const LinearSystem>(
@@ -182,7 +182,7 @@ ErrorEstimate SuspensionSolver::estimate(const LinearSystem& discrete,
       unpreconditioned(loaded_problem(solution, finer), solution.instant.configuration, finer);
   try {
     return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
-  } catch (const NumericsRefused&) {
+  } catch (const SolverError&) {
     // The correction is lost in rounding: nothing is known of the error.
     return {std::numeric_limits<double>::infinity(), 0};
   }
@@ -207,7 +207,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
   const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
   const Effort next = greater(effort, tails_of(discrete, solution), estimate.error);
-  const bool too_many = !limit_refusal(scene_, next.resolutions, loaded.gaps).empty();
+  const bool too_many = !limit_error(scene_, next.resolutions, loaded.gaps).empty();
   return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
 }
 
@@ -230,8 +230,8 @@ Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& gue
     const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
     Effort next = greater(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
-      throw ConfigurationRefused(accuracy_refusal(scene_, effort.resolutions, least_, tails,
-                                                  solution.error_estimate, gaps));
+      throw ConfigurationError(
+          accuracy_error(scene_, effort.resolutions, least_, tails, solution.error_estimate, gaps));
     }
     next.guess = guess_from(solution);
     effort = std::move(next);

@@ -12,7 +12,7 @@
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/bodies/discretised_shape.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/system/error_estimate.hpp"
 #include "suspension/system/linear_system.hpp"
@@ -79,8 +79,8 @@ class SuspensionSolver {
   ///
   /// @param  scene  to be solved
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @throws NumericsRefused when shapes with automatic nodes ask for more than "auto" takes, and by
-  ///                separation_refusal()
+  /// @throws SolverError when shapes with automatic nodes ask for more than "auto" takes, and by
+  ///                separation_error()
   /// @par Cost      that of DiscretisationCache::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
@@ -100,9 +100,9 @@ class SuspensionSolver {
   /// @param  guess    of the density, where GMRES begins
   /// @param  least    resolutions that automatic nodes do not fall below; empty: none
   /// @return          density, motions and loads of all components, and the error estimate
-  /// @throws ConfigurationRefused on overlap, hopeless shapes and gaps, and an estimate above the
+  /// @throws ConfigurationError on overlap, hopeless shapes and gaps, and an estimate above the
   ///                tolerance that no node count within the limits of node_choice.hpp brings down
-  /// @throws NumericsRefused on net flux, net force without gauge, a gauge length not
+  /// @throws SolverError on net flux, net force without gauge, a gauge length not
   ///                large against held components, a preconditioner that is singular, no
   ///                convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
@@ -126,7 +126,7 @@ class SuspensionSolver {
   /// @param  earlier  resolution that has done, and will unless gaps have closed
   /// @param  guess    as in solve()
   /// @return          density, motions and loads of all components
-  /// @throws NumericsRefused as solve() does, but for estimates
+  /// @throws SolverError as solve() does, but for estimates
   /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES
   Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
@@ -141,7 +141,7 @@ class SuspensionSolver {
   /// @param  instant  poses and flow amplitude
   /// @param  guess    of the density before, not empty
   /// @return          density, motions and loads of all components, and the error estimate
-  /// @throws NumericsRefused as solve() does, but for estimates and convergence
+  /// @throws SolverError as solve() does, but for estimates and convergence
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
   ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
@@ -169,7 +169,7 @@ class SuspensionSolver {
   /// solutions: twice the difference estimates the error in the given one.
   /// @param  solution  with forces of contact or none
   /// @return           the same, without an estimate
-  /// @throws NumericsRefused when GMRES does not converge, or there are too many nodes
+  /// @throws SolverError when GMRES does not converge, or there are too many nodes
   /// @par Cost      that of a solve with a good guess
   Solution refined(const Solution& solution) const;
 
@@ -197,7 +197,7 @@ class SuspensionSolver {
   /// @param  instant         poses and flow amplitude
   /// @param  discretisation  of each component
   /// @return                 problem, operator, and the preconditioner of the plan
-  /// @throws NumericsRefused when the preconditioner is singular, as the block of a held component
+  /// @throws SolverError when the preconditioner is singular, as the block of a held component
   ///                is whose size is at the degenerate scale of flow.gauge_length
   LinearSystem linear_system(const Instant& instant, const Discretisation& discretisation) const;
 

@@ -4,7 +4,7 @@
 
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
-#include "suspension/nodes/grading_for_gaps.hpp"
+#include "suspension/nodes/graded_nodes.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/solver.hpp"
 

@@ -6,8 +6,8 @@
 #include "krylov/direct.hpp"
 #include "suspension/bodies/background_flow.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/solver/refusal.hpp"
 #include "suspension/solver/solver.hpp"
+#include "suspension/solver/solver_checks.hpp"
 #include "suspension/system/clusters.hpp"
 #include "suspension/system/layer_blocks.hpp"
 #include "suspension/system/preconditioner_choice.hpp"
@@ -24,7 +24,7 @@ std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::si
   try {
     return discretised.inverse_block.get();
   } catch (const std::domain_error& error) {
-    throw NumericsRefused(
+    throw SolverError(
         component_of(scene, component).name() + ": " + error.what() +
         "; a gauge_length close to the size of a held component is a degenerate scale");
   }
@@ -37,8 +37,8 @@ ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configurat
   try {
     return cluster_preconditioner(problem, configuration, discretisation, near);
   } catch (const std::domain_error& error) {
-    throw NumericsRefused("preconditioner by clusters: " + std::string(error.what()) +
-                          "; set solver.preconditioner = \"block_diagonal\"");
+    throw SolverError("preconditioner by clusters: " + std::string(error.what()) +
+                      "; set solver.preconditioner = \"block_diagonal\"");
   }
 }
 
@@ -141,11 +141,11 @@ SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
                                                   const std::vector<Gap>& gaps,
                                                   const Resolutions& resolutions) const {
   const Configuration& configuration = instant.configuration;
-  refuse<ConfigurationRefused>(limit_refusal(scene_, resolutions, gaps));
+  throw_if<ConfigurationError>(limit_error(scene_, resolutions, gaps));
   Discretisation discretisation = this->discretise(resolutions);
-  refuse<ConfigurationRefused>(geometry_refusal(scene_, gaps, configuration, discretisation));
+  throw_if<ConfigurationError>(geometry_error(scene_, gaps, configuration, discretisation));
   const StokesProblem problem = this->problem(instant, discretisation);
-  refuse(data_refusal(scene_, problem));
+  throw_if(data_error(scene_, problem));
   auto discrete = std::make_shared<const LinearSystem>(
       preconditioned(problem, configuration, gaps, discretisation));
   return {instant, std::move(discretisation), std::move(discrete)};

@@ -46,7 +46,7 @@ struct ErrorEstimate {
 ///                   same; it needs no preconditioner
 /// @param  scale     of velocities, > 0, length / time
 /// @return           the estimate
-/// @throws NumericsRefused as solve() does
+/// @throws SolverError as solve() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of it, @ref claim_12_2
 /// @par Cost      about as many iterations of GMRES as the solution took, with a quarter more nodes

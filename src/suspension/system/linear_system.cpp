@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "double_layer/double_layer.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 
 namespace stokesbook {
 
@@ -16,8 +16,8 @@ GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
   try {
     return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
   } catch (const std::domain_error& error) {
-    throw NumericsRefused(std::string(error.what()) +
-                          "; components may be too close to each other for rounding");
+    throw SolverError(std::string(error.what()) +
+                      "; components may be too close to each other for rounding");
   }
 }
 

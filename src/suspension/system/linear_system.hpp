@@ -24,7 +24,7 @@ struct LinearSystem {
 /// @param  options   when to stop
 /// @param  guess     density at all n nodes to begin with; empty: none
 /// @return           solution and history, interleaved
-/// @throws NumericsRefused when gmres() breaks down, or meets numbers that are not finite
+/// @throws SolverError when gmres() breaks down, or meets numbers that are not finite
 /// @par Cost         that of gmres()
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});

@@ -29,7 +29,7 @@ class PassingTest {
   /// @return          a message naming the first such pair; empty where there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
-  std::string refusal(const Configuration& start, const Configuration& end, double closest) const;
+  std::string error(const Configuration& start, const Configuration& end, double closest) const;
 
  private:
   bool is_short(const Configuration& start, const Configuration& end, double closest) const;

@@ -1,10 +1,57 @@
-// Counts what a step has done, for its row in steps.csv.
-#include "suspension/motion/step_counts.hpp"
+// Adds up what steps and runs cost, how finely they are resolved and how wrong they may be, for
+// steps.csv and run.json.
+#include "suspension/motion/statistics.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace stokesbook {
+
+void RunStatistics::add_solve(const Solution& solution) {
+  ++totals.solves;
+  totals.gmres_iterations += solution.cost.gmres_iterations;
+  totals.matvecs += solution.cost.matvecs;
+}
+
+void RunStatistics::add_solves(const ContactMobility& mobility) {
+  totals.contact_solves += mobility.solves();
+  totals.gmres_iterations += mobility.cost().gmres_iterations;
+  totals.matvecs += mobility.cost().matvecs;
+}
+
+void RunStatistics::add_field(const EstimatedField& field) {
+  totals.solves += field.solves;
+  totals.gmres_iterations += field.cost.gmres_iterations;
+  totals.matvecs += field.cost.matvecs;
+  for (const auto& [quantity, error] : field.errors) {
+    double& largest = resolution.field_errors[quantity];
+    largest = std::max(largest, error);
+  }
+}
+
+void RunStatistics::add_resolution(const Solution& solution) {
+  std::vector<int> nodes;
+  for (const Resolution& component : resolutions_of(solution.discretisation)) {
+    nodes.push_back(component.n_nodes);
+  }
+  if (resolution.first_nodes.empty()) resolution.first_nodes = resolution.most_nodes = nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    resolution.most_nodes[k] = std::max(resolution.most_nodes[k], nodes[k]);
+  }
+  resolution.velocity_error = std::max(resolution.velocity_error, solution.error_estimate);
+}
+
+StepInfo RunStatistics::add_step(StepInfo step, const Eigen::VectorXd& error) {
+  step.step_error = bound.in_units_of_scale(error);
+  errors += error;
+  resolution.configuration_error = bound.in_units_of_scale(errors);
+  ++totals.steps;
+  totals.largest_force_imbalance = std::max(totals.largest_force_imbalance, step.force_imbalance);
+  totals.largest_torque_imbalance =
+      std::max(totals.largest_torque_imbalance, step.torque_imbalance);
+  totals.energy_injected += step.energy_injected;
+  return step;
+}
 
 StepInfo begun_step(const Solution& first, double seconds) {
   const StepInfo none{.min_gap = std::numeric_limits<double>::infinity(),

@@ -22,7 +22,7 @@ struct ActingForce {
 };
 
 /// A row as the loop of the nonlinear problem names and weighs it.
-struct StageRow {
+struct GapConstraint {
   std::size_t a,                          ///< a component
       b;                                  ///< the other, after it
   ContactRow row;                         ///< by the polygons
@@ -41,7 +41,7 @@ std::vector<RigidPath> straight_paths(const Configuration& start, const Eigen::V
                                       double dt);
 
 /// How polygons and curves are kept apart, and which pairs concern contact.
-struct StageRules {
+struct ConstraintRules {
   ContactRules polygons;  ///< separations of the polygons, with the sags of both
   Separation curves;      ///< separations that are kept
   std::function<bool(std::size_t a, std::size_t b)> concerns;  ///< pairs that forces can move
@@ -54,7 +54,7 @@ struct StageRules {
 /// pair had one at an earlier velocity, and where its curves come closer than at all of these. Their
 /// gaps are those of the curves at the end of the step; forces act at the closest points of the
 /// acting configuration, as those at the end of the step would cost an order.
-class StageRows {
+class GapConstraints {
  public:
   /// Takes a stage.
   ///
@@ -62,8 +62,8 @@ class StageRows {
   /// @param  discretisation  of all components
   /// @param  shapes          their polygons
   /// @param  rules           what keeps them apart
-  StageRows(const ContactStage& stage, const Discretisation& discretisation,
-            const ContactShapes& shapes, const StageRules& rules);
+  GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
+                 const ContactShapes& shapes, const ConstraintRules& rules);
 
   /// Runs the loop, with the exact derivative of gaps, which converges fast, or else with that of
   /// the forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
@@ -76,7 +76,7 @@ class StageRows {
   ///
   /// @param  key  of a row that was returned
   /// @return      as it was returned last
-  const StageRow& seen(const ContactKey& key) const { return seen_.at(key); }
+  const GapConstraint& seen(const ContactKey& key) const { return seen_.at(key); }
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
@@ -85,22 +85,23 @@ class StageRows {
   /// @endcond
   ContactResult resolved(ContactStep step, Linearisation linearisation, int most_iterations);
   ContactRows rows(const Eigen::VectorXd& velocity, Linearisation linearisation);
-  std::vector<StageRow> pressed_rows(const Eigen::VectorXd& velocity, const Configuration& end);
-  void look_for_missed(const std::vector<StageRow>& rows, const Configuration& end);
-  void add_former(std::vector<StageRow>& rows, const Configuration& end) const;
-  void measure(StageRow& row, const Configuration& end) const;
-  bool is_violated(const std::vector<StageRow>& rows) const;
-  double sags(const StageRow& row) const;
+  std::vector<GapConstraint> pressed_rows(const Eigen::VectorXd& velocity,
+                                          const Configuration& end);
+  void look_for_missed(const std::vector<GapConstraint>& rows, const Configuration& end);
+  void add_former(std::vector<GapConstraint>& rows, const Configuration& end) const;
+  void measure(GapConstraint& row, const Configuration& end) const;
+  bool is_violated(const std::vector<GapConstraint>& rows) const;
+  double sags(const GapConstraint& row) const;
   SmoothCurve curve(std::size_t component, const Configuration& at) const;
   ClosestPoints closest(const RowKey& key, const Configuration& at) const;
 
   const ContactStage& stage_;
   const Discretisation& discretisation_;
   const ContactShapes& shapes_;
-  const StageRules& rules_;
+  const ConstraintRules& rules_;
   std::set<ComponentPair> pressed_;                      // violated at some velocity
   std::map<ComponentPair, std::vector<RowKey>> places_;  // of its rows so far
-  std::map<ContactKey, StageRow> seen_;
+  std::map<ContactKey, GapConstraint> seen_;
 };
 
 /// @}

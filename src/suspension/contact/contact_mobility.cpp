@@ -1,4 +1,4 @@
-#include "suspension/contact/load_response.hpp"
+#include "suspension/contact/contact_mobility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ constexpr double same_load = 1e-9;
 constexpr double most_solved_tolerance = 1e-2;
 
 // Cosine of the angle between loads so alike that the answer to one tells that to the other to
-// AnsweredLoads::most_tolerance.
-constexpr double alike_from = 0.995;
+// MobilityColumns::most_tolerance.
+constexpr double similar_from = 0.995;
 
 // So many times as many answers as were asked for are kept for the next configuration, at most.
 constexpr std::size_t most_kept = 2;
@@ -45,7 +45,7 @@ constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::
 constexpr double tightening = 0.1, loosening = 10.0;
 
 // Of each load, the part that no other of them tells, up to a factor: 1 where all are well apart.
-VectorXd parts_apart(const SparseMatrix<double>& loads) {
+VectorXd separations(const SparseMatrix<double>& loads) {
   const SparseMatrix<double> products = loads.transpose() * loads;
   const VectorXd squares = products.diagonal();
   VectorXd parts = VectorXd::Ones(loads.cols());
@@ -84,8 +84,8 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
 
 }  // namespace
 
-LoadResponse::LoadResponse(const SuspensionSolver& solver, const Solution& solution,
-                           AnsweredLoads earlier, std::optional<double> exact)
+ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
+                                 MobilityColumns earlier, std::optional<double> exact)
     : solver_(solver),
       configuration_(solution.instant.configuration),
       discretisation_(solution.discretisation),
@@ -96,7 +96,7 @@ LoadResponse::LoadResponse(const SuspensionSolver& solver, const Solution& solut
       velocity_scale_(solution.velocity_scale),
       most_correction_(most_correction * solver.scene().solver.tolerance) {}
 
-void LoadResponse::begin() {
+void ContactMobility::begin() {
   flow_ = discrete_->system.right_hand_side().norm();
   over_lengths_ = VectorXd::Zero(static_cast<Index>(3 * discretisation_.size()));
   for (std::size_t k = 0; k < discretisation_.size(); ++k) {
@@ -110,41 +110,41 @@ void LoadResponse::begin() {
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const VectorXd at_bodies = earlier_.loads.col(i);
     const SparseVector<double> load = turned(at_bodies, configuration_, 1.0).sparseView();
-    guesses_.push_back(
+    earlier_columns_.push_back(
         {load, over_lengths_.asDiagonal() * load, guesses.col(i), {}, 1.0, earlier_.flows[i]});
   }
 }
 
-Closure LoadResponse::closure(const SparseVector<double>& load) const {
+Closure ContactMobility::closure(const SparseVector<double>& load) const {
   return Closure(under_loads(discrete_->problem, load));
 }
 
 // Cosine of the angle between two loads.
-double LoadResponse::likeness(const Answer& p, const Answer& q) {
+double ContactMobility::similarity(const Column& p, const Column& q) {
   return std::abs(p.forces.dot(q.forces)) / (p.forces.norm() * q.forces.norm());
 }
 
-void LoadResponse::take_over(Answer& asked) const {
-  const Answer* nearest = nullptr;
+void ContactMobility::reuse_similar(Column& asked) const {
+  const Column* nearest = nullptr;
   double most = 0.0;
-  for (const std::vector<Answer>& known : {std::cref(answers_), std::cref(guesses_)}) {
-    for (const Answer& answer : known) {
-      const double likeness = this->likeness(asked, answer);
-      if (!(likeness > most)) continue;
-      most = likeness;
+  for (const std::vector<Column>& known : {std::cref(columns_), std::cref(earlier_columns_)}) {
+    for (const Column& answer : known) {
+      const double similarity = this->similarity(asked, answer);
+      if (!(similarity > most)) continue;
+      most = similarity;
       nearest = &answer;
     }
   }
   if (nearest == nullptr) return;
   const double part = asked.forces.dot(nearest->forces) / nearest->forces.squaredNorm();
   asked.density = part * nearest->density;
-  if (most > alike_from) {
-    asked.tolerance = AnsweredLoads::most_tolerance;
+  if (most > similar_from) {
+    asked.tolerance = MobilityColumns::most_tolerance;
     complete(asked, std::abs(part) * nearest->flow);
   }
 }
 
-void LoadResponse::solve_by_factors(Answer& asked) const {
+void ContactMobility::solve_by_factors(Column& asked) const {
   const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
   asked.tolerance = exact_;
@@ -152,19 +152,19 @@ void LoadResponse::solve_by_factors(Answer& asked) const {
 }
 
 // Motions of free bodies are those that the density has, whatever the load.
-void LoadResponse::complete(Answer& answer, double flow) const {
+void ContactMobility::complete(Column& answer, double flow) const {
   answer.flow = flow;
   answer.motions = discrete_->system.closure().complete(answer.density).motions;
 }
 
-GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
-                                const ComplexVector& guess) {
+GmresResult ContactMobility::solve(const ComplexVector& rhs, double tolerance,
+                                   const ComplexVector& guess) {
   const GmresOptions options{tolerance, solver_.scene().solver.gmres_max_iterations};
   GmresResult result = stokesbook::solve(*discrete_, rhs, options, guess);
   if (!result.converged) {
-    throw NumericsRefused("GMRES did not converge for a contact force in " +
-                          std::to_string(result.iterations) +
-                          " iterations: raise solver.gmres_max_iterations or solver.tolerance");
+    throw SolverError("GMRES did not converge for a contact force in " +
+                      std::to_string(result.iterations) +
+                      " iterations: raise solver.gmres_max_iterations or solver.tolerance");
   }
   ++solves_;
   cost_.gmres_iterations += result.iterations;
@@ -172,40 +172,40 @@ GmresResult LoadResponse::solve(const ComplexVector& rhs, double tolerance,
   return result;
 }
 
-std::size_t LoadResponse::index_of(Answer asked) {
-  const auto known = std::ranges::find_if(answers_, [&](const Answer& answer) {
+std::size_t ContactMobility::find_or_solve(Column asked) {
+  const auto known = std::ranges::find_if(columns_, [&](const Column& answer) {
     return (asked.forces - answer.forces).norm() <= same_load * asked.forces.norm();
   });
-  if (known != answers_.end()) return static_cast<std::size_t>(known - answers_.begin());
+  if (known != columns_.end()) return static_cast<std::size_t>(known - columns_.begin());
   if (discrete_->is_factorised) {
     solve_by_factors(asked);
   } else {
-    take_over(asked);
+    reuse_similar(asked);
   }
-  answers_.push_back(std::move(asked));
+  columns_.push_back(std::move(asked));
   spent_ = 0;
-  return answers_.size() - 1;
+  return columns_.size() - 1;
 }
 
 // Loads that are nearly parallel, of two points of a flat gap, are told apart by as closer solves.
-void LoadResponse::answer(Answer& asked, double part_apart) {
-  if (asked.tolerance <= std::max(exact_, part_apart * tolerance_)) return;
-  asked.tolerance = std::max(exact_, part_apart * std::min(tolerance_, most_solved_tolerance));
+void ContactMobility::solve_to_tolerance(Column& asked, double separation) {
+  if (asked.tolerance <= std::max(exact_, separation * tolerance_)) return;
+  asked.tolerance = std::max(exact_, separation * std::min(tolerance_, most_solved_tolerance));
   const ComplexVector rhs = closure(asked.load).right_hand_side();
   asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
   complete(asked, rhs.norm());
 }
 
-MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
+MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
   if (over_lengths_.size() == 0) begin();
   velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
   const SparseMatrix<double> forces = over_lengths_.asDiagonal() * loads;
-  const VectorXd parts = parts_apart(forces);
+  const VectorXd parts = separations(forces);
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
-    latest_.push_back(index_of({loads.col(column), forces.col(column), {}}));
-    Answer& asked = answers_[latest_.back()];
-    answer(asked, parts[column]);
+    latest_.push_back(find_or_solve({loads.col(column), forces.col(column), {}}));
+    Column& asked = columns_[latest_.back()];
+    solve_to_tolerance(asked, parts[column]);
     for (std::size_t k = 0; k < asked.motions.size(); ++k) {
       const auto& [velocity, omega] = asked.motions[k];
       velocities_.block<3, 1>(static_cast<Index>(3 * k), column) << velocity.real(),
@@ -220,7 +220,7 @@ MatrixXd LoadResponse::operator()(const SparseMatrix<double>& loads) {
   return velocities_ + correction_;
 }
 
-double LoadResponse::fastest(const VectorXd& velocities) const {
+double ContactMobility::fastest(const VectorXd& velocities) const {
   double largest = 0.0;
   for (Index i = 0; i < velocities.size(); i += 3) {
     if (over_lengths_[i] == 0.0) continue;
@@ -230,15 +230,15 @@ double LoadResponse::fastest(const VectorXd& velocities) const {
   return largest;
 }
 
-double LoadResponse::corrected_by(const VectorXd& multipliers) const {
+double ContactMobility::corrected_by(const VectorXd& multipliers) const {
   if (multipliers.isZero(0.0)) return 0.0;
   const double scale = std::max(velocity_scale_, fastest(velocities_ * multipliers));
   return fastest(correction_ * multipliers) / scale;
 }
 
 // The columns of the latest call that share an answer count together.
-VectorXd LoadResponse::weights(const VectorXd& multipliers) const {
-  VectorXd weights = VectorXd::Zero(static_cast<Index>(answers_.size()));
+VectorXd ContactMobility::weights(const VectorXd& multipliers) const {
+  VectorXd weights = VectorXd::Zero(static_cast<Index>(columns_.size()));
   for (std::size_t i = 0; i < latest_.size(); ++i) {
     weights[static_cast<Index>(latest_[i])] += multipliers[static_cast<Index>(i)];
   }
@@ -246,26 +246,26 @@ VectorXd LoadResponse::weights(const VectorXd& multipliers) const {
 }
 
 // How much of a residual weights have brought in since the combination was exact, at most.
-double LoadResponse::residual_since(const VectorXd& weights) const {
+double ContactMobility::residual_bound(const VectorXd& weights) const {
   double residual = 0.0;
   for (Index i = 0; i < weights.size(); ++i) {
-    const Answer& answer = answers_[static_cast<std::size_t>(i)];
+    const Column& answer = columns_[static_cast<std::size_t>(i)];
     const double before = i < refined_.size() ? refined_[i] : 0.0;
     residual += std::abs(weights[i] - before) * answer.tolerance * answer.flow;
   }
   return residual;
 }
 
-bool LoadResponse::refine(const VectorXd& multipliers) {
+bool ContactMobility::refine(const VectorXd& multipliers) {
   if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
-  if (improve(multipliers)) return true;
+  if (refine_combination(multipliers)) return true;
   if (corrected_by(multipliers) <= most_correction_) return false;
   return tighten() || std::exchange(corrects_, false);
 }
 
-bool LoadResponse::improve(const VectorXd& multipliers) {
+bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const VectorXd weights = this->weights(multipliers);
-  const double missing = residual_since(weights);
+  const double missing = residual_bound(weights);
   if (refined_.size() > 0 && missing <= allowed_) return false;
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
   if (spent_ > iterations_of_closer_column * columns) return tighten();
@@ -282,10 +282,10 @@ bool LoadResponse::improve(const VectorXd& multipliers) {
   if (diverges) tighten();
   const ComplexVector change =
       (deinterleaved(found.solution) - sum.density) / weights.squaredNorm();
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double weight = weights[static_cast<Index>(i)];
     if (weight == 0.0) continue;
-    Answer& answer = answers_[i];
+    Column& answer = columns_[i];
     answer.tolerance *= std::max(1.0, more_than_known);
     answer.density += weight * change;
     complete(answer, answer.flow);
@@ -293,56 +293,56 @@ bool LoadResponse::improve(const VectorXd& multipliers) {
   return true;
 }
 
-bool LoadResponse::keep_correction() {
+bool ContactMobility::keep_correction() {
   corrects_ = true;
   return std::exchange(most_correction_, infinite) < infinite;
 }
 
-bool LoadResponse::tighten() {
+bool ContactMobility::tighten() {
   if (tolerance_ <= exact_) return false;
   tolerance_ = std::max(exact_, tightening * tolerance_);
   spent_ = 0;
   return true;
 }
 
-SparseVector<double> LoadResponse::combined_load(const VectorXd& multipliers) const {
-  SparseVector<double> load(answers_.front().load.size());
+SparseVector<double> ContactMobility::combined_load(const VectorXd& multipliers) const {
+  SparseVector<double> load(columns_.front().load.size());
   for (std::size_t i = 0; i < latest_.size(); ++i) {
-    load += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].load;
+    load += multipliers[static_cast<Index>(i)] * columns_[latest_[i]].load;
   }
   return load;
 }
 
-LoadSolution LoadResponse::combined(const VectorXd& multipliers) const {
-  ComplexVector density = ComplexVector::Zero(answers_.front().density.size());
+LoadSolution ContactMobility::combined(const VectorXd& multipliers) const {
+  ComplexVector density = ComplexVector::Zero(columns_.front().density.size());
   for (std::size_t i = 0; i < latest_.size(); ++i) {
-    density += multipliers[static_cast<Index>(i)] * answers_[latest_[i]].density;
+    density += multipliers[static_cast<Index>(i)] * columns_[latest_[i]].density;
   }
   const Completion completion = closure(combined_load(multipliers)).complete(density);
   return {std::move(density), completion};
 }
 
-AnsweredLoads LoadResponse::answered() const {
-  if (answers_.empty()) return earlier_;
-  std::vector<const Answer*> known;
-  for (const Answer& answer : answers_) known.push_back(&answer);
-  for (const Answer& guess : guesses_) {
-    if (known.size() == most_kept * answers_.size()) break;
+MobilityColumns ContactMobility::columns() const {
+  if (columns_.empty()) return earlier_;
+  std::vector<const Column*> known;
+  for (const Column& answer : columns_) known.push_back(&answer);
+  for (const Column& guess : earlier_columns_) {
+    if (known.size() == most_kept * columns_.size()) break;
     const bool is_answered = std::ranges::any_of(
-        answers_, [&](const Answer& answer) { return likeness(answer, guess) > alike_from; });
+        columns_, [&](const Column& answer) { return similarity(answer, guess) > similar_from; });
     if (!is_answered) known.push_back(&guess);
   }
   const auto m = static_cast<Index>(known.size());
-  Eigen::MatrixXcd densities(answers_.front().density.size(), m);
-  AnsweredLoads result{MatrixXd(answers_.front().load.size(), m), VectorXd(m)};
+  Eigen::MatrixXcd densities(columns_.front().density.size(), m);
+  MobilityColumns result{MatrixXd(columns_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
-    const Answer& answer = *known[static_cast<std::size_t>(i)];
+    const Column& answer = *known[static_cast<std::size_t>(i)];
     result.loads.col(i) = turned(answer.load, configuration_, -1.0);
     result.flows[i] = answer.flow;
     densities.col(i) = answer.density;
   }
   result.densities.add(0.0, configuration_, discretisation_, std::move(densities));
-  result.tolerance = std::min(AnsweredLoads::most_tolerance, loosening * tolerance_);
+  result.tolerance = std::min(MobilityColumns::most_tolerance, loosening * tolerance_);
   return result;
 }
 

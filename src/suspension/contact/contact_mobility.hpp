@@ -22,9 +22,9 @@ struct LoadSolution {
 /// Loads that were answered in earlier configurations: where solves for similar ones begin. The
 /// latest come first; as many older ones are kept, as contact that is lost for a while comes back.
 /// Loads and densities turn with the components, as most of what lasts does.
-struct AnsweredLoads {
-  Eigen::MatrixXd loads;        ///< 3K x m, as LoadResponse takes them, but in components' frames
-  Eigen::VectorXd flows;        ///< norms of their right-hand sides, m numbers, length / time
+struct MobilityColumns {
+  Eigen::MatrixXd loads;  ///< 3K x m, as ContactMobility takes them, but in components' frames
+  Eigen::VectorXd flows;  ///< norms of their right-hand sides, m numbers, length / time
   DensityHistory densities{1};  ///< that answered them, a column each
   /// Residual that the answer to a load is taken to leave in a configuration a step later, of a
   /// load that has turned by a tenth at most.
@@ -55,7 +55,7 @@ struct AnsweredLoads {
 /// taken to are solved for; and all are, ten times as closely, where refinements have taken as
 /// many iterations as that will, or leave more from one to the next. The next configuration's may
 /// leave ten times as much again.
-class LoadResponse {
+class ContactMobility {
  public:
   /// Takes a solution; nothing is solved yet.
   ///
@@ -63,15 +63,15 @@ class LoadResponse {
   /// @param  solution  whose system is solved for loads
   /// @param  earlier   loads that were answered in a configuration before
   /// @param  exact     relative residual of what is solved exactly; none: the plan's
-  LoadResponse(const SuspensionSolver& solver, const Solution& solution, AnsweredLoads earlier = {},
-               std::optional<double> exact = {});
+  ContactMobility(const SuspensionSolver& solver, const Solution& solution,
+                  MobilityColumns earlier = {}, std::optional<double> exact = {});
 
   /// Solves for the motions under some loads.
   ///
   /// A load that was answered before, in this or an earlier call, is not solved for again.
   /// @param  loads  3K x m, forces / length and torques
   /// @return        3K x m velocities of all components, zero for prescribed ones
-  /// @throws NumericsRefused when GMRES does not converge
+  /// @throws SolverError when GMRES does not converge
   /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
   ///                component do not balance
   /// @par Accuracy  residual of a tenth of the load's own flow, to that of the solver by tighten();
@@ -88,7 +88,7 @@ class LoadResponse {
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
   /// @return              true when columns have changed, or are to be solved for more closely;
   ///                      false when the combination is as exact as it gets
-  /// @throws NumericsRefused when GMRES does not converge
+  /// @throws SolverError when GMRES does not converge
   /// @par Cost      a solve; none where multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
@@ -118,7 +118,7 @@ class LoadResponse {
 
   /// Returns all answers, for a configuration to come.
   /// @return loads; those of before where nothing was asked
-  AnsweredLoads answered() const;
+  MobilityColumns columns() const;
 
   /// Counts what was done so far.
   /// @return solves, iterations and applications
@@ -131,7 +131,7 @@ class LoadResponse {
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
-  struct Answer {
+  struct Column {
     Eigen::SparseVector<double> load;
     Eigen::SparseVector<double> forces;  // the same, torques over a component's radius of gyration
     ComplexVector density;
@@ -141,16 +141,16 @@ class LoadResponse {
   };
   /// @endcond
   void begin();
-  std::size_t index_of(Answer asked);
-  static double likeness(const Answer& p, const Answer& q);
-  void take_over(Answer& asked) const;
-  void solve_by_factors(Answer& asked) const;
-  void answer(Answer& asked, double part_apart);
-  void complete(Answer& answer, double flow) const;
+  std::size_t find_or_solve(Column asked);
+  static double similarity(const Column& p, const Column& q);
+  void reuse_similar(Column& asked) const;
+  void solve_by_factors(Column& asked) const;
+  void solve_to_tolerance(Column& asked, double separation);
+  void complete(Column& answer, double flow) const;
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
-  bool improve(const Eigen::VectorXd& multipliers);
+  bool refine_combination(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
-  double residual_since(const Eigen::VectorXd& weights) const;
+  double residual_bound(const Eigen::VectorXd& weights) const;
   double fastest(const Eigen::VectorXd& velocities) const;
   Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
@@ -158,25 +158,25 @@ class LoadResponse {
   const SuspensionSolver& solver_;
   Configuration configuration_;
   Discretisation discretisation_;
-  AnsweredLoads earlier_;
+  MobilityColumns earlier_;
   double exact_;      // relative residual
   double tolerance_;  // of columns
   std::shared_ptr<const LinearSystem> discrete_;
-  double flow_ = 0.0;                // norm of its own right-hand side, when it is needed
-  double velocity_scale_;            // largest velocity of the scene's flow
-  Eigen::VectorXd over_lengths_;     // what makes forces of loads, 1 / length for torques; 0 where
-                                     // supports bear them
-  std::vector<Answer> guesses_;      // earlier answers on the nodes of this configuration
-  std::vector<Answer> answers_;      // of all loads so far
-  std::vector<std::size_t> latest_;  // those of the latest call's columns
-  Eigen::MatrixXd velocities_;       // that they cause
-  Eigen::MatrixXd correction_;       // of these velocities
-  double most_correction_;           // by which it may move components, over the velocity scale
-  bool corrects_ = true;             // at all
-  Eigen::VectorXd refined_;          // weights of the answers whose combination is exact
-  double missing_ = 0.0;             // residual that the combination had before that
-  double allowed_ = 0.0;             // of these weights' combination
-  int spent_ = 0;                    // iterations of refinements since then or the latest new load
+  double flow_ = 0.0;             // norm of its own right-hand side, when it is needed
+  double velocity_scale_;         // largest velocity of the scene's flow
+  Eigen::VectorXd over_lengths_;  // what makes forces of loads, 1 / length for torques; 0 where
+                                  // supports bear them
+  std::vector<Column> earlier_columns_;  // earlier answers on the nodes of this configuration
+  std::vector<Column> columns_;          // of all loads so far
+  std::vector<std::size_t> latest_;      // those of the latest call's columns
+  Eigen::MatrixXd velocities_;           // that they cause
+  Eigen::MatrixXd correction_;           // of these velocities
+  double most_correction_;               // by which it may move components, over the velocity scale
+  bool corrects_ = true;                 // at all
+  Eigen::VectorXd refined_;              // weights of the answers whose combination is exact
+  double missing_ = 0.0;                 // residual that the combination had before that
+  double allowed_ = 0.0;                 // of these weights' combination
+  int spent_ = 0;  // iterations of refinements since then or the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "suspension/solver/side_test.hpp"
+#include "suspension/solver/fluid_mask.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "suspension/nodes/grading_for_gaps.hpp"
+#include "suspension/nodes/graded_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

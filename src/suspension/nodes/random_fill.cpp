@@ -1,4 +1,4 @@
-#include "suspension/nodes/fill.hpp"
+#include "suspension/nodes/random_fill.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "scene/scene.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/bodies/numerics_refused.hpp"
+#include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
@@ -13,14 +13,14 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Refuses where there is a reason to.
+/// Throws an error that has a message.
 ///
-/// @tparam Refused  what is thrown
-/// @param  message  the reason; empty: none
-/// @throws Refused with the message, unless it is empty
-template <class Refused = NumericsRefused>
-void refuse(const std::string& message) {
-  if (!message.empty()) throw Refused(message);
+/// @tparam Error    type of the error
+/// @param  message  empty: there is no error
+/// @throws Error with the message, unless it is empty
+template <class Error = SolverError>
+void throw_if(const std::string& message) {
+  if (!message.empty()) throw Error(message);
 }
 
 /// Explains which components overlap, or touch to rounding.
@@ -29,8 +29,8 @@ void refuse(const std::string& message) {
 /// @param  gaps           in ascending order
 /// @param  configuration  poses of all components
 /// @return                a message naming components and place; empty when all are apart
-std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                            const Configuration& configuration);
+std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
+                          const Configuration& configuration);
 
 /// Explains which shape or gap is hopeless at a resolution: no solve is needed to know.
 ///
@@ -40,9 +40,9 @@ std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 /// @param  discretisation  of each component
 /// @return                 a message naming components, values and what to change; empty when a
 ///                         solve may succeed
-std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                             const Configuration& configuration,
-                             const Discretisation& discretisation);
+std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
+                           const Configuration& configuration,
+                           const Discretisation& discretisation);
 
 /// Explains that the nodes which automatic counts ask for are beyond their limits.
 ///
@@ -50,8 +50,8 @@ std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
 /// @param  resolutions  asked for
 /// @param  gaps         in ascending order; names the neighbour that asks for nodes
 /// @return              a message naming counts and limits; empty within them
-std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
-                          const std::vector<Gap>& gaps);
+std::string limit_error(const Scene& scene, const Resolutions& resolutions,
+                        const std::vector<Gap>& gaps);
 
 /// Explains that contact would keep gaps which neither polygons nor positions carry: below 1e-8 of
 /// the largest radius, where polygons take too long, or below 1e-10 of the distance from the
@@ -61,8 +61,8 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
 /// @param  start           poses of all components
 /// @param  discretisation  of each component
 /// @return                 a message naming lengths and limit; empty where there is no reason
-std::string separation_refusal(double separation, const Configuration& start,
-                               const Discretisation& discretisation);
+std::string separation_error(double separation, const Configuration& start,
+                             const Discretisation& discretisation);
 
 /// Explains why data have no solution, or none that could be trusted: a net flux out of an enclosed
 /// fluid, a net force in an unbounded one, a gauge length that is not large.
@@ -70,7 +70,7 @@ std::string separation_refusal(double separation, const Configuration& start,
 /// @param  scene    with its tolerance and gauge length
 /// @param  problem  of the scene
 /// @return          a message naming values and what to change; empty when nothing is wrong
-std::string data_refusal(const Scene& scene, const StokesProblem& problem);
+std::string data_error(const Scene& scene, const StokesProblem& problem);
 
 /// Explains that a solution is not as accurate as was asked, and what would help: nodes on a
 /// component that has fewer than its softest mode asks for, or on that whose density has the largest
@@ -83,9 +83,9 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem);
 /// @param  error        the solution's estimate, above the tolerance
 /// @param  gaps         in ascending order; names the neighbour that asks for nodes
 /// @return              a message with the estimate and a node count that should do
-std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
-                             const Resolutions& least, const std::vector<TailEstimate>& tails,
-                             double error, const std::vector<Gap>& gaps);
+std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
+                           const Resolutions& least, const std::vector<TailEstimate>& tails,
+                           double error, const std::vector<Gap>& gaps);
 
 /// @}
 

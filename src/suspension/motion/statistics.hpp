@@ -4,14 +4,52 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "record/run_data.hpp"
+#include "record/run_info.hpp"
 #include "suspension/contact/contact.hpp"
+#include "suspension/contact/contact_mobility.hpp"
+#include "suspension/solver/fields.hpp"
 #include "suspension/solver/solver.hpp"
+#include "time_stepping/step_control.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// What a run has cost, how finely it was resolved, and how wrong it may be.
+struct RunStatistics {
+  RunTotals totals{};          ///< counts of work
+  RunResolution resolution{};  ///< numbers of nodes, and estimates of errors
+  Eigen::VectorXd errors;      ///< estimated errors of all steps, added up with their signs
+  ErrorBound bound;            ///< its scale is the unit of these errors
+
+  /// Counts a solve.
+  /// @param  solution  of it
+  void add_solve(const Solution& solution);
+
+  /// Counts the solves for contact forces.
+  /// @param  mobility  of the stage
+  void add_solves(const ContactMobility& mobility);
+
+  /// Counts the work of an estimated field, and keeps the largest error of each quantity.
+  /// @param  field  with its estimates
+  void add_field(const EstimatedField& field);
+
+  /// Keeps the largest numbers of nodes and the largest error estimate.
+  /// @param  solution  with its estimate
+  void add_resolution(const Solution& solution);
+
+  /// Counts a step that was taken.
+  ///
+  /// Errors keep their signs: those of a closed orbit, or of a path there and back, cancel.
+  /// @param  step   what it did
+  /// @param  error  estimated, of the state
+  /// @return        the same, with the step's error
+  StepInfo add_step(StepInfo step, const Eigen::VectorXd& error);
+};
 
 /// Begins to count what a step does.
 ///

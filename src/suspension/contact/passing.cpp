@@ -1,7 +1,7 @@
 // Steps that take bodies through each other: without contact nothing else would see them. Where the
 // paths lead is tested by the space-time interference of chapter 10, with polygons as coarse as an
 // overlap that matters allows.
-#include "suspension/motion/passing.hpp"
+#include "suspension/contact/passing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,7 @@
 #include "stiv/interferences.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/state.hpp"
-#include "suspension/contact/stage_rows.hpp"
-#include "suspension/motion/stepping.hpp"
+#include "suspension/contact/gap_constraints.hpp"
 
 namespace stokesbook {
 
@@ -34,8 +33,8 @@ PassingTest::PassingTest(const SuspensionSolver& solver)
       sag_(relative_sag * smallest_radius(solver.discretisation())),
       shapes_(contact_shapes(solver.discretisation(), sag_)) {}
 
-std::string PassingTest::refusal(const Configuration& start, const Configuration& end,
-                                 double closest) const {
+std::string PassingTest::error(const Configuration& start, const Configuration& end,
+                               double closest) const {
   if (is_short(start, end, closest)) return {};
   const Eigen::VectorXd displacement = to_state(end) - to_state(start);
   const ContactRules rules{{sag_}, accepted_sags * sag_};

@@ -1,6 +1,6 @@
 // Responses to loads: by earlier ones, corrected, the same as by solves for each.
 
-#include "suspension/contact/load_response.hpp"
+#include "suspension/contact/contact_mobility.hpp"
 
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
@@ -51,9 +51,9 @@ struct Chain {
   }
 
   MatrixXd exact(const Configuration& configuration, const Loads& loads) const {
-    AnsweredLoads none;
+    MobilityColumns none;
     none.tolerance = 0.0;
-    return LoadResponse(solver, solver.solve({configuration}), none)(loads);
+    return ContactMobility(solver, solver.solve({configuration}), none)(loads);
   }
 };
 
@@ -85,12 +85,12 @@ struct TrappedFluid {
 
 BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   const Chain chain;
-  LoadResponse before(chain.solver, chain.solver.solve({chain.start}));
+  ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
   before(pushes(chain.start, 0.0));
   BOOST_TEST(before.solves() == 4);
   const Configuration moved = chain.moved();
   const Loads loads = pushes(moved, 0.0);
-  LoadResponse now(chain.solver, chain.solver.solve({moved}), before.answered());
+  ContactMobility now(chain.solver, chain.solver.solve({moved}), before.columns());
   now(loads);
   BOOST_TEST(now.solves() == 0);
   const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // whose flow is stronger than the shear
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
 // Where all turns as one, so do loads and what answers them.
 BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   const Chain chain;
-  LoadResponse before(chain.solver, chain.solver.solve({chain.start}));
+  ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
   MatrixXd expected = before(pushes(chain.start, 0.0));
   const double turn = 0.5;
   Configuration turned = chain.start;
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
     pose.position *= std::polar(1.0, turn);
     pose.orientation += turn;
   }
-  LoadResponse now(chain.solver, chain.solver.solve({turned}), before.answered());
+  ContactMobility now(chain.solver, chain.solver.solve({turned}), before.columns());
   const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
   for (Index k = 0; k < 5; ++k) {
     expected.middleRows<2>(3 * k) = (rotation * expected.middleRows<2>(3 * k)).eval();
@@ -127,9 +127,9 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
 BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   const Chain chain;
   const Solution solution = chain.solver.solve({chain.start});
-  LoadResponse before(chain.solver, solution);
+  ContactMobility before(chain.solver, solution);
   before(pushes(chain.start, 0.0));
-  LoadResponse now(chain.solver, solution, before.answered());
+  ContactMobility now(chain.solver, solution, before.columns());
   now(pushes(chain.start, 0.2));
   BOOST_TEST(now.solves() == 4);
 }
@@ -140,12 +140,12 @@ BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
   const Chain chain;
   const Solution solution = chain.solver.solve({chain.start});
   const Loads all = pushes(chain.start, 0.0);
-  const auto next = [&](const AnsweredLoads& earlier, const Loads& loads) {
-    LoadResponse response(chain.solver, solution, earlier);
+  const auto next = [&](const MobilityColumns& earlier, const Loads& loads) {
+    ContactMobility response(chain.solver, solution, earlier);
     response(loads);
-    return std::pair{response.answered(), response.solves()};
+    return std::pair{response.columns(), response.solves()};
   };
-  AnsweredLoads earlier = next({}, all).first;
+  MobilityColumns earlier = next({}, all).first;
   for (int k = 0; k < 3; ++k) {
     const auto [answered, solves] = next(earlier, all.rightCols(1));
     BOOST_TEST(solves == 0);
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
     earlier = answered;
   }
   // A stage that asks for nothing forgets nothing.
-  earlier = LoadResponse(chain.solver, solution, earlier).answered();
+  earlier = ContactMobility(chain.solver, solution, earlier).columns();
   BOOST_TEST(next(earlier, all).second == 2);
 }
 
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
     loads.col(1) = pushes(chain.start, turn).col(1);
     const VectorXd difference{{-1.0, 1.0}};
     const VectorXd expected = chain.exact(chain.start, loads) * difference;
-    LoadResponse respond(chain.solver, chain.solver.solve({chain.start}));
+    ContactMobility respond(chain.solver, chain.solver.solve({chain.start}));
     const VectorXd found = respond(loads) * difference;
     BOOST_TEST((found - expected).norm() < 0.1 * expected.norm());
   }
@@ -176,13 +176,13 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
 // told apart.
 BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
   const double gap = 2e-3;
-  const auto respond_at = [](const SuspensionSolver& solver, const AnsweredLoads& earlier) {
-    return LoadResponse(solver, solver.solve(solver.start()), earlier);
+  const auto respond_at = [](const SuspensionSolver& solver, const MobilityColumns& earlier) {
+    return ContactMobility(solver, solver.solve(solver.start()), earlier);
   };
   const auto softest = [](const TrappedFluid& trapped, const MatrixXd& velocities) {
     return scaled_eigenvalues(trapped.loads.transpose() * velocities)[0];
   };
-  AnsweredLoads none;
+  MobilityColumns none;
   none.tolerance = 0.0;
   const TrappedFluid resolved(gap, 1e-6);
   const SuspensionSolver exactly(resolved.scene);
@@ -192,9 +192,9 @@ BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
 
   const TrappedFluid wider(2.0 * gap, 1e-2), now(gap, 1e-2);
   const SuspensionSolver before(wider.scene), solver(now.scene);
-  LoadResponse earlier = respond_at(before, {});
+  ContactMobility earlier = respond_at(before, {});
   earlier(wider.loads);
-  LoadResponse response = respond_at(solver, earlier.answered());
+  ContactMobility response = respond_at(solver, earlier.columns());
   double most_corrected = 0.0;
   for (const double weight : {1.0, 3e3}) {
     const VectorXd weights = VectorXd::Constant(3, weight);

@@ -1,5 +1,5 @@
 // Explains what cannot be solved as it was asked, and what would help (chapter 12).
-#include "suspension/solver/refusal.hpp"
+#include "suspension/solver/solver_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,8 +131,8 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
 
 }  // namespace
 
-std::string separation_refusal(double separation, const Configuration& start,
-                               const Discretisation& discretisation) {
+std::string separation_error(double separation, const Configuration& start,
+                             const Discretisation& discretisation) {
   // Measured on pairs of disks pressed together: a gap of 1e-8 radii is kept to a part in 1e8, with
   // polygons of 70 MB; of 1e-9, steps do not end. Gaps are kept to 1e-5 of themselves at 1e-10 of
   // the distance from the origin; at 1e-11 steps are halved, and at 1e-12 gaps err by 3e-5.
@@ -150,7 +150,7 @@ std::string separation_refusal(double separation, const Configuration& start,
          short_number(distance) + " from the origin: give at least " + short_number(least);
 }
 
-std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
+std::string data_error(const Scene& scene, const StokesProblem& problem) {
   if (is_bounded(problem)) {
     const double flux = net_flux(problem);
     if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
@@ -190,9 +190,9 @@ std::string data_refusal(const Scene& scene, const StokesProblem& problem) {
   return {};
 }
 
-std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
-                             const Resolutions& least, const std::vector<TailEstimate>& tails,
-                             double error, const std::vector<Gap>& gaps) {
+std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
+                           const Resolutions& least, const std::vector<TailEstimate>& tails,
+                           double error, const std::vector<Gap>& gaps) {
   const double tolerance = scene.solver.tolerance;
   if (!std::isfinite(error)) {
     return "nothing is known of the error of the velocities: what more nodes would change is lost "
@@ -222,14 +222,14 @@ std::string accuracy_refusal(const Scene& scene, const Resolutions& resolutions,
          std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
 }
 
-std::string overlap_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                            const Configuration& configuration) {
+std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
+                          const Configuration& configuration) {
   const bool apart = gaps.empty() || !overlaps(gaps.front(), configuration);
   return apart ? std::string{} : overlap_message(scene, gaps.front());
 }
 
-std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
-                          const std::vector<Gap>& gaps) {
+std::string limit_error(const Scene& scene, const Resolutions& resolutions,
+                        const std::vector<Gap>& gaps) {
   long long all = 0;
   bool chosen = false;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
@@ -245,7 +245,7 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
            ": give the number yourself, or raise the tolerance";
   }
   if (!chosen || all <= most_nodes_in_all) {
-    return memory_refusal(scene, resolutions, available_memory());
+    return memory_error(scene, resolutions, available_memory());
   }
   return "the components would need " + std::to_string(all) +
          " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
@@ -253,9 +253,9 @@ std::string limit_refusal(const Scene& scene, const Resolutions& resolutions,
          ": give the numbers yourself, or raise the tolerance";
 }
 
-std::string geometry_refusal(const Scene& scene, const std::vector<Gap>& gaps,
-                             const Configuration& configuration,
-                             const Discretisation& discretisation) {
+std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
+                           const Configuration& configuration,
+                           const Discretisation& discretisation) {
   const double tolerance = scene.solver.tolerance;
   for (std::size_t k = 0; k < discretisation.size(); ++k) {
     if (discretisation[k]->shape_residual > hopeless * tolerance) {

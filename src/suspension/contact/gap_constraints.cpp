@@ -1,4 +1,4 @@
-#include "suspension/contact/stage_rows.hpp"
+#include "suspension/contact/gap_constraints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-ContactKey key_of(const StageRow& row, std::size_t components) {
+ContactKey key_of(const GapConstraint& row, std::size_t components) {
   constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32;
   const bool of_b = row.row.key.vertex_of == row.b;
   return {static_cast<std::int64_t>(row.a * components + row.b),
@@ -75,11 +75,11 @@ std::vector<RigidPath> straight_paths(const Configuration& start, const VectorXd
   return paths;
 }
 
-StageRows::StageRows(const ContactStage& stage, const Discretisation& discretisation,
-                     const ContactShapes& shapes, const StageRules& rules)
+GapConstraints::GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
+                               const ContactShapes& shapes, const ConstraintRules& rules)
     : stage_(stage), discretisation_(discretisation), shapes_(shapes), rules_(rules) {}
 
-ContactResult StageRows::resolved(const ContactStep& step) {
+ContactResult GapConstraints::resolved(const ContactStep& step) {
   const ContactResult first = resolved(step, Linearisation::exact, stage_.most_iterations);
   const int left = stage_.most_iterations - first.iterations;
   if (first.status == ContactStatus::resolved || left <= 0) return first;
@@ -88,8 +88,8 @@ ContactResult StageRows::resolved(const ContactStep& step) {
   return second;
 }
 
-ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation,
-                                  int most_iterations) {
+ContactResult GapConstraints::resolved(ContactStep step, Linearisation linearisation,
+                                       int most_iterations) {
   step.rows = [=, this](const VectorXd& velocity) { return rows(velocity, linearisation); };
   ContactLoopOptions options;
   options.max_iterations = std::min(options.max_iterations, most_iterations);
@@ -97,27 +97,28 @@ ContactResult StageRows::resolved(ContactStep step, Linearisation linearisation,
 }
 
 // Each row costs a solve: pairs that merely come near have none.
-std::vector<StageRow> StageRows::pressed_rows(const VectorXd& velocity, const Configuration& end) {
+std::vector<GapConstraint> GapConstraints::pressed_rows(const VectorXd& velocity,
+                                                        const Configuration& end) {
   const Interferences found =
       interferences(shapes_, straight_paths(stage_.start, velocity, stage_.dt), rules_.polygons);
-  std::map<ComponentPair, std::vector<StageRow>> near;
+  std::map<ComponentPair, std::vector<GapConstraint>> near;
   for (const Contact& contact : found.contacts) {
     const std::size_t a = contact.a, b = contact.b;
     if (!rules_.concerns(a, b)) continue;
     if (contact.is_violated()) pressed_.emplace(a, b);
     for (const ContactRow& row : contact.rows) near[{a, b}].push_back({a, b, row});
   }
-  std::vector<StageRow> pressed;
+  std::vector<GapConstraint> pressed;
   for (auto& [pair, rows] : near) {
-    const auto is_close = [this](const StageRow& row) { return row.row.gap < sags(row); };
+    const auto is_close = [this](const GapConstraint& row) { return row.row.gap < sags(row); };
     if (!pressed_.contains(pair) && std::ranges::none_of(rows, is_close)) continue;
-    for (StageRow& row : rows) measure(row, end);
+    for (GapConstraint& row : rows) measure(row, end);
     if (!is_violated(rows)) look_for_missed(rows, end);
     add_former(rows, end);
     if (is_violated(rows)) pressed_.insert(pair);
     if (!pressed_.contains(pair)) continue;
     places_[pair].clear();
-    for (const StageRow& row : rows) places_[pair].push_back(row.row.key);
+    for (const GapConstraint& row : rows) places_[pair].push_back(row.row.key);
     std::ranges::move(rows, std::back_inserter(pressed));
   }
   return pressed;
@@ -125,7 +126,8 @@ std::vector<StageRow> StageRows::pressed_rows(const VectorXd& velocity, const Co
 
 // Of two minima that differ by less than sags, polygons may show one, now this and now that. Where
 // the curves of a pair come too near though all of its rows are wide enough, there is the other.
-void StageRows::look_for_missed(const std::vector<StageRow>& rows, const Configuration& end) {
+void GapConstraints::look_for_missed(const std::vector<GapConstraint>& rows,
+                                     const Configuration& end) {
   RowKey key = rows.front().row.key;
   const ClosestPoints least = closest_points(curve(key.vertex_of, end), curve(key.polygon_of, end));
   const double kept = rules_.curves.between(key.vertex_of, key.polygon_of);
@@ -135,30 +137,30 @@ void StageRows::look_for_missed(const std::vector<StageRow>& rows, const Configu
 }
 
 // Where a pair had a row, it keeps one, as long as the curves have a minimum there.
-void StageRows::add_former(std::vector<StageRow>& rows, const Configuration& end) const {
+void GapConstraints::add_former(std::vector<GapConstraint>& rows, const Configuration& end) const {
   const auto places = places_.find({rows.front().a, rows.front().b});
   if (places == places_.end()) return;
   for (const RowKey& key : places->second) {
     // The polygons say of it what they say of the deepest row.
-    StageRow row =
-        *std::ranges::min_element(rows, {}, [](const StageRow& own) { return own.row.gap; });
+    GapConstraint row =
+        *std::ranges::min_element(rows, {}, [](const GapConstraint& own) { return own.row.gap; });
     row.row.key = key;
     measure(row, end);
-    const auto is_there = [&](const StageRow& other) {
+    const auto is_there = [&](const GapConstraint& other) {
       return other.points && std::abs(middle(*row.points) - middle(*other.points)) < sags(row);
     };
     if (row.points && std::ranges::none_of(rows, is_there)) rows.push_back(row);
   }
 }
 
-ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisation) {
+ContactRows GapConstraints::rows(const VectorXd& velocity, Linearisation linearisation) {
   const Configuration end = to_configuration(to_state(stage_.start) + stage_.dt * velocity);
-  std::vector<StageRow> rows = pressed_rows(velocity, end);
+  std::vector<GapConstraint> rows = pressed_rows(velocity, end);
   const auto m = static_cast<Index>(rows.size());
   const GapGradient none(m, velocity.size());
   ContactRows result{VectorXd(m), none, none, {}};
   for (Index i = 0; i < m; ++i) {
-    StageRow& row = rows[static_cast<std::size_t>(i)];
+    GapConstraint& row = rows[static_cast<std::size_t>(i)];
     const RowKey& key = row.row.key;
     const ClosestPoints acting = closest(key, stage_.acting);
     add(result.force_gradient, i, key, acting, stage_.acting);
@@ -179,7 +181,7 @@ ContactRows StageRows::rows(const VectorXd& velocity, Linearisation linearisatio
 }
 
 // By the curves where their gap is the one that the polygons show, else by these.
-void StageRows::measure(StageRow& row, const Configuration& end) const {
+void GapConstraints::measure(GapConstraint& row, const Configuration& end) const {
   const ClosestPoints points = closest(row.row.key, end);
   const double by_polygons = row.row.gap + rules_.polygons.separation.between(row.a, row.b);
   const double kept = rules_.curves.between(row.a, row.b);
@@ -188,23 +190,23 @@ void StageRows::measure(StageRow& row, const Configuration& end) const {
   row.points = same ? std::optional(points) : std::nullopt;
 }
 
-bool StageRows::is_violated(const std::vector<StageRow>& rows) const {
+bool GapConstraints::is_violated(const std::vector<GapConstraint>& rows) const {
   return std::ranges::any_of(
-      rows, [this](const StageRow& row) { return row.gap < -rules_.polygons.tolerance; });
+      rows, [this](const GapConstraint& row) { return row.gap < -rules_.polygons.tolerance; });
 }
 
 // By how much gaps of polygons and curves may differ: twice the sags, since a vertex may lie beside
 // the closest point; twice that, to have some to spare.
-double StageRows::sags(const StageRow& row) const {
+double GapConstraints::sags(const GapConstraint& row) const {
   return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
 }
 
-SmoothCurve StageRows::curve(std::size_t component, const Configuration& at) const {
+SmoothCurve GapConstraints::curve(std::size_t component, const Configuration& at) const {
   return smooth_curve(*discretisation_[component], at[component]);
 }
 
 // Where the curves are closest, at a configuration.
-ClosestPoints StageRows::closest(const RowKey& key, const Configuration& at) const {
+ClosestPoints GapConstraints::closest(const RowKey& key, const Configuration& at) const {
   const SmoothCurve a = curve(key.vertex_of, at), b = curve(key.polygon_of, at);
   const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
   const Polygon& polygon = shapes_[key.polygon_of]->polygon;

@@ -1,6 +1,6 @@
 // Nodes chosen for gaps: equidistant where that serves, few where it does not, and enough: motions
 // of bodies that nearly touch have the digits asked for.
-#include "suspension/nodes/grading_for_gaps.hpp"
+#include "suspension/nodes/graded_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>

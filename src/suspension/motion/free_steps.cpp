@@ -1,0 +1,92 @@
+// Takes steps without contact: the rates of chapter 09's stepper are solutions of instants.
+#include "suspension/motion/free_steps.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "record/number_text.hpp"
+#include "suspension/bodies/state.hpp"
+#include "suspension/motion/statistics.hpp"
+#include "suspension/motion/stepping.hpp"
+
+namespace stokesbook {
+
+using Eigen::VectorXd;
+
+namespace {
+
+// Marks the states from which a stepper takes a shorter step.
+Rate shorter_on_error(const Rate& rate) {
+  return [=](double t, const VectorXd& state) {
+    try {
+      return rate(t, state);
+    } catch (const ConfigurationError& error) {
+      throw InadmissibleState(error.what());
+    }
+  };
+}
+
+}  // namespace
+
+FreeSteps::FreeSteps(const SuspensionSolver& solver, const OutputSchedule& schedule,
+                     InstantSolver& instants, RunStatistics& statistics)
+    : schedule_(schedule),
+      instants_(instants),
+      statistics_(statistics),
+      settings_(stepping_settings(solver)),
+      passing_(solver) {}
+
+StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) const {
+  return {std::move(flow), schedule_.next_event(state.now.t)};
+}
+
+TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
+  const TimedSolution& first = start.flow;
+  StepInfo info = begun_step(first.solution, first.seconds);
+  const double closest = info.min_gap;
+  std::optional<TimedSolution> last;
+  const auto instant = [&](const VectorXd& q) {
+    return Instant{to_configuration(q), state.amplitude};
+  };
+  const auto within = [&](double t, const VectorXd& q) {
+    const TimedSolution stage = instants_.solve(t, instant(q), EstimateWhen::never);
+    info = with_solve(info, stage.solution, stage.seconds);
+    return to_rate(stage.solution);
+  };
+  const auto at_end = [&](double t, const VectorXd& q) {
+    if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
+    with_time_in_errors(t, [&] {
+      const std::string passing =
+          passing_.error(to_configuration(state.now.state), to_configuration(q), closest);
+      if (!passing.empty()) throw ConfigurationError(passing);
+    });
+    const EstimateWhen estimate =
+        schedule_.is_written(t) ? EstimateWhen::always : EstimateWhen::when_due;
+    last = instants_.solve(t, instant(q), estimate);
+    return to_rate(last->solution);
+  };
+  const TimePoint now{state.now.t, state.now.state, to_rate(first.solution)};
+  Advance advance =
+      take_step(now, state.steps, {shorter_on_error(within), shorter_on_error(at_end)});
+  statistics_.totals.rejected_steps += advance.rejected;
+  info.t = advance.step.end.t;
+  info.dt = advance.step.dt();
+  return {std::move(advance.step), std::move(advance.memory), std::move(*last), {}, info,
+          std::move(advance.error)};
+}
+
+Advance FreeSteps::take_step(const TimePoint& start, const StepMemory& memory,
+                             const Rates& rates) const {
+  const std::string dt_min = "time.dt_min = " + short_number(settings_.dt_min);
+  try {
+    return Stepper(settings_, rates).advance(start, memory, schedule_.next_event(start.t));
+  } catch (const InadmissibleState& error) {
+    throw ConfigurationError(std::string(error.what()) + "; steps down to " + dt_min +
+                             " lead there");
+  } catch (const StepRefused& error) {
+    throw SolverError(at_time(start.t) + error.what() + ", and steps are not to be shorter than " +
+                      dt_min);
+  }
+}
+
+}  // namespace stokesbook

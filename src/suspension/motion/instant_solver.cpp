@@ -1,0 +1,88 @@
+// Solves the instants of a run, each from the densities of those before, and decides which solves
+// estimate their error (chapter 12).
+#include "suspension/motion/instant_solver.hpp"
+
+#include <chrono>
+
+#include "record/number_text.hpp"
+#include "suspension/solver/solver_checks.hpp"
+
+namespace stokesbook {
+
+namespace {
+
+// A cubic in time: polynomials through more densities amplify the residuals of GMRES, and the
+// stages of a step are not that smooth.
+constexpr std::size_t densities_kept = 4;
+
+// An estimate takes about as long as a solve.
+constexpr int solves_per_estimate = 8;
+
+std::string divergence_error(const Solution& lagged) {
+  if (!(lagged.gmres.residual > 1.0)) return {};
+  return "the lagged coupling diverges: the densities of the step before leave a residual of " +
+         short_number(lagged.gmres.residual, 3) +
+         " times the data. Each step is one sweep, whatever its length: shorter ones do not help, "
+         "solver.coupling = \"global\" does";
+}
+
+}  // namespace
+
+InstantSolver::InstantSolver(const SuspensionSolver& solver, RunStatistics& statistics)
+    : solver_(solver),
+      statistics_(statistics),
+      memory_{
+          DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)} {
+  memory_.gmres_tolerance = solver.plan().gmres_tolerance;
+}
+
+TimedSolution InstantSolver::solve(double t, const Instant& instant, EstimateWhen estimate) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool due =
+      memory_.densities.empty() || memory_.solves_since_estimate >= solves_per_estimate;
+  const bool estimated =
+      estimate == EstimateWhen::always || (estimate == EstimateWhen::when_due && due);
+  SolveMemory before = memory_;
+  Solution solution = with_time_in_errors(t, [&] { return solve_by_guess(t, instant, estimated); });
+  if (!estimated) solution.error_estimate = memory_.error_estimate;
+  memory_.densities.add(t, instant.configuration, solution.discretisation, solution.density);
+  if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
+  memory_.error_estimate = solution.error_estimate;
+  memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;
+  statistics_.add_resolution(solution);
+  statistics_.add_solve(solution);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  return {std::move(solution), std::move(before), passed.count(), estimated};
+}
+
+Solution InstantSolver::solve_again(double t, const Solution& flow) {
+  Solution solution = with_time_in_errors(t, [&] {
+    return solver_.solve_nearby(flow.instant, memory_.contact_resolutions,
+                                guess(t, flow.instant.configuration));
+  });
+  statistics_.add_solve(solution);
+  solution.error_estimate = flow.error_estimate;
+  memory_.densities.add(t, solution.instant.configuration, solution.discretisation,
+                        solution.density);
+  return solution;
+}
+
+DensityGuess InstantSolver::guess(double t, const Configuration& configuration) const {
+  return [this, t, configuration](const Discretisation& discretisation) -> ComplexVector {
+    return memory_.densities.guess(t, configuration, discretisation);
+  };
+}
+
+Solution InstantSolver::solve_by_guess(double t, const Instant& instant, bool estimated) const {
+  const DensityHistory& densities = memory_.densities;
+  const DensityGuess guess = this->guess(t, instant.configuration);
+  if (solver_.scene().solver.coupling == Coupling::local && !densities.empty()) {
+    Solution solution = solver_.solve_lagged(instant, guess);
+    throw_if(divergence_error(solution));
+    return solution;
+  }
+  return estimated ? solver_.solve(instant, guess, memory_.contact_resolutions)
+                   : solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "record/checkpoint.hpp"
+#include "suspension/contact/contact.hpp"
+#include "suspension/motion/statistics.hpp"
+#include "suspension/solver/density_history.hpp"
+#include "time_stepping/stepper.hpp"
+
+namespace stokesbook {
+
+/// @addtogroup suspension
+/// @{
+
+/// What a solve takes from the solves before it.
+struct SolveMemory {
+  DensityHistory densities;                ///< from which GMRES begins
+  MobilityColumns columns{};               ///< of the contact mobility in the stage before
+  std::array<Eigen::VectorXd, 2> added{};  ///< velocities that contact added in a step's stages
+  Resolutions contact_resolutions{};       ///< that the contact forces require; empty: none
+  int steps_kept = 0;                      ///< steps taken with these resolutions
+  double gmres_tolerance = 0.0;            ///< that the contact forces require
+  double error_estimate = 0.0;             ///< the latest
+  int solves_since_estimate = 0;           ///< solves since the latest error estimate
+};
+
+/// All that the rest of a run depends on.
+struct RunState {
+  TimePoint now;       ///< time and configuration, without a rate
+  double amplitude;    ///< of the flow from now on
+  StepMemory steps{};  ///< of the steps so far
+  SolveMemory solves;  ///< before the solve at `now`, which a resumed run takes again
+  std::optional<CloserPairs> closer{};  ///< pairs that began closer than contact allows, and their
+                                        ///< gaps; none in scenes without contact
+  double written = -1.0;                ///< latest written time; -1: none
+};
+
+/// Packs a run for its checkpoint. Counts of work are left out: a resumed run takes the step under
+/// way again, and would count that work twice.
+///
+/// @param  state       of the run
+/// @param  statistics  of the run
+/// @return             all that from_checkpoint() requires
+Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics);
+
+/// Unpacks a run: it continues as if it had not stopped, bit for bit.
+///
+/// @param  checkpoint  of a run of the same scene
+/// @param  state       of that scene at its start
+/// @param  statistics  of no steps
+/// @return             both as they were
+/// @throws std::out_of_range when the checkpoint lacks something
+std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint, RunState state,
+                                                   RunStatistics statistics);
+
+/// @}
+
+}  // namespace stokesbook
