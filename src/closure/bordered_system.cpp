@@ -1,3 +1,5 @@
+// Assembles a problem as a dense matrix: in the reduced form (03.11), or as (03.5) with the border
+// (03.6) or (03.8). Extracts motions and loads from the solution.
 #include "closure/bordered_system.hpp"
 
 #include <numbers>
@@ -14,14 +16,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Double layer with jump, -1/2 + D, of all components on all.
+// Assembles the double layer with its jump, -1/2 + D, between all components.
 MatrixXd layer_matrix(const StokesProblem& problem) {
   MatrixXd matrix = double_layer_matrix(curves_of(problem));
   matrix.diagonal().array() -= 0.5;
   return matrix;
 }
 
-// The three rigid motions of a component, velocity along 1, along 2, and turn, at its own nodes.
+// Returns one rigid motion of a component as velocities at its own nodes: the unit velocity along
+// axis 1, along axis 2, or the turn (x - c)^perp.
 ComplexVector rigid_mode(const Component& component, int mode) {
   if (mode < 2) {
     return ComplexVector::Constant(component.curve.size(), mode == 0 ? Complex{1.0} : imaginary);
@@ -29,7 +32,8 @@ ComplexVector rigid_mode(const Component& component, int mode) {
   return imaginary * (component.curve.x.array() - component.centre).matrix();
 }
 
-// Velocity at all nodes of a unit force along 1, along 2, or a unit torque at a component's centre.
+// Evaluates at all nodes the flow of a unit load at a component's centre: the force along axis 1,
+// along axis 2, or the torque.
 ComplexVector unit_load_velocity(const StokesProblem& problem, const Component& component, int mode,
                                  double gauge) {
   ComplexVector velocity(node_offsets(problem).back());
@@ -45,7 +49,7 @@ ComplexVector unit_load_velocity(const StokesProblem& problem, const Component& 
   return velocity;
 }
 
-// Scales of the border's columns and rows, by mode (velocity or turn).
+// Scales of the border's columns and rows for the three rigid motions.
 struct BorderScales {
   double motion[3];  // unknown = motion * (U, omega)
   double load[3];    // unknown = (F, L) / load
@@ -54,6 +58,7 @@ struct BorderScales {
 
 BorderScales border_scales(const Component& component, ClosureForm form, double viscosity) {
   if (form == ClosureForm::draft_bordered) return {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+  // Unknowns U, a omega, F / (4 pi mu) and L / (4 pi mu a); rows are means, as in (03.8).
   const RigidModes modes(component.curve, component.centre);
   const double a = modes.gyration_radius(), length = perimeter(component.curve);
   const double load = 4.0 * std::numbers::pi * viscosity;
@@ -64,6 +69,7 @@ DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Ind
   const Closure closure(problem);
   const Index n = offsets.back();
   MatrixXd rest(2 * n, 2 * n), added(2 * n, 2 * n);
+  // Column by column, A eta = (-1/2 + D)(I - P) eta + C eta with the velocities C of the closure.
   ComplexVector unit = ComplexVector::Zero(n);
   for (Index column = 0; column < 2 * n; ++column) {
     unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
@@ -88,6 +94,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
                      VectorXd::Zero(2 * n + 3 * inner)};
   system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem);
   const std::vector<double> gauges = stokeslet_gauges(problem);
+  // The rows are (03.5) at all nodes, then three conditions (03.6) or (03.8) per inner component.
   Index border = 2 * n;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
@@ -97,7 +104,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     }
     if (component.kind == ComponentKind::enclosing_wall) continue;
     const BorderScales scales = border_scales(component, form, problem.viscosity);
-    // The draft has no gauge: its Stokeslet is -log(rho).
+    // The draft has no gauge length: its Stokeslet contains -log(rho).
     const double gauge =
         form == ClosureForm::draft_bordered ? problem.gauge_length.value_or(1.0) : gauges[k];
     const VectorXd w = weights(component.curve);
@@ -108,11 +115,13 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
       system.matrix.row(border).segment(first, size) =
           scales.row[mode] * interleaved(weighted).transpose();
       if (component.kind == ComponentKind::free_body) {
+        // The motion of a free body is unknown; its load belongs to the right-hand side.
         const double given[3] = {component.force.real(), component.force.imag(), component.torque};
         system.matrix.col(border).segment(first, size) = -interleaved(rigid) / scales.motion[mode];
         system.rhs.head(2 * n) -= given[mode] * interleaved(load);
         if (form == ClosureForm::draft_bordered) system.rhs[border] = given[mode];
       } else {
+        // The load of a prescribed component is unknown.
         system.matrix.col(border).head(2 * n) = scales.load[mode] * interleaved(load);
         system.matrix(border, border) = form == ClosureForm::draft_bordered ? -1.0 : 1.0;
       }

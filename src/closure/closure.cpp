@@ -1,4 +1,6 @@
-// Ties densities to forces, torques and motions, and completes a solution with them (chapter 03).
+// Applies the reduced closure (03.10): motions and loads are functionals of the density, and their
+// rigid velocities, Stokeslets and rotlets complete the double layer. If a uniform velocity is
+// free, the forces balance by construction (03.14).
 #include "closure/closure.hpp"
 
 #include <algorithm>
@@ -51,7 +53,7 @@ Complex total_given_force(const StokesProblem& problem) {
 }
 
 bool has_net_force(const StokesProblem& problem) {
-  // Rounding of the sum may leave a trace of forces that balance.
+  // If the forces balance, rounding may leave a small sum.
   double scale = 0.0;
   for (const Component& component : problem.components) scale += std::abs(component.force);
   return std::abs(total_given_force(problem)) > 1e-12 * scale;
@@ -69,6 +71,7 @@ Completion with_balance(const StokesProblem& problem, Completion completion) {
     loads[wall] = {};
     for (std::size_t k = 0; k < loads.size(); ++k) {
       if (k == wall) continue;
+      // F_0 = -sum_k F_k and L_0 = -sum_k [L_k + (c_k - c_0) cross F_k] (chapter 04).
       const Complex arm = problem.components[k].centre - problem.components[wall].centre;
       loads[wall].force -= loads[k].force;
       loads[wall].torque -= loads[k].torque + cross(arm, loads[k].force);
@@ -83,7 +86,7 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
     return std::vector<double>(components.size(), *problem.gauge_length);
   }
   std::vector<double> gauges;
-  std::optional<double> shared;  // by all free bodies
+  std::optional<double> shared;  // gauge of all free bodies
   for (const Component& component : components) {
     const RigidModes modes(component.curve, component.centre);
     const double own = std::sqrt(std::numbers::e) * modes.gyration_radius();
@@ -133,6 +136,7 @@ ComplexVector Closure::without_rigid_part(const ComplexVector& density) const {
   return rest;
 }
 
+// Returns the mean of U_w over the prescribed components w.
 Complex Closure::mean_prescribed(const std::vector<RigidMotion>& rigid) const {
   Complex mean{};
   for (std::size_t k = 0; k < rigid.size(); ++k) {
@@ -141,6 +145,9 @@ Complex Closure::mean_prescribed(const std::vector<RigidMotion>& rigid) const {
   return mean / static_cast<double>(prescribed_count_);
 }
 
+// F_w = -4 pi mu U_w and L_w = -4 pi mu a_w^2 omega_w on prescribed components; where a uniform
+// velocity is free, F_w = -4 pi mu (U_w - mean) - sum_p F_p / n_w (03.14). The given forces
+// F_p are left out if `with_data` is false.
 std::vector<Load> Closure::prescribed_loads(const std::vector<RigidMotion>& rigid,
                                             bool with_data) const {
   const double scale = -4.0 * std::numbers::pi * problem_.viscosity;
@@ -159,6 +166,7 @@ std::vector<Load> Closure::prescribed_loads(const std::vector<RigidMotion>& rigi
   return loads;
 }
 
+// sum_k F_k log(ell_k) / (4 pi mu).
 Complex Closure::gauge_velocity(const std::vector<Load>& loads) const {
   Complex velocity{};
   if (!free_uniform_velocity_) return velocity;
@@ -168,6 +176,7 @@ Complex Closure::gauge_velocity(const std::vector<Load>& loads) const {
   return velocity / (4.0 * std::numbers::pi * problem_.viscosity);
 }
 
+// sum_k (S_k F_k + R_k L_k) (03.4).
 ComplexVector Closure::singular_velocity(const std::vector<Load>& loads,
                                          const ComplexVector& targets) const {
   ComplexVector velocity = ComplexVector::Zero(targets.size());
@@ -188,6 +197,7 @@ std::vector<Load> Closure::density_loads(const ComplexVector& density) const {
   return prescribed_loads(rigid_parts(density), false);
 }
 
+// -P eta on free bodies, and u_c = -mean of U_w at all nodes.
 ComplexVector Closure::smooth_velocity(const ComplexVector& density) const {
   const std::vector<RigidMotion> rigid = rigid_parts(density);
   ComplexVector velocity = ComplexVector::Zero(density.size());

@@ -17,52 +17,56 @@ struct Load {
   double torque = 0.0;  ///< about the component's centre, counter-clockwise, force
 };
 
-/// Everything that a density says about one problem.
+/// Motions and loads of one problem, as computed from a density.
 struct Completion {
-  std::vector<RigidMotion> motions;  ///< of free bodies; zero for other components
-  std::vector<Load> loads;           ///< of every component, the enclosing wall included
-  Complex uniform_velocity;  ///< of the fluid at infinity beside the background, length / time
+  std::vector<RigidMotion> motions;  ///< motions of free bodies; zero for other components
+  std::vector<Load> loads;           ///< loads of every component, also of the enclosing wall
+  Complex uniform_velocity;          ///< fluid at infinity, without the background, length / time
 };
 
-/// Sets the load of an enclosing wall: stress is divergence-free, so the wall holds what all others
-/// push.
+/// Sets the load of an enclosing wall: the stress is free of divergence, so that the load of the
+/// wall balances the loads of all other components.
 ///
-/// @param  problem     its components
-/// @param  completion  with the loads of all inner components
-/// @return             the same with the wall's load; unchanged where no wall encloses the fluid
+/// @param  problem     problem with its components
+/// @param  completion  completion with the loads of all inner components
+/// @return             completion with the wall's load; unchanged if no wall encloses the fluid
 Completion with_balance(const StokesProblem& problem, Completion completion);
 
-/// Chooses the gauge length of each component's Stokeslet: the problem's, where an unbounded fluid
-/// has one.
+/// Chooses the gauge length of each component's Stokeslet.
 ///
-/// Else \f$ \ell = \sqrt e\, a \f$, which makes the own block of a prescribed circle equal
-/// {-1, -1/2}; it cancels in a bounded fluid, and where a uniform velocity is free. All free bodies
-/// share the first one's: where their forces balance, one gauge cancels and several would leave a
-/// uniform flow.
-/// @param  problem  its components
-/// @return          one length a component
+/// In an unbounded fluid with a gauge length, all Stokeslets have the gauge length of the problem.
+/// Otherwise the length is \f$ \ell = \sqrt e\, a \f$, for which the own block of a prescribed
+/// circle has the eigenvalues -1 and -1/2. This gauge cancels in a bounded fluid, and where a
+/// uniform velocity is free. All free bodies share the gauge length of the first one: if their
+/// forces balance, one common gauge cancels, whereas several would leave a uniform flow.
+/// @param  problem  problem with its components
+/// @return          one length per component
 std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 
 /// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
 ///
-/// With the projection P onto rigid motions, \f$ U_k, \omega_k = P\eta \f$ on free bodies;
-/// \f$ F_w = -4\pi\mu\, U[P\eta],\ L_w = -4\pi\mu\, a_w^2\, \omega[P\eta] \f$ on prescribed
+/// The projection P onto rigid motions gives the motions \f$ U_k, \omega_k = P\eta \f$ of free
+/// bodies, and the loads
+/// \f$ F_w = -4\pi\mu\, U[P\eta],\ L_w = -4\pi\mu\, a_w^2\, \omega[P\eta] \f$ of prescribed
 /// components, with Stokeslets of gauge \f$ \ell_w = \sqrt{e}\, a_w \f$. The system for x on
-/// component k is
+/// component k, with prescribed components w and free bodies p, is
 /// \f[ (-\tfrac12 + D)(I-P)\eta - [k\ \mathrm{free}]\,P\eta + \sum_w (S_w F_w + R_w L_w) + N_0\eta
 ///     + u_c = g_k - u_\infty - \sum_p (S_p F_p + R_p L_p), \f]
-/// pure second kind: on a circle every eigenvalue is -1/2 or -1. \f$ D P \eta = \frac12 P\eta \f$
-/// on the own curve and 0 in the fluid, exactly; leaving it out removes its quadrature error.
+/// where [k free] is 1 on free bodies and 0 elsewhere. The equation is of the second kind: on a
+/// circle every eigenvalue is -1/2 or -1. The exact value of \f$ D P \eta \f$ is
+/// \f$ \frac12 P\eta \f$ on the own curve and 0 in the fluid, so that
+/// \f$ (-\frac12 + D)P\eta = 0 \f$. The system leaves this term out, and thus the quadrature error
+/// of the term (03.11).
 ///
-/// Unbounded fluid with prescribed components and no gauge length: the total force is zero and a
-/// uniform velocity u_c is free. Both hold by construction, with the mean \f$ \bar U \f$ of U[P
-/// eta] over the prescribed components:
-/// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. Reported is the
-/// velocity at infinity, which the Stokeslets' different gauges share in:
-/// \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
-/// @par Accuracy  that of the rule: geometric in the nodes, @ref claim_03_2; uniform streams
-/// exactly, @ref claim_03_34
-/// @par Cost      n_w n Stokeslets and rotlets for n_w loaded components, else O(n)
+/// In unbounded fluid with prescribed components and no gauge length, the total force is zero and a
+/// uniform velocity u_c is free (03.14). Both hold by construction, with the mean \f$ \bar U \f$ of
+/// U[P eta] over the prescribed components:
+/// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. The velocity at
+/// infinity that a Completion reports contains the contribution of the different gauges of the
+/// Stokeslets: \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
+/// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_03_2; a uniform
+/// stream is exact, @ref claim_03_34
+/// @par Cost      n_w n Stokeslets and rotlets for n_w loaded components, and O(n) otherwise
 class Closure {
  public:
   /// Prepares the rigid motions of all inner components.
@@ -75,17 +79,19 @@ class Closure {
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
   ///
   /// @param  density  at all n nodes, length / time
-  /// @return          the rest at all n nodes, length / time
+  /// @return          density without its rigid part, at all n nodes, length / time
   ComplexVector without_rigid_part(const ComplexVector& density) const;
 
-  /// Evaluates what the closure adds at the nodes: \f$ -P\eta \f$ on free bodies, singularities and
-  /// uniform velocity of the prescribed components everywhere. Linear in the density.
+  /// Evaluates the velocities that the closure adds at the nodes: \f$ -P\eta \f$ on free bodies,
+  /// and everywhere the singularities of prescribed components and the uniform velocity.
   ///
+  /// These velocities are linear in the density.
   /// @param  density  at all n nodes, length / time
   /// @return          velocities at all n nodes, length / time
   ComplexVector velocity(const ComplexVector& density) const;
 
-  /// Evaluates velocity() without its singularities, for operators that sum these themselves.
+  /// Evaluates velocity() without its singularities, for operators that sum the singularities
+  /// themselves.
   ///
   /// @param  density  at all n nodes, length / time
   /// @return          velocities at all n nodes, length / time
@@ -95,7 +101,7 @@ class Closure {
   /// Extracts the loads of the singularities in velocity().
   ///
   /// @param  density  at all n nodes, length / time
-  /// @return          of every component; zero but for prescribed ones
+  /// @return          loads of every component; zero except for prescribed components
   /// @par Cost        O(n)
   std::vector<Load> density_loads(const ComplexVector& density) const;
 
@@ -109,18 +115,18 @@ class Closure {
   /// @return \f$ g_k - u_\infty \f$ at all n nodes, length / time
   ComplexVector boundary_data() const;
 
-  /// Returns the loads of the singularities in right_hand_side(): those given, and their shares on
-  /// prescribed components.
+  /// Returns the loads of the singularities in right_hand_side(): the given loads of free bodies,
+  /// and the share of each prescribed component in the force that balances them.
   ///
-  /// @return of every component
+  /// @return loads of every component
   std::vector<Load> given_loads() const;
 
-  /// Evaluates the Stokeslets and rotlets of some loads.
+  /// Evaluates the Stokeslets and rotlets of given loads.
   ///
-  /// @param  loads    of every component
+  /// @param  loads    loads of every component
   /// @param  targets  m points, length
   /// @return          m velocities, length / time
-  /// @par Cost        a Stokeslet and a rotlet a target and loaded component
+  /// @par Cost        a Stokeslet and a rotlet per target and loaded component
   ComplexVector singular_velocity(const std::vector<Load>& loads,
                                   const ComplexVector& targets) const;
 
@@ -130,11 +136,11 @@ class Closure {
   /// @return          motions and loads of every component
   Completion complete(const ComplexVector& density) const;
 
-  /// Returns the uniform velocity that a solution has beside its singularities: what is reported of
-  /// infinity, without what gauges leave there.
+  /// Returns the uniform velocity u_c that a solution contains in addition to its singularities.
   ///
+  /// The velocity is Completion::uniform_velocity without the contribution of the gauges.
   /// @param  completion  from complete()
-  /// @return             length / time
+  /// @return             u_c, length / time
   Complex uniform_velocity(const Completion& completion) const;
 
   /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
@@ -142,14 +148,15 @@ class Closure {
   /// @param  completion  from complete()
   /// @param  targets     points in the fluid, length
   /// @return             velocities without background and double layer, length / time
-  /// @par Cost           a Stokeslet and a rotlet a target and loaded component
+  /// @par Cost           a Stokeslet and a rotlet per target and loaded component
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:
   std::vector<Load> prescribed_loads(const std::vector<RigidMotion>& rigid, bool with_data) const;
   std::vector<RigidMotion> rigid_parts(const ComplexVector& density) const;
   Complex mean_prescribed(const std::vector<RigidMotion>& rigid) const;
-  // What Stokeslets of different gauges leave at infinity when the forces balance; part of u_c.
+  // Returns the uniform velocity at infinity of Stokeslets whose forces balance, but whose gauges
+  // differ; 0 where no uniform velocity is free.
   Complex gauge_velocity(const std::vector<Load>& loads) const;
 
   StokesProblem problem_;

@@ -1,3 +1,4 @@
+// Projects densities onto the rigid motions of a curve, by means over the curve (03.9).
 #include "closure/rigid_modes.hpp"
 
 #include <cmath>
@@ -14,6 +15,8 @@ RigidModes::RigidModes(const Curve& curve, Complex centre) {
 }
 
 RigidMotion RigidModes::project(const Eigen::Ref<const ComplexVector>& density) const {
+  // U_b = <eta> and omega = <eta . (x - b)^perp> / a^2 (03.9); the velocity of the centre is
+  // U_b + omega (c - b)^perp.
   const Complex mean = density.cwiseProduct(mean_weights_).sum();
   const double spin = (turn_.conjugate().cwiseProduct(density)).real().dot(mean_weights_) /
                       (gyration_radius_ * gyration_radius_);
@@ -21,6 +24,7 @@ RigidMotion RigidModes::project(const Eigen::Ref<const ComplexVector>& density) 
 }
 
 ComplexVector RigidModes::at_nodes(const RigidMotion& motion) const {
+  // U_b + omega (x - b)^perp with U_b = U - omega (c - b)^perp.
   const Complex centroid_velocity = motion.velocity - motion.omega * perp(offset_);
   return (centroid_velocity + motion.omega * turn_.array()).matrix();
 }

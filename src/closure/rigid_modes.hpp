@@ -9,16 +9,16 @@ namespace stokesbook {
 /// @addtogroup closure
 /// @{
 
-/// Velocity \f$ U + \omega (x - c)^\perp \f$ of a rigid body about a centre c.
+/// Velocity \f$ U + \omega (x - c)^\perp \f$ (03.1) of a rigid body about a centre c.
 struct RigidMotion {
   Complex velocity;    ///< U, length / time
   double omega = 0.0;  ///< counter-clockwise, 1 / time
 };
 
-/// The rigid motions on one curve, and the projection P onto them.
+/// The rigid motions on one curve, and the projection P onto these motions (03.9).
 ///
-/// With the mean \f$ \langle f\rangle = \frac{1}{|\Gamma|}\int_\Gamma f\,ds \f$ and the boundary's
-/// centroid \f$ b = \langle x\rangle \f$:
+/// With the mean \f$ \langle f\rangle = \frac{1}{|\Gamma|}\int_\Gamma f\,ds \f$ and the centroid
+/// \f$ b = \langle x\rangle \f$ of the curve, the projection is
 /// \f[ U_b = \langle\eta\rangle,\quad \omega = \langle\eta\cdot(x-b)^\perp\rangle / a^2,\quad
 ///     a^2 = \langle|x-b|^2\rangle. \f]
 class RigidModes {
@@ -27,19 +27,19 @@ class RigidModes {
   ///
   /// @param  curve   N nodes
   /// @param  centre  c, the point about which motions are reported, length
-  /// @par Cost       O(N), as each projection
+  /// @par Cost       O(N), the same as one projection
   RigidModes(const Curve& curve, Complex centre);
 
-  /// Projects a density: the rigid motion about the centre that is nearest in the mean square.
+  /// Projects a density onto the rigid motion that is nearest in the mean square.
   ///
   /// @param  density  at the N nodes, length / time
-  /// @return          motion about the centre
+  /// @return          rigid motion about the centre
   /// @par Accuracy    that of the rule: geometric in N, @ref claim_03_14; exact for rigid motions
   RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
 
   /// Evaluates a rigid motion at the nodes.
   ///
-  /// @param  motion  about the centre
+  /// @param  motion  rigid motion about the centre
   /// @return         velocities at the N nodes, length / time
   ComplexVector at_nodes(const RigidMotion& motion) const;
 

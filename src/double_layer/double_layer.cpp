@@ -1,3 +1,5 @@
+// Assembles the double layer (02.6) of curves at their own nodes by the trapezoid rule, with the
+// limit (02.9) of the kernel on the diagonal, and measures its error on rigid motions (02.7).
 #include "double_layer/double_layer.hpp"
 
 #include <algorithm>
@@ -11,13 +13,13 @@ using Eigen::Index;
 
 namespace {
 
-// factor / pi times the dyad of a direction's unit vector.
+// Returns (factor / pi) e e^T for the unit vector e of a direction.
 Eigen::Matrix2d dyad(Complex direction, double factor) {
   const Eigen::Vector2d r{direction.real(), direction.imag()};
   return factor * std::numbers::inv_pi / r.squaredNorm() * r * r.transpose();
 }
 
-// The kernel (w / pi) (r.n) r r^T / rho^4.
+// Returns the kernel of (02.6) times the weight w, (w / pi) (r.n) r r^T / rho^4.
 Eigen::Matrix2d kernel_block(Complex r, double weight, Complex normal) {
   return dyad(r, weight * dot(r, normal) / std::norm(r));
 }
@@ -29,6 +31,7 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
   const Eigen::VectorXd kappa = curvatures(curve);
   ComplexVector velocity(curve.size());
   for (Index j = 0; j < curve.size(); ++j) {
+    // -(s kappa_j w_j / (2 pi)) t_j (t_j.eta_j) (02.9).
     const Complex tangent = curve.dx[j] / std::abs(curve.dx[j]);
     const double factor = -curve.sign() * kappa[j] * w[j] / (2.0 * std::numbers::pi);
     velocity[j] = factor * dot(tangent, density[j]) * tangent;
@@ -44,6 +47,7 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve) {
   const ComplexVector normal = normals(curve);
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < n; ++i) {
+      // The limit (02.9) on the diagonal, the kernel elsewhere.
       matrix.block<2, 2>(2 * i, 2 * j) =
           i == j ? dyad(curve.dx[j], -0.5 * curve.sign() * kappa[j] * w[j])
                  : kernel_block(curve.x[i] - curve.x[j], w[j], normal[j]);
@@ -84,7 +88,8 @@ double rigid_motion_residual(const Curve& curve) {
   const Eigen::MatrixXd matrix = double_layer_matrix(curve);
   const ComplexVector arm = (curve.x.array() - boundary_centroid(curve)).matrix();
   const double size = arm.cwiseAbs().maxCoeff();
-  // D v = -s v / 2 for every rigid motion v.
+  // D v = -s v / 2 for every rigid motion v (02.7); the residual's modes |k| <= 4 come first and
+  // last among the coefficients.
   const auto residual = [&](const ComplexVector& v) {
     const Eigen::VectorXd error = matrix * interleaved(v) + 0.5 * curve.sign() * interleaved(v);
     const ComplexVector modes = fourier_coefficients(deinterleaved(error));
@@ -99,6 +104,7 @@ Eigen::MatrixXd interleaved_map(const Eigen::MatrixXcd& a, const Eigen::MatrixXc
   Eigen::MatrixXd map(2 * a.rows(), 2 * a.cols());
   for (Index j = 0; j < a.cols(); ++j) {
     for (Index i = 0; i < a.rows(); ++i) {
+      // The map takes 1 to a + b and i to i (a - b).
       const Complex sum = a(i, j) + b(i, j), difference = a(i, j) - b(i, j);
       map.block<2, 2>(2 * i, 2 * j) << sum.real(), -difference.imag(), sum.imag(),
           difference.real();

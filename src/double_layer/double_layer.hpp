@@ -11,8 +11,8 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-/// Applies the diagonal of the double layer on its own curve: the limit of the kernel times the
-/// weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
+/// Applies the diagonal of the double layer of a curve on itself: the limit (02.9) of the kernel
+/// times the weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
 ///
 /// @param  curve    nodes
 /// @param  density  at the nodes, length / time
@@ -20,10 +20,11 @@ namespace stokesbook {
 /// @par Cost      O(N)
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
 
-/// Assembles the double layer of a curve on itself, \f$ D[\eta](x_i) \f$ by the trapezoid rule.
+/// Assembles the double layer (02.6) of a curve on itself, \f$ D[\eta](x_i) \f$, by the trapezoid
+/// rule.
 ///
-/// The integral at the nodes, where the kernel is smooth; the limit from the fluid is
-/// \f$ -\frac12\eta + D\eta \f$.
+/// The matrix approximates the integral at the nodes, where the kernel is smooth. The limit of the
+/// layer from the fluid is \f$ -\frac12\eta + D\eta \f$ (02.8).
 /// @param  curve  N nodes
 /// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
 /// @par Accuracy  geometric in N for analytic curves and densities: @ref claim_02_13; the diagonal:
@@ -41,12 +42,13 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 /// @par Not for   curves nearer to each other than about 5 node spacings: use NearCorrection
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
 
-/// Measures how well a curve's nodes resolve its own double layer: the residual of
-/// \f$ (\frac{s}{2} + D) v = 0 \f$ over the rigid motions v, in the Fourier modes |k| <= 4 that
-/// motions and loads depend on, relative to max |v|.
+/// Measures how well the nodes of a curve resolve the double layer of the curve on itself: returns
+/// the largest residual of \f$ (\frac{s}{2} + D) v = 0 \f$ (02.7) among the rigid motions v,
+/// relative to max |v|.
 ///
-/// The kernel's modes beyond N alias onto low ones; the tail of a density does not show that, this
-/// does.
+/// The residual is measured in the Fourier modes |k| <= 4, on which motions and loads depend. The
+/// modes of the kernel beyond N alias onto low modes. The tail of a density does not show this
+/// error, but the residual does.
 /// @param  curve  N nodes, N >= 10
 /// @return        relative error, dimensionless; geometric in N
 /// @par Cost      N^2 kernel evaluations
@@ -71,7 +73,7 @@ inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eige
 }
 
 /// Writes a real-linear map of plane vectors, \f$ \eta \to A\eta + B\bar\eta \f$, as a real matrix
-/// of interleaved vectors.
+/// that acts on interleaved vectors.
 ///
 /// @param  a  A, m x n
 /// @param  b  B, m x n

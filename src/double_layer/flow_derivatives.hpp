@@ -10,18 +10,19 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-/// What a Stokes flow does in the neighbourhood of a point, beside its velocity.
+/// Pressure, vorticity and strain of a Stokes flow at a point.
 ///
-/// With \f$ u = \phi - z\overline{\phi'} - \overline{\psi} \f$ these are \f$ -4\,\mathrm{Re}\,\phi'
-/// \f$, \f$ 4\,\mathrm{Im}\,\phi' \f$ and \f$ 2\,\partial u/\partial\bar z \f$.
+/// If the velocity is \f$ u = \phi - z\overline{\phi'} - \overline{\psi} \f$ with analytic
+/// functions \f$ \phi, \psi \f$, the members are \f$ -4\,\mathrm{Re}\,\phi' \f$,
+/// \f$ 4\,\mathrm{Im}\,\phi' \f$ and \f$ 2\,\partial u/\partial\bar z \f$.
 struct FlowDerivatives {
-  double pressure = 0.0;   ///< over the viscosity, 1 / time
+  double pressure = 0.0;   ///< pressure over viscosity, 1 / time
   double vorticity = 0.0;  ///< \f$ \partial_1 u_2 - \partial_2 u_1 \f$, 1 / time
   Complex strain;          ///< \f$ e_{11} - e_{22} + 2ie_{12} \f$ of the rate of strain, 1 / time
 
-  /// Superposes another flow.
-  /// @param  other  at the same point
-  /// @return        the sum
+  /// Adds the derivatives of another flow.
+  /// @param  other  derivatives at the same point
+  /// @return        derivatives of the superposed flow
   FlowDerivatives& operator+=(const FlowDerivatives& other) {
     pressure += other.pressure;
     vorticity += other.vorticity;
@@ -34,12 +35,12 @@ struct FlowDerivatives {
 ///
 /// With \f$ a = n\eta \f$ and \f$ b = 2n\cdot\eta \f$ the pressure is
 /// \f$ \frac1\pi\mathrm{Re}\frac{a}{r^2} \f$, the vorticity \f$ -\frac1\pi\mathrm{Im}\frac{a}{r^2}
-/// \f$, the strain \f$ -\frac{1}{2\pi}\left[\frac{b}{\bar r^2} + \frac{2r\bar a}{\bar r^3}\right]
-/// \f$.
+/// \f$, and the strain
+/// \f$ -\frac{1}{2\pi}\left[\frac{b}{\bar r^2} + \frac{2r\bar a}{\bar r^3}\right] \f$.
 /// @param  r    target minus source, length, not zero
 /// @param  n    unit normal at the source, out of the fluid
 /// @param  eta  density at the source, length / time
-/// @return      per length of curve, 1 / (length time)
+/// @return      derivatives per length of curve, 1 / (length time)
 inline FlowDerivatives stresslet_derivatives(Complex r, Complex n, Complex eta) {
   const Complex a = n * eta, inverse = 1.0 / r, conjugate = std::conj(inverse);
   const Complex curvature = std::numbers::inv_pi * a * inverse * inverse;
@@ -51,12 +52,12 @@ inline FlowDerivatives stresslet_derivatives(Complex r, Complex n, Complex eta) 
 /// Evaluates the derivatives of stokeslet() with respect to the target.
 ///
 /// The pressure is \f$ \frac{1}{2\pi\mu}\mathrm{Re}\frac Fr \f$, the vorticity
-/// \f$ -\frac{1}{2\pi\mu}\mathrm{Im}\frac Fr \f$, the strain
+/// \f$ -\frac{1}{2\pi\mu}\mathrm{Im}\frac Fr \f$, and the strain
 /// \f$ -\frac{1}{4\pi\mu}\left[\frac{F}{\bar r} + \frac{r\bar F}{\bar r^2}\right] \f$.
 /// @param  r      target minus source, length, not zero
 /// @param  force  F on the fluid, force / length
 /// @param  mu     viscosity, force time / length^2
-/// @return        1 / time
+/// @return        derivatives, 1 / time
 inline FlowDerivatives stokeslet_derivatives(Complex r, Complex force, double mu) {
   const Complex inverse = 1.0 / r, conjugate = std::conj(inverse);
   const Complex strength = force / (4.0 * std::numbers::pi * mu);
@@ -67,11 +68,11 @@ inline FlowDerivatives stokeslet_derivatives(Complex r, Complex force, double mu
 
 /// Evaluates the derivatives of rotlet() with respect to the target.
 ///
-/// Pressure and vorticity are zero, the strain is \f$ -\frac{iL}{2\pi\mu\bar r^2} \f$.
+/// Pressure and vorticity are zero, and the strain is \f$ -\frac{iL}{2\pi\mu\bar r^2} \f$.
 /// @param  r       target minus source, length, not zero
 /// @param  torque  L on the fluid, force
 /// @param  mu      viscosity, force time / length^2
-/// @return         1 / time
+/// @return         derivatives, 1 / time
 inline FlowDerivatives rotlet_derivatives(Complex r, double torque, double mu) {
   const Complex conjugate = std::conj(1.0 / r);
   return {0.0, 0.0, -imaginary * (torque / (2.0 * std::numbers::pi * mu)) * conjugate * conjugate};

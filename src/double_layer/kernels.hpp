@@ -10,8 +10,8 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-/// Evaluates the stresslet kernel \f$ \frac1\pi \frac{(r\cdot n)(r\cdot\eta)}{\rho^4} r \f$,
-/// velocity of the double layer per unit length of curve, with \f$ \rho = |r| \f$.
+/// Evaluates the stresslet \f$ \frac1\pi \frac{(r\cdot n)(r\cdot\eta)}{\rho^4} r \f$ with
+/// \f$ \rho = |r| \f$: the velocity of the double layer (02.6) per unit length of curve.
 ///
 /// @param  r    target minus source, length, not zero
 /// @param  n    unit normal at the source, out of the fluid
@@ -22,7 +22,7 @@ inline Complex stresslet(Complex r, Complex n, Complex eta) {
   return std::numbers::inv_pi * dot(r, n) * dot(r, eta) / (rho2 * rho2) * r;
 }
 
-/// Evaluates the Stokeslet
+/// Evaluates the Stokeslet (02.2),
 /// \f$ \frac{1}{4\pi\mu}\left[-\log\frac{\rho}{\ell} F + \frac{r (r\cdot F)}{\rho^2}\right] \f$.
 ///
 /// @param  r      target minus source, length, not zero
@@ -36,7 +36,7 @@ inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
          (4.0 * std::numbers::pi * mu);
 }
 
-/// Evaluates the rotlet \f$ \frac{L\, r^\perp}{4\pi\mu\rho^2} \f$.
+/// Evaluates the rotlet (02.12), \f$ \frac{L\, r^\perp}{4\pi\mu\rho^2} \f$.
 ///
 /// @param  r       target minus source, length, not zero
 /// @param  torque  L, counter-clockwise, on the fluid, force

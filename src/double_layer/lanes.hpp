@@ -7,36 +7,36 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-// Sources compiled for different processors differ in these widths: functions of the libraries pass
-// plain arrays to each other, and only compute in lanes.
+// Source files that are compiled for different processors differ in the width of a register.
+// Functions of the libraries therefore pass plain arrays to each other, and use Lanes inside only.
 #if defined(__AVX512F__)
-/// Numbers that this processor computes with at once.
+/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 8;
 #elif defined(__AVX__)
-/// Numbers that this processor computes with at once.
+/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 4;
 #else
-/// Numbers that this processor computes with at once.
+/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 2;
 #endif
 
-/// A register full of numbers, by the vector extension of GCC and Clang.
+/// The doubles of one register, by the vector extension of GCC and Clang.
 using Lanes = double __attribute__((vector_size(8 * lane_count)));
 
-/// Reads a register.
+/// Loads a register from memory.
 ///
 /// @param  from  lane_count numbers
-/// @return       the same
+/// @return       the same numbers in a register
 inline Lanes load(const double* from) {
   Lanes lanes;
   std::memcpy(&lanes, from, sizeof lanes);
   return lanes;
 }
 
-/// Writes a register.
+/// Stores a register in memory.
 ///
 /// @param  lanes  lane_count numbers
-/// @param  to     where they go
+/// @param  to     memory for lane_count numbers
 inline void store(const Lanes& lanes, double* to) {
   std::memcpy(to, &lanes, sizeof lanes);
 }

@@ -1,3 +1,5 @@
+// Sums the stresslets (02.6) of a block of nodes: velocities at a group of targets in vector
+// registers, and pressure, vorticity and strain at one target.
 #include "double_layer/stresslet_block.hpp"
 
 #include <numbers>
@@ -10,11 +12,14 @@ using Eigen::Index;
 
 namespace {
 
+// Returns the larger number in each lane.
 Lanes larger(const Lanes& a, const Lanes& b) {
   return a > b ? a : b;
 }
 
-// Two registers of targets, which share the division that limits the loop and the loads of a node.
+// Adds the sums of (w / pi) (r.n) (r.eta) r / rho^4 over the nodes, with rho >= w / 2, at two
+// registers of targets. The registers share the loads of a node and one division, because the
+// division limits the speed of the loop.
 template <int fields>
 void add_two_registers(const StressletBlock& block, const double* target_x, const double* target_y,
                        int offset, std::array<VectorGroup, fields>& sum) {
@@ -27,6 +32,7 @@ void add_two_registers(const StressletBlock& block, const double* target_x, cons
     const Lanes least2 = Lanes{} + block.least2[j];
     const Lanes rho2_0 = larger(dx0 * dx0 + dy0 * dy0, least2);
     const Lanes rho2_1 = larger(dx1 * dx1 + dy1 * dy1, least2);
+    // 1 / rho_0^2 = rho_1^2 / (rho_0^2 rho_1^2), and the same with 0 and 1 exchanged.
     const Lanes inverse = 1.0 / (rho2_0 * rho2_1);
     const Lanes inverse_0 = rho2_1 * inverse, inverse_1 = rho2_0 * inverse;
     const Lanes c0 = (dx0 * block.nx[j] + dy0 * block.ny[j]) * (inverse_0 * inverse_0);
@@ -97,8 +103,8 @@ void add_derivatives(const StressletBlock& block, Complex target, FlowDerivative
   double pressure = 0.0, vorticity = 0.0, strain_x = 0.0, strain_y = 0.0;
 #pragma omp simd reduction(+ : pressure, vorticity, strain_x, strain_y)
   for (Index j = 0; j < size; ++j) {
-    // With a = n eta, b = n.eta and c = 1 / conj(r): a / r^2 = a conj(c)^2, and the strain is
-    // -c^2 (b + conj(a) r c).
+    // With a = n eta, b = n.eta and c = 1 / conj(r), n times w / pi: the pressure is
+    // Re(a conj(c)^2), the vorticity -Im(a conj(c)^2), and the strain -c^2 (b + conj(a) r c).
     const double ax = nx[j] * ex[j] - ny[j] * ey[j], ay = nx[j] * ey[j] + ny[j] * ex[j];
     const double b = nx[j] * ex[j] + ny[j] * ey[j];
     const double dx = zx - x[j], dy = zy - y[j];

@@ -13,10 +13,10 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-/// The nodes of several curves as the kernel reads them, one after another.
+/// The nodes of several curves, one after another, in the layout that the kernels read.
 struct StressletNodes {
-  /// Copies the curves' nodes.
-  /// @param  curves  n nodes in all
+  /// Copies the nodes of the curves.
+  /// @param  curves  curves with n nodes in all
   explicit StressletNodes(const std::vector<Curve>& curves);
 
   /// Counts the nodes.
@@ -25,26 +25,28 @@ struct StressletNodes {
 
   Eigen::VectorXd x;       ///< first coordinates of the nodes, length
   Eigen::VectorXd y;       ///< second coordinates, length
-  Eigen::VectorXd nx;      ///< first components of normal times weight over pi, length
+  Eigen::VectorXd nx;      ///< first components of the normals times w / pi, length
   Eigen::VectorXd ny;      ///< second components, length
-  Eigen::VectorXd least2;  ///< squared half weights, length^2
+  Eigen::VectorXd least2;  ///< squared half weights (w / 2)^2, length^2
 };
 
-/// Consecutive nodes with the densities of one or several fields, for the innermost loops of
-/// StressletSum and of faster sums that take their near fields from it.
+/// Consecutive nodes with the densities of one or several fields.
+///
+/// Blocks feed the innermost loops of StressletSum, and the near fields of faster sums.
 struct StressletBlock {
-  const double* x;       ///< first coordinates of the nodes, length
-  const double* y;       ///< second coordinates, length
-  const double* nx;      ///< first components of normal times weight over pi, length
-  const double* ny;      ///< second components, length
-  const double* least2;  ///< squared half weights, by which squared distances are bounded, length^2
-  Eigen::Index size;     ///< number of nodes
-  const double* ex;      ///< first components of the first field's densities, length / time
-  const double* ey;      ///< second components, length / time
-  Eigen::Index stride = 0;  ///< from a field's densities to the next field's
+  const double* x;          ///< first coordinates of the nodes, length
+  const double* y;          ///< second coordinates, length
+  const double* nx;         ///< first components of the normals times w / pi, length
+  const double* ny;         ///< second components, length
+  const double* least2;     ///< lower bounds (w / 2)^2 of the squared distances, length^2
+  Eigen::Index size;        ///< number of nodes
+  const double* ex;         ///< first components of the first field's densities, length / time
+  const double* ey;         ///< second components, length / time
+  Eigen::Index stride = 0;  ///< offset of the densities of the next field
 };
 
-/// Sixteen points or vectors of the plane, their components apart: what a kernel works on at once.
+/// Sixteen points or vectors of the plane, with their components in separate arrays: a kernel works
+/// on one group at a time.
 struct VectorGroup {
   static constexpr int size = 16;               ///< number of vectors
   alignas(64) std::array<double, size> x = {};  ///< first components
@@ -54,20 +56,20 @@ struct VectorGroup {
 /// Adds the velocities of a block at a group of targets, with the bounded kernel of StressletSum.
 ///
 /// @tparam fields   number of densities: 1, 2 or 4
-/// @param  block    nodes
-/// @param  targets  length
-/// @param  sum      velocities of each field at the targets, length / time, to which is added
-/// @par Cost        a kernel evaluation a pair, of which fields share two thirds
+/// @param  block    nodes and densities
+/// @param  targets  sixteen points, length
+/// @param  sum      velocities of each field at the targets, length / time; the block's are added
+/// @par Cost        one kernel evaluation per pair; the fields share two thirds of its work
 template <int fields>
 void add_velocities(const StressletBlock& block, const VectorGroup& targets,
                     std::array<VectorGroup, fields>& sum);
 
 /// Adds pressure, vorticity and strain of a block at a target, with the bounded kernel.
 ///
-/// @param  block   nodes, of which the first field is taken
-/// @param  target  length
-/// @param  sum     1 / time, to which is added
-/// @par Cost       a kernel evaluation a node
+/// @param  block   nodes and densities, of which only the first field is used
+/// @param  target  point, length
+/// @param  sum     derivatives of the flow at the target, 1 / time; the block's are added
+/// @par Cost       one kernel evaluation per node
 void add_derivatives(const StressletBlock& block, Complex target, FlowDerivatives& sum);
 
 /// @}

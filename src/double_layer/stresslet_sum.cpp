@@ -1,3 +1,5 @@
+// Evaluates the trapezoid sum of the double layer (02.6) over all pairs of nodes and targets, in
+// blocks of nodes and groups of targets, or as a stored matrix.
 #include "double_layer/stresslet_sum.hpp"
 
 #include <algorithm>
@@ -11,11 +13,11 @@ using Eigen::Index;
 
 namespace {
 
-// Sources that are summed before they join the others' sum: rounding grows with the square roots of
-// their number and of the number of blocks.
+// Number of sources in a block, whose sum is complete before it is added to that of all blocks.
+// Rounding grows with the square root of this number, and with that of the number of blocks.
 constexpr Index block_size = 512;
 
-// Targets from the first on; the last of all is repeated where they do not fill the group.
+// Returns a group of targets from `first` on. The last target fills an incomplete group.
 VectorGroup group_of(const ComplexVector& targets, Index first) {
   VectorGroup group;
   for (Index i = 0; i < VectorGroup::size; ++i) {
@@ -47,6 +49,7 @@ Eigen::MatrixXd StressletSum::matrix(const ComplexVector& targets) const {
   for (Index j = 0; j < n; ++j) {
     for (Index i = 0; i < m; ++i) {
       const Eigen::Vector2d r{targets[i].real() - nodes_.x[j], targets[i].imag() - nodes_.y[j]};
+      // (w / pi) (r.n) r r^T / rho^4 with rho >= w / 2.
       const double rho2 = std::max(r.squaredNorm(), nodes_.least2[j]);
       const double factor = (r[0] * nodes_.nx[j] + r[1] * nodes_.ny[j]) / (rho2 * rho2);
       result.block<2, 2>(2 * i, 2 * j) = factor * r * r.transpose();
@@ -65,8 +68,8 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
   const Eigen::VectorXd ex = density.real(), ey = density.imag();
   const Index m = targets.size(), n = size();
   ComplexVector velocity(m);
-  // A thread owns its targets and sums their sources in order: the same bits for any number of
-  // threads.
+  // Each thread owns its targets and sums over the sources in order, so that the result is the same
+  // to the last bit for any number of threads.
 #pragma omp parallel for schedule(static)
   for (Index group = 0; group < m; group += VectorGroup::size) {
     const VectorGroup points = group_of(targets, group);

@@ -13,28 +13,30 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-/// Where a sum over all pairs of nodes keeps its kernel.
+/// The ways in which a sum over all pairs of nodes provides its kernel.
 enum class KernelStorage {
   streamed,  ///< evaluated anew in every application
-  stored     ///< as a dense matrix, 32 bytes a pair
+  stored     ///< kept as a dense matrix, 32 bytes per pair
 };
 
-/// The trapezoid sum of the double layer over all nodes of several curves: planned once, applied
-/// many times.
+/// The trapezoid sum of the double layer (02.6) over all nodes of several curves, planned once and
+/// applied many times.
 ///
 /// \f$ u(x_i) = \sum_j \frac{w_j}{\pi} \frac{(r\cdot n_j)(r\cdot\eta_j)}{\rho^4} r \f$ with
-/// \f$ r = x_i - y_j \f$ and \f$ \rho = \max(|r|, w_j/2) \f$. The bound makes a node's own term
-/// zero, whose limit is diagonal_velocity(), and keeps the terms of other curves' nearly touching
-/// nodes of the size of the density, so that a near correction, which subtracts this sum again,
-/// does not cancel.
+/// \f$ r = x_i - y_j \f$ and \f$ \rho = \max(|r|, w_j/2) \f$.
+///
+/// The lower bound of \f$ \rho \f$ makes the term of a node on itself zero; diagonal_velocity() is
+/// the limit of this term. Between nodes of different curves that nearly touch, the bound keeps a
+/// term as small as the density. A near correction, which subtracts the term again, thus loses no
+/// digits by cancellation.
 /// @par Accuracy  of the rule: geometric in the distance over the node spacing, @ref claim_02_6
-/// @par Cost      one kernel evaluation a pair; results do not depend on the number of threads
+/// @par Cost      one kernel evaluation per pair; results do not depend on the number of threads
 class StressletSum {
  public:
   /// Plans the sum over all nodes of the curves.
   ///
   /// @param  curves   n nodes in all, in this order
-  /// @param  storage  where the kernel is kept
+  /// @param  storage  kernel streamed or stored
   /// @par Cost        O(n); stored: n^2 kernel evaluations and 32 n^2 bytes
   explicit StressletSum(const std::vector<Curve>& curves,
                         KernelStorage storage = KernelStorage::streamed);
@@ -46,7 +48,7 @@ class StressletSum {
   /// @par Cost        n^2 kernel evaluations, or 4 n^2 multiplications by the stored matrix
   ComplexVector operator()(const ComplexVector& density) const;
 
-  /// Evaluates the sum elsewhere, without storing a matrix.
+  /// Evaluates the sum at arbitrary targets, without storing a matrix.
   ///
   /// @param  targets  points, length
   /// @param  density  at all nodes, in the curves' order, length / time
@@ -64,10 +66,11 @@ class StressletSum {
 
   /// Evaluates pressure, vorticity and strain of the sum, see stresslet_derivatives().
   ///
-  /// \f$ \rho \f$ is bounded as for velocities, so that a near correction can subtract them again.
+  /// \f$ \rho \f$ is bounded as for velocities, so that a near correction can subtract the terms
+  /// again.
   /// @param  targets  m points, length
   /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          of the flow at the m targets, 1 / time
+  /// @return          derivatives of the flow at the m targets, 1 / time
   /// @par Cost        m n kernel evaluations for m targets
   /// @par Not for     targets nearer than about 6 node spacings: use double_layer_derivatives()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
@@ -77,7 +80,8 @@ class StressletSum {
   /// @return n
   Eigen::Index size() const { return nodes_.size(); }
 
-  /// Chooses by the measured break-even: stored where the matrix stays in the fast cache.
+  /// Chooses the storage by a measured break-even: a matrix is stored if it fits into the fast
+  /// cache.
   ///
   /// @param  n_nodes  number of nodes in the sum
   /// @return          storage for which repeated application is faster
@@ -87,7 +91,7 @@ class StressletSum {
   ComplexVector positions() const;
 
   StressletNodes nodes_;
-  Eigen::MatrixXd matrix_;  // empty unless stored
+  Eigen::MatrixXd matrix_;  // empty if the kernel is streamed
 };
 
 /// @}

@@ -1,3 +1,5 @@
+// Forms multipole expansions of nodes and point forces (P2M) by (08.6), and evaluates velocities
+// and derivatives of local expansions (L2P) by (08.7) and (08.5).
 #include "fmm/expansions.hpp"
 
 #include <algorithm>
@@ -15,7 +17,8 @@ Coefficients coefficients(Complex phi, Complex psi) {
   return {phi.real(), phi.imag(), psi.real(), psi.imag()};
 }
 
-// Horner's rule for phi and psi at a register of targets, and for phi' with what phi was before.
+// Adds the velocities of a local expansion at one register of targets. Horner's rule evaluates phi
+// and psi, and phi' from the partial results for phi.
 void add_to_register(const Box& box, Eigen::Ref<const Expansion> expansion, const double* target_x,
                      const double* target_y, double* u, double* v) {
   const Lanes x = (load(target_x) - box.centre.real()) / box.radius;
@@ -33,7 +36,7 @@ void add_to_register(const Box& box, Eigen::Ref<const Expansion> expansion, cons
     psi_y = psi_x * y + psi_y * x + c[3];
     psi_x = psi;
   }
-  // u = phi - w conj(dphi/dw) - conj(psi) with w = (z - c) / R
+  // u = phi - w conj(dphi/dw) - conj(psi) with w = (z - c) / R (08.5)
   store(load(u) + (phi_x - (x * slope_x + y * slope_y) - psi_x), u);
   store(load(v) + (phi_y - (y * slope_x - x * slope_y) + psi_y), v);
 }
@@ -41,7 +44,7 @@ void add_to_register(const Box& box, Eigen::Ref<const Expansion> expansion, cons
 }  // namespace
 
 void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum) {
-  constexpr Index chunk = 64;  // nodes, whose powers stay in the fast cache
+  constexpr Index chunk = 64;  // nodes at a time, so that their powers stay in the fast cache
   std::array<double, chunk> wx, wy, ax, ay, b, gx, gy, px, py, qx, qy;
   const double inverse = 1.0 / box.radius;
   for (Index first = 0; first < nodes.size; first += chunk) {
@@ -51,6 +54,7 @@ void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum)
       const double nx = nodes.nx[i], ny = nodes.ny[i], ex = nodes.ex[i], ey = nodes.ey[i];
       wx[j] = (nodes.x[i] - box.centre.real()) * inverse;
       wy[j] = (nodes.y[i] - box.centre.imag()) * inverse;
+      // nx + i ny is n w / pi: a = n eta w / (4 pi), b = n.eta w / (2 pi)
       ax[j] = 0.25 * (nx * ex - ny * ey);
       ay[j] = 0.25 * (nx * ey + ny * ex);
       b[j] = 0.5 * (nx * ex + ny * ey);
@@ -61,6 +65,7 @@ void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum)
       qx[j] = 0.0;  // W^(k-2)
       qy[j] = 0.0;
     }
+    // R A_k = sum a W^(k-1), R B_k = sum (k-1) a conj(W) W^(k-2) - b W^(k-1) (08.6)
     for (Index k = 1; k < sum.cols(); ++k) {
       const auto factor = static_cast<double>(k - 1);
       double phi_x = 0.0, phi_y = 0.0, psi_x = 0.0, psi_y = 0.0;
@@ -84,6 +89,7 @@ void p2m(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum) {
   constexpr double scale = 0.25 * std::numbers::inv_pi;
   const Complex f = scale * point.force;
   const Complex w = (point.position - box.centre) / box.radius;
+  // A_k = f W^k / (2k), B_k = turning W^(k-1) - conj(f) W^k / (2k)
   const Complex turning = std::conj(w) * 0.5 * f + imaginary * (scale * point.torque / box.radius);
   sum.col(0) += coefficients(-0.5 * f, 0.5 * std::conj(f));
   Complex power = 1.0;  // W^(k-1)
@@ -102,6 +108,8 @@ void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGrou
   }
 }
 
+// Pressure -4 Re phi', vorticity 4 Im phi' and strain -2 conj(conj(z - c) phi'' + psi') (07.4),
+// with derivatives with respect to w = (z - c) / R by Horner's rule.
 FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
                                 Complex target) {
   const Complex w = (target - box.centre) / box.radius;

@@ -1,3 +1,6 @@
+// Sums double-layer nodes and point forces by the fast multipole method (chapter 08): upward pass
+// (P2M, M2M), conversion of multipole to local expansions (M2L), downward pass (L2L), and
+// evaluation at the targets of the leaves (L2P and direct sums).
 #include "fmm/fmm.hpp"
 
 #include <algorithm>
@@ -14,19 +17,19 @@ using Eigen::Index;
 
 namespace {
 
-// Pairs of points that cost as much as a translation of an order.
+// Returns the number of pairs of points that cost as much as one M2L translation: p^2 / 2 (08.14).
 Index direct_pairs(int order) {
   return order * order / 2;
 }
 
-// Boxes of a level that are done before other threads have come.
+// A level with at most this many boxes is done by one thread: others would start too late to help.
 constexpr Index few_boxes = 64;
 
 Index box_count(const Quadtree& tree) {
   return static_cast<Index>(tree.boxes().size());
 }
 
-// Nodes with half their weights about them, then points.
+// Makes the tree of the nodes, each with half of its weight as margin, followed by the points.
 Quadtree tree_of(const StressletNodes& nodes, const ComplexVector& points, Index leaf_size) {
   ComplexVector all(nodes.size() + points.size());
   all.head(nodes.size()).real() = nodes.x;
@@ -37,7 +40,8 @@ Quadtree tree_of(const StressletNodes& nodes, const ComplexVector& points, Index
   return {all, margins, leaf_size};
 }
 
-// Points of a tree from the first on, and the last one again where they do not fill the group.
+// Returns a group of points of a tree, from `first` on. If the points before `last` do not fill the
+// group, then the last point is repeated.
 VectorGroup group_of(const Quadtree& tree, Index first, Index last) {
   VectorGroup group;
   for (Index i = 0; i < VectorGroup::size; ++i) {
@@ -48,7 +52,7 @@ VectorGroup group_of(const Quadtree& tree, Index first, Index last) {
   return group;
 }
 
-// Adds the velocities of a point at the first targets of a group.
+// Adds the velocities that a point force causes at the first `count` targets of a group.
 void add_velocities(const PointForce& point, Index count, const VectorGroup& targets,
                     VectorGroup& sum) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -59,7 +63,8 @@ void add_velocities(const PointForce& point, Index count, const VectorGroup& tar
   }
 }
 
-// Calls work(first field, how many as a constant) for four, two or one of them at a time.
+// Calls work(first field, number of fields) for blocks of four, two or one fields. The number is a
+// constant of the compiler.
 template <class Work>
 void in_blocks(Index fields, const Work& work) {
   Index field = 0;
@@ -103,13 +108,13 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
     const bool is_node = source < node_count_;
     nx_[i] = is_node ? nodes.nx[source] : 0.0;
     ny_[i] = is_node ? nodes.ny[source] : 0.0;
-    least2_[i] = is_node ? nodes.least2[source] : 1.0;  // not 0: a target may be there
+    least2_[i] = is_node ? nodes.least2[source] : 1.0;  // not 0: the kernel divides by it
     points_before_.push_back(points_before_.back() + (is_node ? 0 : 1));
   }
   check_distances();
 }
 
-// A target at a point force has no velocity.
+// Throws if a target coincides with a point force, where the velocity is not finite.
 void Fmm::check_distances() const {
   if (point_count_ == 0) return;
   const Quadtree& tree = targets();
@@ -208,7 +213,8 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
   }
 }
 
-// From the leaves up.
+// Upward pass: leaves form multipole expansions (P2M), parents collect those of their children
+// (M2M).
 void Fmm::sum_multipoles(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = sources_.boxes();
   const std::vector<Index>& levels = sources_.levels();
@@ -235,7 +241,8 @@ void Fmm::sum_multipoles(FmmWorkspace& work) const {
   }
 }
 
-// From the sources, then from the root down.
+// Converts multipole expansions to local expansions (M2L) for all boxes. Downward pass: children
+// add the local expansions of their parents (L2L).
 void Fmm::sum_locals(FmmWorkspace& work) const {
   const std::vector<Box>& boxes = targets().boxes();
   const std::vector<Index>& levels = targets().levels();
@@ -261,14 +268,15 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
   }
 }
 
-// All that does not depend on what is evaluated.
+// Computes all expansions, which velocities and derivatives have in common.
 void Fmm::expand(const FmmStrengths& strengths, FmmWorkspace& work) const {
   sort_strengths(strengths, work);
   sum_multipoles(work);
   sum_locals(work);
 }
 
-// Velocities of some fields at sixteen targets of a leaf.
+// Evaluates the velocities of some fields at a group of targets of a leaf: direct sums over the
+// near sources, and the local expansion (L2P).
 template <int fields>
 void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const {
   const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
@@ -288,7 +296,7 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
     l2p(box, std::as_const(work.local_)(b, field + f), group, velocity);
     for (Index i = 0; i < count; ++i) {
       const Index target = targets().order()[static_cast<std::size_t>(first + i)];
-      if (target >= target_count_) continue;  // a point among the nodes
+      if (target >= target_count_) continue;  // a point force is no target
       const auto lane = static_cast<std::size_t>(i);
       work.velocity_(target, field + f) = {velocity.x[lane], velocity.y[lane]};
     }
@@ -342,7 +350,7 @@ const std::vector<FlowDerivatives>& Fmm::derivatives(const FmmStrengths& strengt
     for (Index field = 0; field < fields; ++field) {
       for (Index i = box.first; i < box.last; ++i) {
         const Index target = targets().order()[static_cast<std::size_t>(i)];
-        if (target >= target_count_) continue;  // a point among the nodes
+        if (target >= target_count_) continue;  // a point force is no target
         work.derivatives_[static_cast<std::size_t>(target + field * target_count_)] =
             derivatives_at(b, i, field, work);
       }

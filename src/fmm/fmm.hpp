@@ -20,15 +20,16 @@ namespace stokesbook {
 /// @addtogroup fmm
 /// @{
 
-/// What the sources of an Fmm carry, a column each field: views, for the call of a function.
+/// Densities, forces and torques of the sources of an Fmm, one column per field. The members are
+/// views, which are valid during the call of a function.
 struct FmmStrengths {
-  /// Gives the nodes densities, and the points nothing.
+  /// Views densities of the nodes; the forces and torques of the points are zero.
   /// @param  node_density  n x k, length / time
   template <class Density>
   FmmStrengths(const Eigen::MatrixBase<Density>& node_density)
       : density(node_density), force(Eigen::MatrixXcd()), torque(Eigen::MatrixXd()) {}
 
-  /// Gives nodes densities, and points forces and torques on the fluid.
+  /// Views densities of the nodes, and forces and torques of the points on the fluid.
   ///
   /// @param  node_density  n x k, length / time
   /// @param  point_force   over the viscosity, m x k, length / time
@@ -43,37 +44,38 @@ struct FmmStrengths {
   FmmStrengths& operator=(const FmmStrengths&) = delete;
 
   Eigen::Ref<const Eigen::MatrixXcd> density;  ///< of the nodes
-  Eigen::Ref<const Eigen::MatrixXcd> force;    ///< of the points, or no rows for zeros
-  Eigen::Ref<const Eigen::MatrixXd> torque;    ///< of the points, or no rows for zeros
+  Eigen::Ref<const Eigen::MatrixXcd> force;    ///< of the points; no rows if all are zero
+  Eigen::Ref<const Eigen::MatrixXd> torque;    ///< of the points; no rows if all are zero
 };
 
 class Fmm;
 
-/// The memory of an Fmm's applications, and their results. Several threads may apply one plan, each
-/// with a workspace of its own.
+/// Memory for applications of an Fmm, which also holds their results. Several threads may apply one
+/// plan, each with its own workspace.
 class FmmWorkspace {
   friend class Fmm;
   FmmWorkspace(const Fmm& plan, Eigen::Index fields);
 
-  Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, a column a field
+  Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, one column per field
   std::vector<PointForce> points_;  // in the sources' order, field after field
-  bool without_points_ = false;     // this time they carry nothing
+  bool without_points_ = false;     // the last strengths had no forces and torques
   Expansions multipole_, local_;
   Eigen::MatrixXcd velocity_;
   std::vector<FlowDerivatives> derivatives_;
 };
 
-/// The flow of a double layer's nodes and of point forces by the fast multipole method: planned
-/// once, applied many times.
+/// Sums the flow of double-layer nodes and of point forces by the fast multipole method. A sum is
+/// planned once and applied many times.
 ///
-/// The nodes' sum is that of StressletSum, with the same bound on small distances; the points' that
-/// of stokeslet() with gauge 1, and rotlet(). Another gauge \f$ \ell \f$ adds the uniform velocity
-/// \f$ F\log\ell/4\pi\mu \f$.
+/// The sum over nodes is that of StressletSum, with the same lower bound on distances. Each point
+/// adds stokeslet() with gauge 1 and rotlet(). Another gauge \f$ \ell \f$ adds the
+/// uniform velocity \f$ F\log\ell/4\pi\mu \f$.
 ///
 /// @par Accuracy  the tolerance of FmmSettings::for_tolerance(), relative in the 2-norm:
-///                @ref claim_08_14 to @ref claim_08_16, ill cases @ref claim_08_21 to
-///                @ref claim_08_26
-/// @par Cost      O(n) an application, @ref claim_08_28; the same bits for any number of threads
+///                @ref claim_08_14 to @ref claim_08_16, difficult sets of points @ref claim_08_21
+///                to @ref claim_08_26
+/// @par Cost      O(n) per application, @ref claim_08_28; the result has the same bits for any
+///                number of threads
 /// @sa source: Greengard and Rokhlin, J. Comput. Phys. 73 (1987), 325; Greengard, Kropinski, Mayo,
 /// J. Comput. Phys. 125 (1996), 403
 class Fmm {
@@ -81,7 +83,7 @@ class Fmm {
   /// Plans the sum at the nodes themselves.
   ///
   /// @param  curves    n nodes in all, in this order
-  /// @param  points    m places of forces and torques, length
+  /// @param  points    m positions of forces and torques, length
   /// @param  settings  order and leaf size
   /// @throws std::invalid_argument when a node or point is not finite, a node is at a point, or a
   ///                   setting is out of range
@@ -91,44 +93,45 @@ class Fmm {
   /// Plans the sum at other targets.
   ///
   /// @param  curves    n nodes in all, in this order
-  /// @param  points    m places of forces and torques, length
-  /// @param  targets   length
+  /// @param  points    m positions of forces and torques, length
+  /// @param  targets   positions of the targets, length
   /// @param  settings  order and leaf size
   /// @throws std::invalid_argument as above
   /// @par Cost         O(n log n) for n nodes and targets
   Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const ComplexVector& targets,
       const FmmSettings& settings);
 
-  /// Reserves the memory of applications.
+  /// Allocates the memory of applications.
   ///
   /// @param  fields  k, number of fields that are summed at once, >= 1
-  /// @return         a workspace of this plan alone
+  /// @return         a workspace for this plan only
   FmmWorkspace workspace(Eigen::Index fields = 1) const;
 
   /// Evaluates velocities, without allocation.
   ///
   /// @param  strengths  of nodes and points, k columns
   /// @param  workspace  of this plan, for k fields
-  /// @return            a row a target, a column a field, length / time; overwritten by the next
-  ///                    application with this workspace
-  /// @throws std::invalid_argument when the strengths are not of the plan's and workspace's size
+  /// @return            one row per target, one column per field, length / time; overwritten by the
+  ///                    next application with this workspace
+  /// @throws std::invalid_argument when the sizes of strengths, plan and workspace do not agree
   const Eigen::MatrixXcd& velocity(const FmmStrengths& strengths, FmmWorkspace& workspace) const;
 
   /// Evaluates velocities.
   ///
   /// @param  strengths  of nodes and points, k columns
-  /// @return            a row a target, a column a field, length / time
+  /// @return            one row per target, one column per field, length / time
   Eigen::MatrixXcd velocity(const FmmStrengths& strengths) const;
 
-  /// Evaluates pressure, vorticity and strain, without allocation from the second time on.
+  /// Evaluates pressure, vorticity and strain. Only the first call with a workspace allocates
+  /// memory.
   ///
   /// @param  strengths  of nodes and points, k columns
   /// @param  workspace  of this plan, for k fields
   /// @return            at the targets, field after field, 1 / time; overwritten by the next
   ///                    application with this workspace
-  /// @throws std::invalid_argument when the strengths are not of the plan's and workspace's size
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the sets of the
-  ///                    study keep the tolerance itself, @ref claim_08_17 to @ref claim_08_20
+  /// @throws std::invalid_argument when the sizes of strengths, plan and workspace do not agree
+  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the points of the
+  ///                    study meet the tolerance itself, @ref claim_08_17 to @ref claim_08_20
   const std::vector<FlowDerivatives>& derivatives(const FmmStrengths& strengths,
                                                   FmmWorkspace& workspace) const;
 
@@ -136,20 +139,20 @@ class Fmm {
   ///
   /// @param  strengths  of nodes and points, k columns
   /// @return            at the targets, field after field, 1 / time
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the sets of the
-  ///                    study keep the tolerance itself, @ref claim_08_17 to @ref claim_08_20
+  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the points of the
+  ///                    study meet the tolerance itself, @ref claim_08_17 to @ref claim_08_20
   std::vector<FlowDerivatives> derivatives(const FmmStrengths& strengths) const;
 
   /// Returns the tree of the sources.
-  /// @return boxes, and the order of the nodes and, counted on, the points
+  /// @return tree of the nodes and the points; the points are numbered after the nodes
   const Quadtree& sources() const { return sources_; }
 
   /// Returns the tree of the targets.
-  /// @return that of the sources where the nodes are the targets
+  /// @return tree of the targets; the tree of the sources if the nodes are the targets
   const Quadtree& targets() const { return targets_ ? *targets_ : sources_; }
 
-  /// Returns which boxes of sources act on which boxes of targets.
-  /// @return lists of the targets' boxes
+  /// Returns the interactions between boxes of sources and boxes of targets.
+  /// @return lists of sources for every box of targets
   const Interactions& interactions() const { return interactions_; }
 
  private:
@@ -177,10 +180,11 @@ class Fmm {
   Quadtree sources_;  // nodes, then points
   std::optional<Quadtree> targets_;
   Interactions interactions_;
-  // In the sources' order. Points are nodes of no weight there, and beside them points.
+  // In the sources' order. Each point force is stored as a node of zero weight, and in addition as
+  // a PointForce.
   Eigen::VectorXd nx_, ny_;                  // normal times weight over pi
   Eigen::VectorXd least2_;                   // squared half weight
-  std::vector<Eigen::Index> points_before_;  // number of points before each source, and in all
+  std::vector<Eigen::Index> points_before_;  // number of points before each source, then of all
 };
 
 /// @}

@@ -1,3 +1,5 @@
+// Chooses the order of expansions and the size of leaves for a tolerance, and estimates the number
+// of nodes above which the fast multipole method is faster than the direct sum (chapter 08).
 #include "fmm/fmm_settings.hpp"
 
 #include <algorithm>

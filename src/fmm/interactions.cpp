@@ -1,3 +1,5 @@
+// Finds the near and far interactions between the boxes of two trees by a dual-tree traversal, with
+// the separation (08.8).
 #include "fmm/interactions.hpp"
 
 #include <algorithm>
@@ -12,7 +14,8 @@ struct BoxPair {
   Index target, source;
 };
 
-// With rho = 1/2 both conditions together; not for boxes at the same place, however small.
+// Both conditions of (08.8) with rho = 1/2: R_t + R_s + max(R_t, R_s) < |D|. The strict inequality
+// excludes boxes at the same place, however small.
 bool well_separated(const Box& target, const Box& source) {
   const double reach = target.radius + source.radius + std::max(target.radius, source.radius);
   return reach * reach < std::norm(target.centre - source.centre);
@@ -49,7 +52,7 @@ class Traversal {
   Index direct_pairs_;
 };
 
-// The pairs' sources, sorted by target.
+// Makes the list of sources of every target from all pairs, by a counting sort.
 Lists<Index> by_target(const std::vector<BoxPair>& pairs, std::size_t count) {
   Lists<Index> lists{std::vector<Index>(count + 1, 0), std::vector<Index>(pairs.size())};
   for (const BoxPair& pair : pairs) ++lists.begin[static_cast<std::size_t>(pair.target) + 1];
@@ -62,8 +65,8 @@ Lists<Index> by_target(const std::vector<BoxPair>& pairs, std::size_t count) {
   return lists;
 }
 
-// Points of each list's boxes. A target meets its sources in their tree's order, so that
-// neighbouring ones follow each other and become one range.
+// Replaces the boxes of each list by the ranges of their points. The sources of a target are in the
+// order of their tree, so that the points of neighbouring boxes form one range.
 Lists<Range> as_ranges(const Lists<Index>& lists, const std::vector<Box>& sources) {
   Lists<Range> ranges{{0}, {}};
   for (std::size_t t = 0; t + 1 < lists.begin.size(); ++t) {

@@ -16,14 +16,14 @@ struct Range {
   Eigen::Index last;   ///< one beyond the last
 };
 
-/// Lists, one a box, in one array.
+/// Lists, one per box, in one array.
 template <class Entry>
 struct Lists {
-  std::vector<Eigen::Index> begin;  ///< of each list in entries, and the end of the last
+  std::vector<Eigen::Index> begin;  ///< first index of each list in entries, and the end of all
   std::vector<Entry> entries;       ///< all lists after each other
 
   /// Returns the list of a box.
-  /// @param  box  its index
+  /// @param  box  index of the box
   /// @return      entries
   std::span<const Entry> of(Eigen::Index box) const {
     const auto k = static_cast<std::size_t>(box);
@@ -31,19 +31,20 @@ struct Lists {
   }
 };
 
-/// Which boxes of two trees interact, and how.
+/// The interactions between the boxes of two trees.
 struct Interactions {
-  Lists<Eigen::Index> far;  ///< for each target box the source boxes whose expansions it takes
-  Lists<Range> near;        ///< for each target box the source points that it sums
+  Lists<Eigen::Index> far;  ///< for each target box the source boxes that are converted (M2L)
+  Lists<Range> near;        ///< for each target box the source points that are summed directly
 };
 
 /// Finds the interactions by a dual-tree traversal.
 ///
 /// Boxes are well separated when \f$ R_s < \rho(|D| - R_t) \f$ and
-/// \f$ R_t < \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$: every expansion then falls like
-/// \f$ 2^{-k} \f$. Pairs that are not are divided, the larger box first; two leaves are summed
-/// directly, and so are separated boxes whose pairs of points cost less than a translation. A
-/// source's margin is part of its box: no point nearer to it takes its expansion.
+/// \f$ R_t < \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$ (08.8): every expansion then falls like
+/// \f$ 2^{-k} \f$. If a pair of boxes is not well separated, then the larger box is divided. Two
+/// leaves are summed directly, and so is a well separated pair whose target is a leaf and whose
+/// pairs of points cost less than a translation. The disk of a box contains the margins of its
+/// sources, so that the expansion of a source is never used at a target within the source's margin.
 /// @param  targets       tree of the targets
 /// @param  sources       tree of the sources
 /// @param  direct_pairs  pairs of points that cost as much as a translation

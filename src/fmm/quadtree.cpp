@@ -1,3 +1,4 @@
+// Builds an adaptive quadtree with tight boxes, level by level from the root (chapter 08).
 #include "fmm/quadtree.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void check_points(const ComplexVector& points, const Eigen::VectorXd& margins, I
 
 }  // namespace
 
-// The points of the box that is being divided.
+// Copies of the points of the box that is being divided.
 struct Quadtree::Scratch {
   std::vector<Index> order;
   Eigen::VectorXd x, y, margins;
@@ -52,7 +53,7 @@ Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, 
   Scratch scratch{order_, x_, y_, margins_};
   boxes_.push_back(enclose(0, n, -1));
   levels_.push_back(1);
-  // Children are appended in the order of their parents, so that levels follow each other.
+  // Children are appended in the order of their parents, so that the boxes are sorted by level.
   for (Index b = 0; b < static_cast<Index>(boxes_.size()); ++b) {
     if (b == levels_.back()) levels_.push_back(static_cast<Index>(boxes_.size()));
     if (boxes_[static_cast<std::size_t>(b)].size() > leaf_size) divide(b, scratch);
@@ -80,7 +81,7 @@ Box Quadtree::enclose(Index first, Index last, Index parent) const {
   return box;
 }
 
-// A counting sort by quadrant.
+// Divides a box: sorts its points by quadrant (counting sort), and appends the children.
 void Quadtree::divide(Index parent, Scratch& scratch) {
   const Box box = boxes_[static_cast<std::size_t>(parent)];
   const auto quadrant = [&](double x, double y) {
@@ -89,7 +90,8 @@ void Quadtree::divide(Index parent, Scratch& scratch) {
   };
   std::array<Index, 5> begin{};  // of each quadrant's points
   for (Index i = box.first; i < box.last; ++i) ++begin[quadrant(x_[i], y_[i]) + 1];
-  // Coincident points, or points that no number lies between.
+  // All points are in one quadrant: they coincide, or no floating-point number lies between them.
+  // The box stays a leaf.
   if (*std::max_element(begin.begin(), begin.end()) == box.size()) return;
   begin[0] = box.first;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());

@@ -19,29 +19,29 @@ struct Box {
   Eigen::Index first_child = 0;  ///< index of the first child
   Eigen::Index last_child = 0;   ///< one beyond that of the last child
   Complex centre;                ///< of the points' bounding rectangle, length
-  double radius = 0.0;  ///< of the disk about the centre that holds every point with its margin;
-                        ///< at least 1e-100, so that its powers can be divided by, length
+  double radius = 0.0;  ///< of the disk about the centre that contains every point with its margin;
+                        ///< at least 1e-100, so that divisions by it are finite, length
 
   /// Counts the points.
   /// @return number of points, >= 1
   Eigen::Index size() const { return last - first; }
 
-  /// Tells whether the box is not divided.
-  /// @return true when it has no children
+  /// Returns whether the box is a leaf.
+  /// @return true when the box has no children
   bool is_leaf() const { return first_child == last_child; }
 };
 
-/// An adaptive quadtree: boxes with too many points are divided at the middle of their points'
-/// bounding rectangle, empty children are left out.
+/// An adaptive quadtree. Boxes with too many points are divided at the middle of their points'
+/// bounding rectangle, and empty children are left out.
 class Quadtree {
  public:
-  /// Divides the points.
+  /// Builds the tree.
   ///
   /// @param  points     n finite points, length
-  /// @param  margins    of each point the radius that its box's disk must hold about it, >= 0,
-  ///                    length; none for zeros
-  /// @param  leaf_size  most points of a box that is not divided, >= 1; coincident points stay
-  ///                    together whatever their number
+  /// @param  margins    for each point the radius of a circle about the point that the disk of its
+  ///                    box must contain, >= 0, length; empty if all are zero
+  /// @param  leaf_size  largest number of points of a leaf, >= 1; coincident points stay together,
+  ///                    whatever their number
   /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
   /// @par Cost          O(n log n)
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
@@ -50,12 +50,12 @@ class Quadtree {
   /// @return at least one box unless there are no points
   const std::vector<Box>& boxes() const { return boxes_; }
 
-  /// Returns where each level begins in boxes(), and where the last one ends.
+  /// Returns the indices in boxes() at which the levels begin, and the end of the last level.
   /// @return number of levels + 1 indices
   const std::vector<Eigen::Index>& levels() const { return levels_; }
 
-  /// Returns which point stands where in the tree's order.
-  /// @return n indices into the points given
+  /// Returns the order of the points in the tree.
+  /// @return n indices into the points that were passed to the constructor
   const std::vector<Eigen::Index>& order() const { return order_; }
 
   /// Returns the first coordinates of the points in the tree's order.

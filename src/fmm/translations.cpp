@@ -1,3 +1,5 @@
+// Translates expansions from box to box: M2M (08.12), L2L (08.13), and M2L (08.10) with (08.11) for
+// as many source boxes at once as a vector register has lanes.
 #include "fmm/translations.hpp"
 
 #include <algorithm>
@@ -16,19 +18,20 @@ namespace {
 
 constexpr std::size_t most_columns = Translations::most_order + 1;
 
-// A complex number times the coefficients of both functions.
+// Returns a complex number times the coefficients of phi and psi.
 Coefficients times(Complex factor, const Coefficients& c) {
   const double x = factor.real(), y = factor.imag();
   return {x * c[0] - y * c[1], x * c[1] + y * c[0], x * c[2] - y * c[3], x * c[3] + y * c[2]};
 }
 
-// A complex number times the coefficient of phi, to be added to that of psi.
+// Returns a complex number times the coefficient of phi, in the place of the coefficient of psi.
 Coefficients to_psi(Complex factor, const Coefficients& c) {
   const double x = factor.real(), y = factor.imag();
   return {0.0, 0.0, x * c[0] - y * c[1], x * c[1] + y * c[0]};
 }
 
-// Below this share of the smaller box's radius a shift's powers would be unbalanced.
+// A shift d is balanced if it is longer than this share of the smaller box's radius R. Otherwise
+// the powers (R / d)^k could exceed the range of numbers.
 constexpr double least_shift = 0.02;
 
 using Table = std::array<Coefficients, most_columns>;
@@ -51,7 +54,8 @@ Translations::Translations(int order) : order_(order) {
       at(pascal_, n, k) = k == 0 || k == n ? 1.0 : binomial(n - 1, k - 1) + binomial(n - 1, k);
     }
   }
-  // binomial(k + l - 1, l) by rows: 1 for l = 0, and sums of neighbours.
+  // H_lk = binomial(k + l - 1, l) (08.10): 1 for l = 0 or k = 1, else H_(l-1,k) + H_(l,k-1). Column
+  // 0 belongs to the logarithm: H_00 = 0 and H_l0 = -1 / l.
   for (int l = 0; l <= order; ++l) {
     at(m2l_, l, 0) = l == 0 ? 0.0 : -1.0 / l;
     for (int k = 1; k <= order; ++k) {
@@ -64,12 +68,13 @@ double Translations::binomial(int n, int k) const {
   return pascal_[static_cast<std::size_t>(n * (order_ + 1) + k)];
 }
 
+// (08.12), and for the logarithm log(zeta - d) = log(zeta) - sum_l (d / zeta)^l / l.
 void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
                        Eigen::Ref<Expansion> sum) const {
   const Complex d = from.centre - to.centre;
   const bool balanced = std::abs(d) > least_shift * from.radius;
   const Complex step = d / to.radius;
-  // Scaled by (R_1 / d)^k, or by (R_1 / R_2)^k where d is too small to divide by.
+  // A_k (R_1 / d)^k, or A_k (R_1 / R_2)^k if d is too short to divide by
   const Complex ratio = balanced ? from.radius / d : Complex{from.radius / to.radius};
   Table scaled;
   Complex power = 1.0;
@@ -79,7 +84,7 @@ void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, c
   }
   const Coefficients logarithm = expansion.col(0);
   sum.col(0) += logarithm;
-  Coefficients previous = -logarithm;  // l A_l of the l before
+  Coefficients previous = -logarithm;  // (l - 1) A'_(l-1), for l = 1 that of the logarithm
   power = 1.0;
   for (int l = 1; l <= order_; ++l) {
     power *= step;
@@ -90,7 +95,7 @@ void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, c
       }
       moved = times(power, moved - logarithm / l);
     } else {
-      Complex shift = 1.0;
+      Complex shift = 1.0;  // (d / R_2)^(l-k)
       for (int k = l; k >= 1; --k, shift *= step) {
         moved += binomial(l - 1, k - 1) * times(shift, scaled[static_cast<std::size_t>(k)]);
       }
@@ -101,6 +106,7 @@ void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, c
   }
 }
 
+// (08.13)
 void Translations::l2l(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
                        Eigen::Ref<Expansion> sum) const {
   const Complex d = to.centre - from.centre;
@@ -122,7 +128,7 @@ void Translations::l2l(const Box& from, Eigen::Ref<const Expansion> expansion, c
         moved += binomial(l, m) * scaled[static_cast<std::size_t>(l)];
       }
     } else {
-      Complex shift = 1.0;
+      Complex shift = 1.0;  // (d / R_1)^(l-m)
       for (int l = m; l <= order_; ++l, shift *= step) {
         moved += binomial(l, m) * times(shift, scaled[static_cast<std::size_t>(l)]);
       }
@@ -136,12 +142,13 @@ void Translations::l2l(const Box& from, Eigen::Ref<const Expansion> expansion, c
 
 namespace {
 
-// Both functions' real and imaginary parts, a register of boxes each, and a row a power.
+// Real and imaginary parts of the coefficients of phi and psi, each for a register of boxes; Rows
+// has a row for each power.
 using Parts = std::array<Lanes, 4>;
-constexpr int rows_at_once = lane_count == 8 ? 4 : 2;  // as their sums fit the registers
+constexpr int rows_at_once = lane_count == 8 ? 4 : 2;  // as many as have sums in registers
 using Rows = std::array<Parts, most_columns + rows_at_once>;
 
-// Y = H X.
+// Computes Y = H X, the matrix product of (08.10).
 void multiply(const double* h, int columns, const Rows& x, Rows& y) {
   for (int first = 0; first < columns; first += rows_at_once) {
     std::array<Parts, rows_at_once> sum{};
@@ -173,7 +180,8 @@ struct ComplexLanes {
   }
 };
 
-// The source boxes of a register; lanes beyond the list repeat its last box, and count nothing.
+// The source boxes of one register. Lanes beyond the end of the list repeat the last box with zero
+// coefficients.
 struct Batch {
   Batch(const std::vector<Box>& boxes, const Expansions& multipole, std::span<const Index> list,
         Index field, const Box& target) {
@@ -191,7 +199,7 @@ struct Batch {
     inverse = {distance.x * inverse2, -(distance.y * inverse2)};
   }
 
-  // Coefficients of power k of all lanes.
+  // Returns the coefficients of power k for all lanes.
   Parts gather(int k) const {
     Parts c;
     for (std::size_t part = 0; part < 4; ++part) {
@@ -216,6 +224,7 @@ double sum_of(const Lanes& lanes) {
 
 }  // namespace
 
+// (08.10) for a register of source boxes at a time; `outward` is R_s / D, `inward` is -R_t / D.
 void Translations::m2l(const std::vector<Box>& boxes, const Expansions& multipole,
                        std::span<const Index> list, Index field, const Box& target,
                        Eigen::Ref<Expansion> sum) const {
@@ -244,11 +253,13 @@ void Translations::m2l(const std::vector<Box>& boxes, const Expansions& multipol
       const Parts moved = power.times(y[static_cast<std::size_t>(l)]);
       Parts& row = total[static_cast<std::size_t>(l)];
       for (std::size_t part = 0; part < 4; ++part) row[part] += moved[part];
+      // mu_(l-1) += l lambda_l conj(D) / R_t (08.11)
       Parts& before = total[static_cast<std::size_t>(l) - 1];
       const auto factor = static_cast<double>(l);
       before[2] += factor * (conjugate.x * moved[0] - conjugate.y * moved[1]);
       before[3] += factor * (conjugate.x * moved[1] + conjugate.y * moved[0]);
     }
+    // Logarithms: lambda_0 += A_0 log D, mu_0 += B_0 (log D - 1)
     for (int s = 0; s < lane_count; ++s) {
       const Complex a{logarithm[0][s], logarithm[1][s]}, b{logarithm[2][s], logarithm[3][s]};
       if (a == 0.0 && b == 0.0) continue;

@@ -1,3 +1,5 @@
+// Assembles and inverts the own blocks of components, and applies the inverses as a preconditioner,
+// which solves for every component as if it were alone (05.10).
 #include "krylov/block_diagonal.hpp"
 
 #include <algorithm>
@@ -20,6 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MatrixXd own_layer(const Component& component) {
+  // -1/2 + D, and N_0 (04.6) on an enclosing wall.
   MatrixXd layer = double_layer_matrix(component.curve);
   layer.diagonal().array() -= 0.5;
   if (component.kind == ComponentKind::enclosing_wall) layer += null_space_matrix(component.curve);
@@ -30,7 +33,8 @@ MatrixXd self_block(const Component& component, std::optional<double> gauge) {
   const Index n = component.curve.size();
   const MatrixXd layer = own_layer(component);
   if (component.kind == ComponentKind::enclosing_wall) return layer;
-  // Alone in a fluid of that gauge, the component's closure acts as it does on itself among others.
+  // The closure C of the component alone, in a fluid of this gauge, acts on the component as it
+  // does among other components. The block is L (I - P) + C P = L + (C K - L K) Pi, P = K Pi.
   const RigidModeMatrices rigid = rigid_mode_matrices(component);
   const double own_gauge = std::sqrt(std::numbers::e) * rigid.radius;
   StokesProblem alone{{component}, 1.0, {}, gauge.value_or(own_gauge)};
@@ -64,7 +68,8 @@ BlockDiagonalPreconditioner::BlockDiagonalPreconditioner(std::vector<Member> mem
 
 VectorXd BlockDiagonalPreconditioner::operator()(const VectorXd& v) const {
   VectorXd result(v.size());
-  // Blocks are few and differ in size; threads share the columns of one block.
+  // There are few blocks, of different sizes; threads share the columns of one block. A column is
+  // the vector of a component, turned into the frame of the block and back (05.11).
   constexpr Index columns_at_once = 16;
   for (const std::vector<std::size_t>& users : users_) {
     const MatrixXd& inverse = *members_[users.front()].inverse;

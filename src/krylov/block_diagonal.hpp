@@ -13,15 +13,16 @@ namespace stokesbook {
 /// @addtogroup krylov
 /// @{
 
-/// Assembles a component's own block of the reduced system, with N_0 on an enclosing wall.
+/// Assembles a component's own block of the reduced system (03.11), with N_0 (04.6) on an enclosing
+/// wall.
 ///
 /// The block turns with the component: \f$ A = Q \hat A Q^T \f$ with the rotation Q of every node
-/// vector. With the component's own gauge it does not depend on its size.
-/// @param  component  curve in any frame, centre in the same
-/// @param  gauge      Stokeslet gauge length of a prescribed component; none: its own,
+/// vector (05.11). With the component's own gauge, the block does not depend on its size.
+/// @param  component  curve and centre in any one frame
+/// @param  gauge      Stokeslet gauge length of a prescribed component; if empty, its own gauge
 ///   \f$ \sqrt e\, a \f$
 /// @return            2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
-/// @par Cost            O(N^3) multiplications
+/// @par Cost            N^2 kernel evaluations, O(N^2) multiplications
 /// @par Not for         a gauge near the degenerate scale of a prescribed component,
 ///   \f$ a/\sqrt e \f$ for a circle: the block is singular there
 Eigen::MatrixXd self_block(const Component& component, std::optional<double> gauge = {});
@@ -33,16 +34,17 @@ Eigen::MatrixXd self_block(const Component& component, std::optional<double> gau
 /// @par Cost          N^2 kernel evaluations
 Eigen::MatrixXd own_layer(const Component& component);
 
-/// The inverse of the diagonal blocks: solves every component alone.
+/// The inverse of the diagonal blocks (05.10): solves for every component as if it were alone.
 ///
-/// Blocks are inverted once per distinct reference (shape, node count, kind) and shared by all
-/// components of it; each application turns a component's vector into the reference frame and back.
+/// A block is inverted once for each reference (distinct shape, number of nodes and kind), and all
+/// components of this reference share the inverse. Each application turns the vector of a component
+/// into the frame of the reference and back (05.11).
 class BlockDiagonalPreconditioner {
  public:
-  /// One component: its reference's inverse self block, 2N x 2N, and how it is turned.
+  /// One component: the inverse self block of its reference, 2N x 2N, and its orientation.
   struct Member {
     std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< by invert_block()
-    double orientation = 0.0;  ///< radians, counter-clockwise, against the reference
+    double orientation = 0.0;  ///< radians, counter-clockwise, relative to the reference
   };
 
   /// Groups the components that share a block.
@@ -54,8 +56,8 @@ class BlockDiagonalPreconditioner {
   ///
   /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
   /// @return    2n numbers, ordered as v, unit of v
-  /// @par Cost  4 N^2 multiplications a component, as matrix products over all components of a
-  /// block
+  /// @par Cost  4 N^2 multiplications per component, as products of a block with the vectors of all
+  /// its components
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
  private:

@@ -1,3 +1,6 @@
+// Solves clusters of neighbours as a restricted additive Schwarz preconditioner, in compressed
+// bases (05.18). In the resistance form, clusters of held bodies replace A_h of (05.15), and a
+// sparse resistance matrix releases the free bodies (05.16).
 #include "krylov/cluster_preconditioner.hpp"
 
 #include <algorithm>
@@ -35,12 +38,14 @@ bool is_held(const Component& component, ClusterForm form) {
          (component.kind == ComponentKind::free_body && form == ClusterForm::resistance);
 }
 
-// The tighter the gap, over the radii of gyration, the larger what small components make of it.
+// Returns the tolerance tau of a basis, for a gap relative to the radii of gyration: in tight gaps
+// large components of the densities cancel, so that small ones matter.
 double basis_tolerance(double gap) {
   return std::min(0.1, 0.3 * std::sqrt(gap));
 }
 
-// Flows of the loads -4 pi mu (U, a^2 omega) of the three motions of radius a at points.
+// Evaluates at points the flows of the loads F = -4 pi mu U and L = -4 pi mu a^2 omega, for the
+// unit motions U_1, U_2 and a omega. The viscosity cancels.
 MatrixXd load_flows(const ComplexVector& points, Complex centre, double a, double gauge) {
   MatrixXd flows(2 * points.size(), 3);
   const double scale = -4.0 * std::numbers::pi;
@@ -56,7 +61,7 @@ MatrixXd load_flows(const ComplexVector& points, Complex centre, double a, doubl
   return flows;
 }
 
-// v -> e^{i angle} v of interleaved plane vectors, a column each.
+// Multiplies interleaved plane vectors, one per column, by e^{i angle}.
 MatrixXd turned(const MatrixXd& columns, double angle) {
   MatrixXd result(columns.rows(), columns.cols());
   const double c = std::cos(angle), s = std::sin(angle);
@@ -66,27 +71,28 @@ MatrixXd turned(const MatrixXd& columns, double angle) {
   return result;
 }
 
-// D^{-1} of a component times columns, in the plane's frame.
+// Multiplies columns by A_0^{-1} of a component, in the frame of the plane.
 MatrixXd solved_alone(const Member& member, const MatrixXd& columns) {
   const double angle = member.orientation;
   return turned(*member.inverse * turned(columns, -angle), angle);
 }
 
-// Rows times D^{-1} of a component, in the plane's frame.
+// Multiplies rows by A_0^{-1} of a component, in the frame of the plane.
 MatrixXd times_inverse(const MatrixXd& rows, const Member& member) {
   const double angle = member.orientation;
   const MatrixXd own_frame = turned(rows.transpose(), -angle).transpose() * *member.inverse;
   return turned(own_frame.transpose(), angle).transpose();
 }
 
-// Orthonormal directions in which a Gram matrix exceeds the square of a tolerance.
+// Returns the orthonormal eigenvectors of a Gram matrix whose eigenvalues exceed the square of a
+// tolerance.
 MatrixXd significant_directions(const MatrixXd& gram, double tolerance) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
   const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
   return solver.eigenvectors().rightCols(count);
 }
 
-// Blocks between components, of (I + B) D, for the set-up.
+// The blocks B A_0 of the operator (I + B) A_0 between different components, for the set-up.
 class ClusterOperator {
  public:
   ClusterOperator(const StokesProblem& problem, ClusterForm form, const std::vector<Member>& alone,
@@ -99,6 +105,7 @@ class ClusterOperator {
 
   const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }
 
+  // D (I - P), and the flows S Pi of the source's loads if the source is held (05.15).
   MatrixXd block(const Pair& pair) const {
     const auto [target, source] = pair;
     const RigidModeMatrices& rigid = modes_[source];
@@ -112,7 +119,8 @@ class ClusterOperator {
     return block;
   }
 
-  // Directions through which a component feels its neighbours or is felt by them.
+  // Returns the directions Q of a component that couple it to its neighbours: eigenvectors of the
+  // sum of B^T B and B B^T over the neighbours with eigenvalues above tau^2.
   MatrixXd basis(std::size_t own, const std::vector<Neighbour>& neighbours) const {
     const Index size = alone_[own].inverse->rows();
     MatrixXd gram = MatrixXd::Zero(size, size);
@@ -135,7 +143,7 @@ class ClusterOperator {
   std::vector<RigidModeMatrices> modes_;
 };
 
-// Q^T B Q of all pairs that meet in clusters.
+// The blocks Q^T B Q of all pairs of components that share a cluster.
 class ReducedBlocks {
  public:
   ReducedBlocks(const ClusterOperator& system, const std::vector<Member>& alone,
@@ -152,7 +160,7 @@ class ReducedBlocks {
     }
   }
 
-  // Own rows, those of the first component, of (I + Q^T B Q)^{-1} - I of a cluster.
+  // Returns (I + Q^T B Q)^{-1} - I of a cluster, in the rows of the cluster's first component.
   MatrixXd coupling(const std::vector<std::size_t>& cluster,
                     const std::vector<MatrixXd>& bases) const {
     std::vector<Index> first{0};
@@ -189,7 +197,7 @@ class ReducedBlocks {
                                             pairs_.begin())];
   }
 
-  std::vector<Pair> pairs_;  // ascending
+  std::vector<Pair> pairs_;  // in ascending order
   std::vector<MatrixXd> blocks_;
 };
 
@@ -243,6 +251,8 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alon
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t f = 0; f < released_.size(); ++f) {
     const std::size_t own = released_[f].component;
+    // R = Pi A_h^{-1} K (05.16), A_h^{-1} = A_0^{-1} (I + Q X Q^T) with the coupling X of a
+    // cluster.
     const MatrixXd weights = times_inverse(released_[f].projection, alone[own]);
     const MatrixXd coupled = weights * bases_[own] * couplings_[own];
     Index first = 0;
@@ -277,6 +287,7 @@ VectorXd ClusterPreconditioner::solve_clusters(const VectorXd& v) const {
   const auto own = [&](std::size_t k) {
     return Eigen::seqN(offsets_[k], offsets_[k + 1] - offsets_[k]);
   };
+  // A_0^{-1} (v + Q X Q^T v) with the coupling X of each component's cluster (05.18).
   std::vector<VectorXd> along(bases_.size());  // Q^T v
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < bases_.size(); ++k) along[k] = bases_[k].transpose() * v(own(k));
@@ -297,6 +308,7 @@ VectorXd ClusterPreconditioner::solve_clusters(const VectorXd& v) const {
 VectorXd ClusterPreconditioner::operator()(const VectorXd& v) const {
   const VectorXd solved = solve_clusters(v);
   if (released_.empty()) return solved;
+  // V from R V = Pi A_h^{-1} v, and then A_h^{-1} (v - K V) - K V (05.16).
   VectorXd loads(static_cast<Index>(3 * released_.size()));
   for (std::size_t f = 0; f < released_.size(); ++f) {
     const MatrixXd& projection = released_[f].projection;

@@ -18,74 +18,79 @@ namespace stokesbook {
 /// Returns the gauge length of the Stokeslets with which bodies are held in clusters: a hundred
 /// times the largest radius of gyration of all inner components.
 ///
-/// A force of finite size then needs a cluster to move as a whole, as it does among others; at
-/// their own gauge the components of a cluster would resist that.
-/// @param  problem  with an inner component
-/// @return          length
+/// With this gauge, a cluster that moves as a whole exerts a force of moderate size, as it does
+/// among other bodies. With their own gauges, the components of a cluster would resist this motion.
+/// @param  problem  problem with at least one inner component
+/// @return          gauge length
 double held_gauge(const StokesProblem& problem);
 
-/// How free bodies are taken in clusters.
+/// The ways in which clusters treat free bodies.
 enum class ClusterForm {
-  mobility,   ///< free, as they are
-  resistance  ///< held, and let go together by a resistance problem
+  mobility,   ///< free bodies stay free
+  resistance  ///< free bodies are held, then released together by a resistance problem
 };
 
-/// Assembles a component's own block as it is in clusters: of a free body in the mobility form as
-/// it is, of any other inner component that of a prescribed one at a gauge.
+/// Assembles a component's own block in clusters.
 ///
-/// @param  component  of any kind, in any frame
-/// @param  form       of the clusters
+/// A free body in the mobility form, and an enclosing wall, have their self_block(). Any other
+/// inner component has the block of a prescribed component with the given gauge.
+/// @param  component  component of any kind, in any frame
+/// @param  form       form of the clusters
 /// @param  gauge      from held_gauge(), length
 /// @return            2N x 2N, dimensionless, interleaved
 /// @par Cost          that of self_block()
 Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
 
-/// Another component that is solved for in a component's cluster.
+/// A component in the cluster of another component.
 struct Neighbour {
-  std::size_t component = 0;  ///< which
-  double gap = 0.0;           ///< between the two, over their mean radius of gyration
+  std::size_t component = 0;  ///< number of the component
+  double gap = 0.0;           ///< between the two components, over their mean radius of gyration
 };
 
-/// Solves clusters of neighbours, in one of two forms.
+/// Preconditions by solving for clusters of neighbours, in one of two forms.
 ///
-/// \f$ A^{-1} \f$ is replaced by a restricted additive Schwarz method: each component's rows are
-/// those of the inverse of its cluster, itself and its neighbours with all pairs among them. In the
-/// mobility form that is all. It leaves the far flow of the bodies' stresslets, which is weak, so
-/// that iterations hardly grow with their number; but contacts that make a rigid network have
-/// collective modes, which clusters do not see.
+/// The cluster of a component consists of the component and its neighbours, with all pairs among
+/// them. A restricted additive Schwarz method replaces \f$ A^{-1} \f$: the rows of each component
+/// are those of the inverse of its cluster.
 ///
-/// The resistance form sees them. With all inner components held, the operator is
-/// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$, where \f$ \Pi\eta \f$ are the rigid motions of
-/// \f$ P = K\Pi \f$ and S the flows of their loads. Free bodies have
-/// \f$ A = A_h - (S_f + K_f)\Pi_f \f$; as \f$ A_h K_f = S_f \f$, exactly
+/// The mobility form applies this method to A itself. Clusters leave out the far flow of the
+/// bodies' stresslets, which is weak, so that the number of iterations hardly grows with the number
+/// of bodies. Contacts that form a rigid network have collective modes, however, which clusters of
+/// free bodies do not contain.
+///
+/// The resistance form contains these modes. With all inner components held, the operator is
+/// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$ (05.15), where \f$ \Pi\eta \f$ are the rigid motions
+/// in \f$ P = K\Pi \f$, and S are the flows of their loads. For free bodies f the operator is
+/// \f$ A = A_h - (S_f + K_f)\Pi_f \f$. Because \f$ A_h K_f = S_f \f$, exactly (05.16)
 /// \f[ A^{-1}r = A_h^{-1}(r - K_f V) - K_f V, \qquad
 ///     \Pi_f A_h^{-1} K_f\, V = \Pi_f A_h^{-1} r: \f]
-/// the loads of held bodies under the data r are those that motions -V balance. Held bodies screen
-/// the flow, so that \f$ A_h^{-1} \f$ is nearly local: it is what clusters replace here. The
-/// resistance matrix \f$ \Pi_f A_h^{-1} K_f \f$ is sparse then, three unknowns a body. Motions as
-/// long as the suspension meet little resistance, and what clusters leave out of it makes the
-/// iterations grow with the number of bodies.
+/// the motions -V balance the loads of the held bodies under the data r. Held bodies screen the
+/// flow, so that \f$ A_h^{-1} \f$ is nearly local, and the Schwarz method replaces this inverse.
+/// The resistance matrix \f$ \Pi_f A_h^{-1} K_f \f$ is then sparse, with three unknowns per body.
+/// Motions in waves as long as the suspension meet little resistance; the part of the resistance
+/// that clusters leave out makes the number of iterations grow with the number of bodies.
 ///
-/// With \f$ (I + B)D \f$ for the operator in question, D the components alone, clusters are solved
-/// in the few directions Q of each component that it feels its neighbours through or is felt by
-/// them: \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
-/// @par Accuracy  residuals fall by a digit an iteration or more on seven disks at gaps of 0.01,
-/// @ref claim_05_29; iterations of bodies that nearly touch, @ref claim_05_26; what clusters leave
-/// out falls with the square of the distance, @ref claim_05_27
-/// @par Not for   held bodies alone whose gaps of a few hundredths or less close pores: GMRES may
-/// break down by rounding
+/// Let the operator, A or A_h, be \f$ (I + B)A_0 \f$, where \f$ A_0 \f$ consists of the own blocks.
+/// A component acts on its neighbours, and they on the component, in few directions Q. The clusters
+/// are solved in these directions only (05.18):
+/// \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
+/// @par Accuracy  residuals fall by a digit or more per iteration on seven disks at gaps of 0.01,
+/// @ref claim_05_29; iterations for bodies that nearly touch, @ref claim_05_26; the forces that
+/// clusters leave out fall with the square of the distance, @ref claim_05_27
+/// @par Not for   problems with held bodies only whose gaps, a few hundredths or less, close pores:
+/// GMRES may break down by rounding
 class ClusterPreconditioner {
  public:
   /// Factorises all clusters and the resistance matrix.
   ///
   /// @param  problem     components in the order of the densities, n nodes in all
-  /// @param  form        of the clusters
-  /// @param  alone       inverses of their cluster_block() and how they are turned
-  /// @param  neighbours  of each component, without itself; none of an enclosing wall, which is
-  ///                     solved alone
-  /// @param  layer       between any two components of a cluster
+  /// @param  form        form of the clusters
+  /// @param  alone       inverse of the cluster_block() of each component, and its orientation
+  /// @param  neighbours  neighbours of each component, without itself; an enclosing wall has none,
+  ///                     and is solved alone
+  /// @param  layer       double layer between any two components of a cluster
   /// @throws std::domain_error when the resistance matrix is singular
-  /// @par Cost      for clusters of m components with N nodes each, a component: some 3 m matrix
+  /// @par Cost      per component, for clusters of m components with N nodes each: some 3 m matrix
   /// products of size 2N, an eigenvalue problem of size 2N, and a factorisation of size m q for q
   /// directions
   ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
@@ -93,11 +98,11 @@ class ClusterPreconditioner {
                         const std::vector<std::vector<Neighbour>>& neighbours,
                         const LayerBlock& layer);
 
-  /// Applies the approximate inverse; linear, whatever the number of threads.
+  /// Applies the approximate inverse, a linear map for any number of threads.
   ///
   /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
   /// @return    2n numbers, ordered as v, unit of v
-  /// @par Cost  4 N^2 + 4 N q + m q^2 multiplications a component, twice in the resistance form
+  /// @par Cost  4 N^2 + 4 N q + m q^2 multiplications per component, twice in the resistance form
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
   /// Returns the mean number of directions in which a component is coupled to its cluster.
@@ -105,7 +110,8 @@ class ClusterPreconditioner {
   double mean_rank() const;
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // These types are hidden, because Doxygen 1.9 links to a list of private nested types but does
+  // not write this list.
   /// @cond
   struct ReleasedBody {
     std::size_t component;
@@ -118,13 +124,13 @@ class ClusterPreconditioner {
   void factorise_resistance(const std::vector<BlockDiagonalPreconditioner::Member>& alone);
   Eigen::VectorXd solve_clusters(const Eigen::VectorXd& v) const;
 
-  std::vector<Eigen::Index> offsets_;  // first of each component's numbers, and 2n
+  std::vector<Eigen::Index> offsets_;  // first entry of each component, then 2n
   BlockDiagonalPreconditioner alone_;
-  std::vector<std::vector<std::size_t>> clusters_;  // of each component, itself first
+  std::vector<std::vector<std::size_t>> clusters_;  // cluster of each component, itself first
   std::vector<Eigen::MatrixXd> bases_;              // Q of each component
-  std::vector<Eigen::MatrixXd> couplings_;  // own rows of (I + Q^T B Q)^{-1} - I of its cluster
-  std::vector<ReleasedBody> released_;      // free ones of the resistance form
-  std::shared_ptr<const Resistance> resistance_;  // of these, three unknowns each
+  std::vector<Eigen::MatrixXd> couplings_;        // own rows of (I + Q^T B Q)^{-1} - I per cluster
+  std::vector<ReleasedBody> released_;            // free bodies in the resistance form
+  std::shared_ptr<const Resistance> resistance_;  // R of these bodies, 3 unknowns each
 };
 
 /// @}

@@ -1,3 +1,5 @@
+// Assembles the matrix of the whole reduced system (03.11) from layers and rigid motions, and
+// solves by its LU factorisation (chapter 05, "Bodies that nearly touch").
 #include "krylov/direct.hpp"
 
 #include "closure/closure.hpp"
@@ -12,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// L between all nodes, in the order of the densities.
+// Assembles L = -1/2 + D + N_0 between all nodes, in the order of the densities.
 MatrixXd layer_of_all(const StokesProblem& problem, const LayerBlock& layer) {
   const std::vector<Index> offsets = node_offsets(problem);
   const std::size_t count = problem.components.size();
@@ -29,6 +31,7 @@ MatrixXd layer_of_all(const StokesProblem& problem, const LayerBlock& layer) {
   return matrix;
 }
 
+// L + (C K - L K) Pi, one inner component after the other.
 MatrixXd system_matrix(const StokesProblem& problem, const LayerBlock& layer) {
   const std::vector<Index> offsets = node_offsets(problem);
   const Closure closure(problem);

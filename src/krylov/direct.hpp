@@ -11,23 +11,23 @@ namespace stokesbook {
 /// @addtogroup krylov
 /// @{
 
-/// Solves the whole system by a factorisation: for few unknowns, many right-hand sides, and gaps so
-/// narrow that iterations are many.
+/// Solves the whole system by a factorisation, for few unknowns, many right-hand sides, and gaps so
+/// narrow that many iterations would be necessary.
 ///
-/// With the layer \f$ L = -\frac12 + D + N_0 \f$ between all nodes, rigid motions K of the inner
-/// components and their projection \f$ P = K\Pi \f$, the closure C acts on P
-/// alone, and the system is
+/// Let \f$ L = -\frac12 + D + N_0 \f$ be the layer between all nodes, K the rigid motions of the
+/// inner components, and \f$ P = K\Pi \f$ the projection onto these motions. The closure C depends
+/// on the rigid part of a density only, so that the system is
 /// \f[ A = L(I-P) + CP = L + (CK - LK)\Pi. \f]
-/// As a preconditioner it leaves to GMRES what the factorisation's rounding and the tolerance of
-/// the layer's near corrections leave.
-/// @par Accuracy  that of the layer; iterations of bodies that nearly touch, @ref claim_05_30
+/// If the factorisation serves as a preconditioner, GMRES has to remove two errors only: the
+/// rounding of the factorisation, and the tolerance of the near corrections in the layer.
+/// @par Accuracy  that of the layer; iterations for bodies that nearly touch, @ref claim_05_30
 class DirectPreconditioner {
  public:
   /// Assembles and factorises the system.
   ///
-  /// @param  problem  n nodes in all
-  /// @param  layer    between any two different components
-  /// @throws std::invalid_argument as Closure does
+  /// @param  problem  problem with n nodes in all
+  /// @param  layer    double layer between any two different components
+  /// @throws std::invalid_argument when Closure rejects the problem
   /// @par Cost      \f$ \frac{16}{3}n^3 \f$ operations, \f$ 32 n^2 \f$ bytes
   DirectPreconditioner(const StokesProblem& problem, const LayerBlock& layer);
 

@@ -1,3 +1,5 @@
+// Solves linear systems by GMRES: Arnoldi's method (05.3), least squares by Givens rotations (05.4)
+// and (05.5), and a preconditioner from the right (05.9).
 #include "krylov/gmres.hpp"
 
 #include <algorithm>
@@ -23,13 +25,13 @@ void require_finite(const VectorXd& v, const char* what, int iteration) {
   }
 }
 
-// The least-squares problem min |beta e_1 - H y|, kept triangular by Givens rotations.
+// The least-squares problem min |beta e_1 - H y| of (05.4), kept triangular by Givens rotations.
 class HessenbergLeastSquares {
  public:
   explicit HessenbergLeastSquares(double beta) : rhs_{beta} {}
 
   //! [rotate]
-  // Takes column k of H (k + 2 entries); returns the new residual norm.
+  // Appends column k of H (k + 2 entries) and returns the new residual norm (05.5).
   double append(VectorXd column) {
     const auto k = static_cast<Index>(rotations_.size());
     for (Index i = 0; i < k; ++i) {
@@ -48,6 +50,7 @@ class HessenbergLeastSquares {
   }
   //! [rotate]
 
+  // Solves the triangular system by back substitution.
   VectorXd solve() const {
     const auto k = static_cast<Index>(columns_.size());
     VectorXd y(k);
@@ -89,7 +92,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   if (result.converged) return result;
 
   const Index most = std::min<Index>(options.max_iterations, b.size());
-  // Grown by columns as needed: most solves take far fewer than the most allowed.
+  // The basis grows with the iterations: most solves take far fewer than `most`.
   MatrixXd basis(b.size(), std::min<Index>(most, 31) + 1);
   basis.col(0) = rest / first;
   std::vector<VectorXd> preconditioned;
@@ -100,6 +103,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     VectorXd w = apply(precondition ? preconditioned.back() : basis.col(k));
     require_finite(w, "the operator", static_cast<int>(k + 1));
     VectorXd column = VectorXd::Zero(k + 2);
+    // Two passes of classical Gram-Schmidt, w -= V (V^T w).
     for (int pass = 0; pass < 2; ++pass) {
       const VectorXd overlap = basis.leftCols(k + 1).transpose() * w;
       w.noalias() -= basis.leftCols(k + 1) * overlap;
@@ -116,6 +120,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     }
     basis.col(k + 1) = w / column[k + 1];
   }
+  // x = x_0 + sum_k y_k M^{-1} v_k, with the vectors M^{-1} v_k that the iteration has computed.
   const VectorXd y = least_squares.solve();
   if (precondition) {
     for (Index k = 0; k < y.size(); ++k) {
@@ -126,8 +131,8 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   }
   result.residual = (b - apply(result.solution)).norm() / norm;
   result.applications += result.iterations + 1;
-  // Rounding alone parts the two residuals by less. On a singular operator the recurrence's
-  // vanishes.
+  // Rounding alone makes a smaller difference between the two residuals. If the operator is
+  // singular, the residual of the recurrence vanishes, but the true one does not.
   if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {
     std::ostringstream message;
     message << "GMRES broke down: its residual is " << result.history.back()

@@ -1,3 +1,5 @@
+// Assembles the matrices K and Pi of a component's rigid motions, P = K Pi (05.15), and the
+// velocities C K that a closure adds for these motions.
 #include "krylov/rigid_mode_matrices.hpp"
 
 #include "double_layer/double_layer.hpp"
@@ -12,11 +14,13 @@ RigidModeMatrices rigid_mode_matrices(const Component& component) {
   const Index n = component.curve.size();
   const double a = modes.gyration_radius();
   RigidModeMatrices result{a, MatrixXd(2 * n, 3), MatrixXd(3, 2 * n)};
+  // The columns of K are the velocities of the motions U_1 = 1, U_2 = 1 and a omega = 1.
   const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
   for (Index k = 0; k < 3; ++k) {
     const ComplexVector velocity = modes.at_nodes(motions[k]);
     result.modes.col(k) = interleaved(velocity);
   }
+  // The columns of Pi are the motions (U_1, U_2, a omega) of unit densities.
   ComplexVector unit = ComplexVector::Zero(n);
   for (Index k = 0; k < 2 * n; ++k) {
     unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;

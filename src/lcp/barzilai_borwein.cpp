@@ -1,3 +1,6 @@
+// Solves a linear complementarity problem by projected gradients with the step lengths of Barzilai
+// and Borwein (section "Sweeps and gradients" of chapter 11). The method requires only products
+// with M.
 #include "lcp/barzilai_borwein.hpp"
 
 #include <stdexcept>
@@ -12,12 +15,13 @@ namespace {
 
 constexpr int default_products = 2000;
 
-// Where z = 0 a gradient w > 0 leads nowhere.
+// Projects the gradient w of (11.3): a positive w_i is dropped at z_i = 0, where z_i cannot fall.
 VectorXd projected_gradient(const VectorXd& z, const VectorXd& w) {
   return (z.array() > 0.0).select(w, w.cwiseMin(0.0));
 }
 
-// The two lengths in turn; where M is zero along s, the one before.
+// Returns s.s / s.y and s.y / y.y in turn, with the changes s of z and y of w. Returns the length
+// of the step before if M is zero along s.
 double step_length(const VectorXd& s, const VectorXd& y, int turn, double before) {
   const double curvature = s.dot(y);
   if (!(curvature > 0.0)) return before;
@@ -49,6 +53,7 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
   double length = 1.0 / projected_gradient(z, w).lpNorm<Eigen::Infinity>();
   while (residual > options.tolerance && residual < diverging_residual &&
          products < options.max_iterations.value_or(default_products)) {
+    // z <- max(0, z - alpha w)
     const VectorXd next_z = (z - length * w).cwiseMax(0.0);
     const VectorXd next_w = gradient(next_z);
     ++products;

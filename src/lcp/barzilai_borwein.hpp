@@ -7,39 +7,40 @@ namespace stokesbook {
 /// @addtogroup lcp
 /// @{
 
-/// A problem whose matrix is only applied.
+/// A linear complementarity problem (11.2) whose matrix M is only applied to vectors, not stored.
 struct LcpOperator {
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< z -> M z
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< maps z to M z
   Eigen::VectorXd offset;                                        ///< q, m numbers
-  Eigen::VectorXd diagonal{};  ///< of M, as far as known: it scales; empty: ones
+  Eigen::VectorXd diagonal{};  ///< diagonal of M or an estimate of it, for scaling; empty: ones
 };
 
-/// Solves by projected gradients,
-/// \f$ z_{k+1} = \max(0, z_k - \alpha_k w_k) \f$, that need only products with M.
+/// Solves (11.2) by projected gradients,
+/// \f$ z_{k+1} = \max(0, z_k - \alpha_k w_k) \f$, which require only products with M.
 ///
-/// With \f$ s = z_k - z_{k-1},\ y = w_k - w_{k-1} \f$, the lengths of Barzilai and Borwein
-/// alternate: \f$ s \cdot s / s \cdot y \f$ and \f$ s \cdot y / y \cdot y \f$; the first is
-/// \f$ 1 / |p|_\infty \f$, p the projected gradient. No search makes the residual fall step by
-/// step; the point of the least one is returned.
+/// With \f$ s = z_k - z_{k-1},\ y = w_k - w_{k-1} \f$, the step length \f$ \alpha_k \f$ alternates
+/// between the two of Barzilai and Borwein, \f$ s \cdot s / s \cdot y \f$ and
+/// \f$ s \cdot y / y \cdot y \f$. The first step has the length \f$ 1 / |p|_\infty \f$ with the
+/// projected gradient p. There is no line search, so the residual may grow in a step; the iterate
+/// with the least residual is returned.
 /// @param  problem  with m rows, M symmetric and positive semidefinite
-/// @param  options  without a limit, 2000 products are allowed
+/// @param  options  default limit: 2000 products with M
 /// @return          solved or stalled; iterations are products with M
 /// @throws std::invalid_argument when sizes do not agree
 /// @throws std::domain_error when numbers are not finite
-/// @par Accuracy    linear convergence at best, slower the worse M is conditioned;
+/// @par Accuracy    linear convergence at best, the slower the worse M is conditioned;
 ///                  the same in all units, @ref claim_11_21
-/// @par Cost        a product with M a step, 10 m operations and 6 m numbers beside it
-/// @par Not for     M as ill-conditioned as Hilbert's; telling that there is no solution
+/// @par Cost        one product with M per step, and besides 10 m operations and 6 m numbers
+/// @par Not for     M as ill-conditioned as Hilbert's matrix; proving that there is no solution
 /// @sa source: Dai, Fletcher, Numer. Math. 100 (2005) 21; Yan, Corona, Malhotra, Veerapaneni,
 ///             Shelley, J. Comput. Phys. 416 (2020) 109524
 LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOptions& options = {});
 
-/// The same for a matrix that is there.
+/// Solves as matrix_free_barzilai_borwein() does, for a matrix that is stored.
 ///
 /// @param  problem  with m rows, M symmetric and positive semidefinite
-/// @param  options  without a limit, 2000 products are allowed
+/// @param  options  default limit: 2000 products with M
 /// @return          solved or stalled; iterations are products with M
-/// @throws std::invalid_argument when M is not square or q not as long
+/// @throws std::invalid_argument when M is not square, or q or the guess has another length
 /// @throws std::domain_error when M or q is not finite
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options = {});
 

@@ -1,3 +1,5 @@
+// Finds the velocity of a step with contact (11.9) by Newton's method: at each iterate the gaps are
+// linearised, and a linear complementarity problem (11.10) gives the total contact forces.
 #include "lcp/contact_loop.hpp"
 
 #include <algorithm>
@@ -20,13 +22,13 @@ namespace {
 
 using SparseRow = Eigen::SparseVector<double, Eigen::RowMajor>;
 
-// A linearised gap: clearance + dt gradient . U >= 0.
+// A linearised gap: clearance + dt gradient . U >= 0, with c of (11.10) for the clearance.
 struct Cut {
   double clearance = 0.0;
   SparseRow gradient, force_gradient;
 };
 
-// Of all gaps of a linear problem. A map: one for each point, the last one.
+// The linearised gaps of a linear problem. Each point has one cut, from its latest linearisation.
 using Cuts = std::map<ContactKey, Cut>;
 
 void require_valid(const ContactStep& step) {
@@ -38,6 +40,7 @@ void require_valid(const ContactStep& step) {
   }
 }
 
+// Evaluates the rows at a velocity, and checks their sizes.
 ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
   ContactRows rows = step.rows(velocity);
   if (rows.force_gradient.size() == 0) rows.force_gradient = rows.gradient;
@@ -53,6 +56,7 @@ ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
   return rows;
 }
 
+// Linearises the gaps at the velocity U_k: c = g_k - dt J_k U_k (11.10).
 Cuts linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
   const VectorXd clearance = rows.gap - dt * (rows.gradient * velocity);
   Cuts cuts;
@@ -67,6 +71,7 @@ Cuts linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
   return cuts;
 }
 
+// Selects the cuts of the rows that are violated by more than the tolerance.
 Cuts violated(const ContactRows& rows, const Cuts& cuts, double tolerance) {
   Cuts result;
   for (Index i = 0; i < rows.gap.size(); ++i) {
@@ -76,11 +81,12 @@ Cuts violated(const ContactRows& rows, const Cuts& cuts, double tolerance) {
   return result;
 }
 
+// Returns the largest violation, a length >= 0.
 double violation(const ContactRows& rows) {
   return rows.gap.size() == 0 ? 0.0 : std::max(0.0, -rows.gap.minCoeff());
 }
 
-// The linear problem of an iteration, and what its solution means.
+// Holds the linear problem (11.10) of an iteration, and the velocities that unit forces cause.
 struct LinearProblem {
   std::vector<ContactKey> keys;
   VectorXd clearance;
@@ -89,6 +95,7 @@ struct LinearProblem {
   MatrixXd matrix;      // N
 };
 
+// Assembles N = dt J B J_f^T from the cuts (11.10).
 LinearProblem linear_problem(const Cuts& cuts, const ContactStep& step) {
   const auto m = static_cast<Index>(cuts.size());
   const Index n = step.free_velocity.size();
@@ -109,7 +116,7 @@ LinearProblem linear_problem(const Cuts& cuts, const ContactStep& step) {
   return problem;
 }
 
-// Multipliers of an earlier iteration where the points are the same, zero elsewhere.
+// Returns the multipliers of an earlier iteration for keys that occur there, zero for all others.
 VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& keys) {
   std::map<ContactKey, double> known;
   for (std::size_t i = 0; i < earlier.keys.size(); ++i) {
@@ -124,7 +131,8 @@ VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& ke
   return result;
 }
 
-// Least gap of each contact of `keys`, by the rows as they are now.
+// Returns for each key the least gap of its contact among the current rows; infinity if the contact
+// has no row.
 VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) {
   std::map<std::int64_t, double> least;
   for (Index i = 0; i < rows.gap.size(); ++i) {
@@ -141,6 +149,8 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   return gaps;
 }
 
+// Runs Newton's method for (11.9): solves the linear problem (11.10), moves to its velocity, and
+// repeats.
 class ContactLoop {
  public:
   ContactLoop(const ContactStep& step, const ContactLoopOptions& options)
@@ -165,6 +175,7 @@ class ContactLoop {
   }
 
  private:
+  // Makes a velocity the current iterate, and evaluates its rows.
   void move_to(const VectorXd& velocity) {
     result_.velocity = velocity;
     rows_ = rows_at(step_, velocity);
@@ -172,21 +183,23 @@ class ContactLoop {
     result_.gaps = gaps_now(result_.keys, rows_);
   }
 
-  // Whether an iterate is farther off than the free motion ever was: the next would be farther
-  // still, and its long paths take long to follow.
+  // Returns whether the violation is far larger than the violation of the free motion. The next
+  // iterate would be even farther away, and its long paths are expensive to follow.
   bool diverges() const {
     const double allowed = std::max(result_.violations.front(), step_.separation);
     return result_.violations.back() > options_.divergence * allowed;
   }
 
-  // Whether the response has become more exact for the forces that resolve contact.
+  // Returns whether refine() has made the response more accurate for the forces that were found.
   bool is_refined() const {
     return result_.status == ContactStatus::resolved && step_.refine &&
            step_.refine(result_.multipliers);
   }
 
-  // The rows as they are now, and those that were violated before where some still are later in the
-  // loop: where none is, they would only hold gaps open, as their linearisations are old.
+  // Returns the linearised current rows. Once rows are still violated after `cuts_after`
+  // iterations, the rows that were violated earlier are added with their last linearisation
+  // (chapter 11, "Rows that come back"). These rows are not added sooner, because an old
+  // linearisation may hold a gap open.
   Cuts next_cuts() {
     Cuts cuts = linearised(rows_, result_.velocity, step_.dt);
     Cuts now = violated(rows_, cuts, step_.tolerance);
@@ -197,7 +210,8 @@ class ContactLoop {
     return cuts;
   }
 
-  // Moves to the solution of the linear problem; false where there is none to be had.
+  // Solves the linear problem for lambda, and moves to U = U* + B J_f^T lambda. Returns false if it
+  // was not solved.
   bool apply(const LinearProblem& problem) {
     const VectorXd guess = matched(result_, problem.keys);
     result_.keys = problem.keys;
@@ -218,12 +232,14 @@ class ContactLoop {
     return true;
   }
 
+  // Solves (11.10) with the offset b = c + dt J U*.
   LcpResult solve(const LinearProblem& problem, const VectorXd& guess) {
     const VectorXd free_opening = step_.dt * (problem.gradient * step_.free_velocity);
     const LcpOptions options{.guess = guess};
     LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
     LcpResult solution = options_.solver(lcp, options);
     //! [clip]
+    // No solution: some c < 0 is an error of the linearisation. Replace c by max(c, 0).
     if (solution.status == LcpStatus::ray) {
       ++result_.rays;
       lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
@@ -233,8 +249,9 @@ class ContactLoop {
     return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
   }
 
-  // Resolved, or given up because of a force across an open gap. Gaps with a force are closed to
-  // the tolerance; where that takes too long, less is enough.
+  // Returns whether the loop ends: contact is resolved, or a force acts across an open gap. A gap
+  // with a force must be closed to the tolerance; after `open_gap_after` iterations a gap below
+  // `open_gap` separations suffices.
   bool settled() {
     const Index widest = widest_with_force();
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
@@ -248,14 +265,14 @@ class ContactLoop {
     return true;
   }
 
-  // Of all rows the largest part of complementarity that is left, as a length.
+  // Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity.
   double uncomplementary_gap() const {
     if (result_.gaps.size() == 0) return 0.0;
     const VectorXd opened = result_.response.cwiseProduct(result_.multipliers);
     return std::max(0.0, result_.gaps.cwiseMin(opened).maxCoeff());
   }
 
-  // Of the gaps across which a force acts, the widest; none: -1.
+  // Returns the row with the widest gap across which a force acts; -1 if no force acts.
   Index widest_with_force() const {
     Index widest = -1;
     for (Index i = 0; i < result_.gaps.size(); ++i) {
@@ -312,7 +329,7 @@ class ContactLoop {
   }
 
   void give_up_on_violation() {
-    std::map<std::int64_t, Index> worst;  // row of each contact
+    std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
     for (Index i = 0; i < rows_.gap.size(); ++i) {
       if (rows_.gap[i] >= -step_.tolerance) continue;
       const auto [row, first] = worst.emplace(rows_.keys[static_cast<std::size_t>(i)].contact, i);
@@ -337,8 +354,8 @@ class ContactLoop {
   const ContactLoopOptions& options_;
   ContactResult result_;
   ContactRows rows_;             // at the velocity of the result
-  Cuts violated_;                // in earlier iterations
-  bool rows_come_back_ = false;  // of these
+  Cuts violated_;                // rows that were violated in earlier iterations
+  bool rows_come_back_ = false;  // whether the linear problem includes the rows of violated_
 };
 
 }  // namespace

@@ -14,10 +14,11 @@ namespace stokesbook {
 /// @addtogroup lcp
 /// @{
 
-/// Names a row: the same from iteration to iteration while it is the same point.
+/// Identifies a row. A row keeps its key from one iteration to the next as long as it belongs to
+/// the same point.
 struct ContactKey {
-  std::int64_t contact = 0;  ///< two bodies, and the place where they meet
-  std::int64_t point = 0;    ///< one of the contact's points
+  std::int64_t contact = 0;  ///< number of the contact: two bodies and the place where they meet
+  std::int64_t point = 0;    ///< number of the point within the contact
   /// Compares contacts, then points.
   friend auto operator<=>(const ContactKey&, const ContactKey&) = default;
 };
@@ -25,115 +26,120 @@ struct ContactKey {
 /// Derivatives of gaps with respect to velocities, a row for each gap.
 using GapGradient = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Gaps g at the end of a step with the velocity U, as far as they matter: all that are violated,
-/// and those that are small; none between bodies of which neither can move.
+/// Gaps g at the end of a step with the velocity U: all violated gaps, and small gaps that may be
+/// violated in a later iteration. Pairs of bodies neither of which can move have no row.
 struct ContactRows {
-  Eigen::VectorXd gap;   ///< g(U), m lengths; less than 0 violates the separation
+  Eigen::VectorXd gap;   ///< g(U), m lengths; a negative gap violates the separation
   GapGradient gradient;  ///< J, m x n, with \f$ dg = \Delta t\, J\, dU \f$
   GapGradient
-      force_gradient{};  ///< J_f, m x n: forces are \f$ J_f^T \lambda \f$; 0 x 0: as the gradient
-  std::vector<ContactKey> keys;  ///< m names, none twice
+      force_gradient{};  ///< J_f, m x n: forces are \f$ J_f^T \lambda \f$; 0 x 0: J_f equals J
+  std::vector<ContactKey> keys;  ///< m keys, all different
 };
 
-/// A step without contact, and what contact needs to know of geometry and flow.
+/// A step without contact, with the functions of geometry and flow that resolve_contact() requires.
 struct ContactStep {
   Eigen::VectorXd free_velocity;  ///< U*, n velocities
   double dt = 0.0;                ///< length of the step, > 0
-  double separation = 0.0;        ///< least distance between bodies, from which gaps count
-  double tolerance = 0.0;         ///< of gaps, a length > 0
-  std::function<ContactRows(const Eigen::VectorXd&)> rows;  ///< U -> rows
-  /// Forces, n x m, -> the velocities that they add, B times them. B must be the same in all calls
-  /// of a step until it is refined, and symmetric; where discretisation leaves it not quite so,
-  /// (B + B^T)/2.
+  double separation = 0.0;        ///< least distance between bodies, at which gaps are 0; a length
+  double tolerance = 0.0;         ///< violation of a gap that is accepted, a length > 0
+  std::function<ContactRows(const Eigen::VectorXd&)> rows;  ///< maps U to its rows
+  /// Maps forces F, n x m, to the velocities B F that they add. B must be symmetric, and must be
+  /// the same in all calls of a step until refine() changes it. If discretisation makes B slightly
+  /// unsymmetric, use (B + B^T)/2.
   std::function<Eigen::MatrixXd(const Eigen::SparseMatrix<double>&)> respond;
-  /// Where respond() is cheap and coarse: the multipliers of its latest columns, m numbers ->
-  /// whether it answers them more exactly from now on. Asked when all else is resolved; then the
-  /// latest linear problem is solved once more. Empty: never.
+  /// Improves a respond() that is cheap and inaccurate, for the multipliers of its latest columns,
+  /// m numbers. Returns whether respond() is more accurate from now on. The loop calls refine()
+  /// when contact is resolved, and solves the latest linear problem once more if the result is
+  /// true. Empty: respond() is never improved.
   std::function<bool(const Eigen::VectorXd&)> refine{};
-  /// Velocity at which gaps are linearised first where U* violates some, such as that of the step
-  /// before; empty: U*.
+  /// Velocity at which gaps are linearised first if U* violates some of them, for example the
+  /// velocity of the step before; empty: U*.
   Eigen::VectorXd guess{};
-  /// Names the bodies of a row in reasons; empty: contacts and points are shown by their numbers.
+  /// Returns the name of a row for ContactResult::reason; empty: the numbers of contact and point.
   std::function<std::string(const ContactKey&)> name{};
 };
 
-/// When the loop gives up, and with what it solves.
+/// Limits of the loop, and the solver of its linear problems.
 struct ContactLoopOptions {
-  int max_iterations = 8;    ///< linear problems
-  int open_gap_after = 6;    ///< iterations after which a force across an open gap is given up
-  double open_gap = 0.1;     ///< in units of the separation: a gap that is open
-  double divergence = 10.0;  ///< in units of the separation, or of the violation at U* if that is
-                             ///< larger: a violation after which the loop gives up
-  int cuts_after = 4;        ///< iterations after which rows violated earlier come back, if some
-                             ///< still are
-  LcpSolver solver = lemke;  ///< of the linear problems; where it fails, fischer_newton()
+  int max_iterations = 8;    ///< largest number of linear problems
+  int open_gap_after = 6;    ///< iterations after which the loop ends although a gap with a force
+                             ///< is wider than the tolerance: resolved up to open_gap, else failed
+  double open_gap = 0.1;     ///< widest gap with a force that is then accepted, relative to the
+                             ///< separation
+  double divergence = 10.0;  ///< the loop gives up when the violation exceeds this factor times the
+                             ///< separation, or times the violation at U* if that is larger
+  int cuts_after = 4;        ///< iterations after which rows that were violated earlier come back
+                             ///< if some rows are still violated
+  LcpSolver solver = lemke;  ///< for the linear problems; if it fails, fischer_newton() is used
 };
 
 /// How the loop ended.
 enum class ContactStatus {
   resolved,           ///< no gap is violated, and no force acts across an open gap
-  not_converged,      ///< gaps were violated to the last iteration
+  not_converged,      ///< gaps were still violated in the last iteration
   open_gap,           ///< a force acts across an open gap
-  response_not_seen,  ///< a gap does not open under its own force: not resolved by the quadrature
+  response_not_seen,  ///< a gap does not open under its own force: N_ii <= 0 or not a number, for
+                      ///< example because the quadrature does not resolve the gap
   no_linear_solution  ///< neither solver solved the linear problem
 };
 
-/// Velocity with contact, and what it took.
+/// Velocity with contact, contact forces, and counts of the work.
 struct ContactResult {
   ContactStatus status = ContactStatus::not_converged;  ///< how the loop ended
-  std::string reason{};            ///< unless resolved: why it gave up, with contacts and numbers
-  Eigen::VectorXd velocity;        ///< U, n velocities; where not resolved, of the last iterate
-  Eigen::VectorXd multipliers{};   ///< lambda >= 0 of the rows, forces; 0 where they were not found
-  std::vector<ContactKey> keys{};  ///< of the rows
-  GapGradient force_gradient{};    ///< J_f of the rows
-  Eigen::VectorXd response{};      ///< N_ii of the rows, length / force
-  Eigen::VectorXd gaps{};   ///< at U: least gap of each row's contact; infinite where it is gone
+  std::string reason{};            ///< why the loop failed, with contacts and numbers; else empty
+  Eigen::VectorXd velocity;        ///< U, n velocities; the last iterate if not resolved
+  Eigen::VectorXd multipliers{};   ///< lambda >= 0 of the rows, forces; 0 if not found
+  std::vector<ContactKey> keys{};  ///< of the rows of the latest linear problem
+  GapGradient force_gradient{};    ///< J_f of these rows
+  Eigen::VectorXd response{};      ///< N_ii of these rows, length / force
+  Eigen::VectorXd gaps{};  ///< least gap of each row's contact at U; infinite if it has no row at U
   Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
   double power = 0.0;       ///< of these forces
-  /// Length: the largest violation, or \f$ \min(g_i, N_{ii}\lambda_i) \f$ where that is larger: the
-  /// gap across which a force acts, or what the force opens if that is less.
+  /// Largest violation or largest \f$ \min(g_i, N_{ii}\lambda_i) \f$, whichever is larger, a
+  /// length. The minimum is the gap across which a force acts, or the distance by which the force
+  /// opens it.
   double kkt_residual = 0.0;
-  int iterations = 0;  ///< linear problems
-  int columns = 0;     ///< columns of response asked for
-  int rays = 0;        ///< linear problems that had no solution as they were
+  int iterations = 0;  ///< number of iterations, each with a linear problem
+  int columns = 0;     ///< number of forces to which respond() was applied
+  int rays = 0;        ///< linear problems without a solution, in which max(c, 0) replaced c
   std::vector<double>
       violations{};  ///< largest violation at U*, and after each iteration, lengths >= 0
 };
 
 /// Finds the velocity U with
-/// \f$ U = U^* + B J_f^T \lambda, \quad 0 \le g(U) \perp \lambda \ge 0 \f$.
+/// \f$ U = U^* + B J_f^T \lambda, \quad 0 \le g(U) \perp \lambda \ge 0 \f$ (11.9).
 ///
-/// At each iterate U_k the gaps are replaced by \f$ g_k + \Delta t\, J (U - U_k) \f$, which leaves
-/// the linear problem \f$ 0 \le b + N \lambda \perp \lambda \ge 0 \f$ with
-/// \f$ N = \Delta t\, J B J_f^T,\ b = c + \Delta t\, J U^*,\ c = g_k - \Delta t\, J U_k \f$. Its
-/// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes
-/// where it is no longer needed.
+/// At each iterate U_k the gaps are replaced by \f$ g_k + \Delta t\, J (U - U_k) \f$, which leads
+/// to the linear problem \f$ 0 \le b + N \lambda \perp \lambda \ge 0 \f$ (11.10) with
+/// \f$ N = \Delta t\, J B J_f^T,\ b = c + \Delta t\, J U^*,\ c = g_k - \Delta t\, J U_k \f$. The
+/// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes if
+/// it is no longer needed.
 ///
-/// c is the gap that the linearisation gives U = 0. Where c >= 0, as it is for a gap along a
-/// straight path, U = 0 violates nothing, so that with J_f = J there is a solution,
+/// c is the linearised gap at U = 0. For a gap along a straight path c >= 0, so that U = 0 violates
+/// no linearised gap. If c >= 0 and J_f = J, there is a solution with
 /// \f$ |U|_{B^{-1}} \le |U^*|_{B^{-1}} \f$, and the power of contact is
-/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$. Where the linear problem ends in a ray, max(c, 0)
-/// takes the place of c. Gaps themselves are never clipped: the result is accepted only when all of
-/// rows(U) are at least -tolerance.
+/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$ (11.11). If the linear problem ends in a ray,
+/// \f$ \max(c, 0) \f$ replaces c. The gaps themselves are never clipped: the result is accepted
+/// only when all gaps of rows(U) are at least -tolerance.
 ///
-/// Where rows are still violated after some iterations, those that were violated earlier and whose
-/// points are no longer among rows(U_k) come back with their last linearisation. Without them,
-/// points that take turns at being the deepest never agree.
+/// If rows are still violated after ContactLoopOptions::cuts_after iterations, rows that were
+/// violated earlier and whose points are no longer among rows(U_k) come back with their last
+/// linearisation. Without these rows, points that take turns at being the deepest never settle.
 ///
-/// Force and gap belong together by ContactKey::contact: a force counts (its effect on its own gap,
-/// \f$ N_{ii} \lambda_i \f$, is more than the tolerance) as across an open gap when no row of its
-/// contact at U has a gap below the bound, or none is left.
+/// A force acts if its effect on its own gap, \f$ N_{ii} \lambda_i \f$, exceeds the tolerance. The
+/// force is compared with the least gap of all rows at U that have the same ContactKey::contact.
+/// The force acts across an open gap if this least gap exceeds the bound, or if the contact has no
+/// row at U.
 /// @param  step     to resolve
 /// @param  options  limits and solver
 /// @return          a result for every step: resolved, or the reason why it is not
 /// @throws std::invalid_argument when sizes do not agree, or dt or the tolerance is not positive
 /// @throws std::domain_error when a number is not finite
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
-///                  by something in proportion to the depth of the free motion, @ref claim_11_14,
-///                  and squares it where J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows, and one more with a guess;
-///                  max_iterations of respond; one more of both each time that the response is
-///                  refined
+///                  by a factor in proportion to the depth of the free motion, @ref claim_11_14,
+///                  and squares the error if J_f does not depend on U, @ref claim_11_15
+/// @par Cost        at most max_iterations + 1 calls of rows(), and one more with a guess;
+///                  max_iterations calls of respond(); one more call of both for each refinement
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

@@ -1,3 +1,5 @@
+// Iterates a Newton method for a linear complementarity problem, with steps halved by Armijo's rule
+// (section "Newton" of chapter 11).
 #include "lcp/damped_newton.hpp"
 
 #include "lcp/scaled_problem.hpp"
@@ -9,8 +11,8 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr int default_steps = 100;
-constexpr double armijo = 1e-4;
-constexpr double shortest = 1e-12;  // factor of a step
+constexpr double armijo = 1e-4;  // least decrease of the merit, relative to the slope's prediction
+constexpr double shortest = 1e-12;  // least factor of a step
 
 }  // namespace
 
@@ -27,6 +29,7 @@ LcpResult damped_newton(const NewtonMethod& method, const LcpProblem& problem,
     const std::optional<DescentStep> step = method.step(scaled.problem, z, w);
     if (!step) break;
     const double now = method.merit(z, w);
+    // Armijo's rule: halve the step until merit(z + factor d) <= merit(z) + armijo factor slope.
     double factor = 1.0;
     VectorXd next_z, next_w;
     for (; factor > shortest; factor *= 0.5) {

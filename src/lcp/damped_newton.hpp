@@ -16,22 +16,24 @@ struct DescentStep {
   double slope;               ///< of the merit function along it, < 0
 };
 
-/// A Newton's method for a problem without units, as its merit function and its steps say.
+/// A Newton method for a problem without units, given by its merit function and its steps.
 struct NewtonMethod {
-  /// Merit of a point z with w = q + M z: 0 at a solution.
+  /// Returns the merit of a point z with w = q + M z: 0 at a solution, else positive.
   std::function<double(const Eigen::VectorXd& z, const Eigen::VectorXd& w)> merit;
-  /// Step from a point of this merit; none where there is none.
+  /// Returns the Newton step from a point z with w = q + M z, or nothing if no step exists there.
   std::function<std::optional<DescentStep>(const LcpProblem& problem, const Eigen::VectorXd& z,
                                            const Eigen::VectorXd& w)>
       step;
 };
 
-/// Iterates with steps halved until the merit function descends by a part of what its slope
-/// promises (Armijo); 100 steps unless the options say otherwise.
+/// Iterates a Newton method from a guess.
 ///
-/// @param  method   merit and steps
-/// @param  problem  any
-/// @param  options  when to stop, and where to begin
+/// Each step is halved until the merit function falls by at least \f$ 10^{-4} \f$ of the decrease
+/// that its slope predicts (Armijo's rule). Iterations end unsolved when the method has no step, or
+/// when the factor of a step falls below \f$ 10^{-12} \f$.
+/// @param  method   merit function and steps
+/// @param  problem  with m rows
+/// @param  options  when to stop, and where to begin; default limit: 100 steps
 /// @return          result; its iterations are steps
 /// @throws std::invalid_argument when M is not square, or lengths differ
 /// @throws std::domain_error when M or q is not finite

@@ -1,3 +1,5 @@
+// Solves a linear complementarity problem by Newton's method for Fischer's function (11.7), with
+// the Jacobian (11.8).
 #include "lcp/fischer_newton.hpp"
 
 #include <Eigen/LU>
@@ -12,13 +14,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double slope_shift = 1e-6;  // beside M_ii = 1
+constexpr double slope_shift = 1e-6;  // largest shift of the Jacobian's diagonal, where M_ii = 1
 
+// Evaluates Fischer's function phi_i = sqrt(z_i^2 + w_i^2) - z_i - w_i (11.7).
 VectorXd fischer(const VectorXd& z, const VectorXd& w) {
   return (z.array().square() + w.array().square()).sqrt() - z.array() - w.array();
 }
 
 //! [jacobian]
+// Returns D_a + D_b M (11.8). At z_i = w_i = 0 it is the limit along z = (1, ..., 1).
 MatrixXd jacobian(const MatrixXd& matrix, const VectorXd& z, const VectorXd& w) {
   const Index m = z.size();
   VectorXd by_z(m), by_w(m);
@@ -38,10 +42,12 @@ MatrixXd jacobian(const MatrixXd& matrix, const VectorXd& z, const VectorXd& w) 
 }
 //! [jacobian]
 
+// Returns |phi|^2 / 2.
 double fischer_merit(const VectorXd& z, const VectorXd& w) {
   return 0.5 * fischer(z, w).squaredNorm();
 }
 
+// Solves (Jacobian - epsilon) d = -phi with a small shift epsilon of the diagonal.
 std::optional<DescentStep> fischer_step(const LcpProblem& problem, const VectorXd& z,
                                         const VectorXd& w) {
   const VectorXd phi = fischer(z, w);
@@ -49,7 +55,8 @@ std::optional<DescentStep> fischer_step(const LcpProblem& problem, const VectorX
   const VectorXd gradient = slope.transpose() * phi;
   slope.diagonal().array() -= std::min(slope_shift, phi.norm());
   VectorXd direction = -slope.partialPivLu().solve(phi);
-  // Newton's slope is -2 merit; a singular Jacobian's is anything.
+  // A Newton step has the slope -|phi|^2 = -2 merit. If the Jacobian is nearly singular, the slope
+  // of the computed direction may have any value; the negative gradient always descends.
   const bool descends =
       direction.allFinite() && gradient.dot(direction) < -0.05 * phi.squaredNorm();
   if (!descends) direction = -gradient;

@@ -1,3 +1,5 @@
+// Solves a linear complementarity problem by Lemke's complementary pivoting along (11.4), with the
+// lexicographic rule for ties, and finds rays (11.5) (section "Pivots" of chapter 11).
 #include "lcp/lemke.hpp"
 
 #include <algorithm>
@@ -18,13 +20,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int side_changes = 40;
-constexpr double rounding = 1e-15;        // beside offsets of size one
+constexpr int side_changes = 40;          // at most so many indices change sides after pivoting
+constexpr double rounding = 1e-15;        // of z and w, in units in which max |q_i| = 1
 constexpr double smallest_pivot = 1e-11;  // relative to the largest entry of its column
-constexpr double tie = 1e-13;             // relative to the largest entry of what is compared
+constexpr double tie = 1e-13;             // relative to the largest of the compared numbers
 
-// w - M z - e t = q, solved for the basic variables: basic + rows nonbasic = values. Variables are
-// numbered w_0 .. w_{m-1}, z_0 .. z_{m-1}, t.
+// The linear system w - M z - e t = q (11.4), solved for the basic variables:
+// basic + rows nonbasic = values. Variables are numbered w_0 .. w_{m-1}, z_0 .. z_{m-1}, t; the
+// artificial variable is t.
 class Tableau {
  public:
   explicit Tableau(const LcpProblem& problem)
@@ -46,11 +49,12 @@ class Tableau {
   Index column_of(Index variable) const {
     return std::find(nonbasic_.begin(), nonbasic_.end(), variable) - nonbasic_.begin();
   }
-  // How fast the basic variables fall while a nonbasic one grows.
+  // Returns by how much each basic variable falls when a nonbasic variable grows by one.
   VectorXd fall(Index variable) const { return rows_.col(column_of(variable)); }
 
-  // Of the rows, that whose (value, row of the inverse basis) is lexicographically least when
-  // divided by `divisor`; the artificial variable's where its value ties.
+  // Performs the ratio test with the lexicographic rule: returns the row for which
+  // (value, row of the inverse basis) / divisor is lexicographically least. If the artificial
+  // variable's value / divisor ties with the least one, its row is returned.
   Index least(std::vector<Index> rows, const VectorXd& divisor) const {
     keep_least(rows, divisor, values_);
     for (const Index row : rows) {
@@ -78,12 +82,14 @@ class Tableau {
   }
 
  private:
+  // Returns a column of the inverse basis: the column of w_j in the tableau.
   VectorXd inverse_column(Index j) const {
     const auto row = std::find(basic_.begin(), basic_.end(), j);
     if (row == basic_.end()) return rows_.col(column_of(j));
     return VectorXd::Unit(m_, row - basic_.begin());
   }
 
+  // Keeps those rows whose v / divisor is least, up to ties.
   static void keep_least(std::vector<Index>& rows, const VectorXd& divisor, const VectorXd& v) {
     double least = std::numeric_limits<double>::infinity(), size = 0.0;
     for (const Index row : rows) {
@@ -105,7 +111,7 @@ std::vector<Index> all_rows(Index m) {
   return rows;
 }
 
-// Rows whose basic variables fall, by more than rounding.
+// Returns the rows whose basic variables fall by more than rounding.
 std::vector<Index> falling_rows(const VectorXd& fall) {
   const double least = smallest_pivot * fall.cwiseAbs().maxCoeff();
   std::vector<Index> rows;
@@ -115,7 +121,7 @@ std::vector<Index> falling_rows(const VectorXd& fall) {
   return rows;
 }
 
-// The z among the basic variables, given a number for each row.
+// Returns z from a number for each row: nonbasic z are zero.
 VectorXd basic_z(const Tableau& tableau, const VectorXd& numbers) {
   const Index m = numbers.size();
   VectorXd z = VectorXd::Zero(m);
@@ -126,6 +132,7 @@ VectorXd basic_z(const Tableau& tableau, const VectorXd& numbers) {
   return z;
 }
 
+// Returns the set A of indices whose z is basic.
 std::vector<Index> active_set(const Tableau& tableau, Index m) {
   std::vector<Index> active;
   for (Index i = 0; i < m; ++i) {
@@ -134,7 +141,7 @@ std::vector<Index> active_set(const Tableau& tableau, Index m) {
   return active;
 }
 
-// Solves M_AA z_A = -q_A, once more for what rounding left.
+// Solves M_AA z_A = -q_A, and solves once more for the residual that rounding left.
 VectorXd solve_active(const LcpProblem& problem, const std::vector<Index>& active) {
   const Eigen::PartialPivLU<MatrixXd> lu(problem.matrix(active, active));
   VectorXd z = VectorXd::Zero(problem.offset.size());
@@ -145,7 +152,8 @@ VectorXd solve_active(const LcpProblem& problem, const std::vector<Index>& activ
   return z;
 }
 
-// Of the z of the active set and the w of the others, the most negative; -1 where none is.
+// Returns the index of the most negative number among z_i for i in the active set and w_i for all
+// other i; -1 if none is negative beyond rounding.
 Index worst_index(const std::vector<Index>& active, const VectorXd& z, const VectorXd& w) {
   VectorXd numbers = w;
   numbers(active) = z(active);
@@ -153,8 +161,9 @@ Index worst_index(const std::vector<Index>& active, const VectorXd& z, const Vec
   return numbers.minCoeff(&worst) < -rounding ? worst : -1;
 }
 
-// The solution that pivoting found, without its rounding. Where M_AA is badly conditioned, indices
-// with z = w = 0 may have been taken for the wrong side: they change it, the worst one first.
+// Solves afresh for the active set that pivoting found, so that the rounding errors of pivots drop
+// out. If M_AA is badly conditioned, pivoting may have put an index with z = w = 0 on the wrong
+// side of the active set: such indices change sides, the worst index first.
 LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
   LcpResult best = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
   std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());
@@ -170,7 +179,7 @@ LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double toler
   return best;
 }
 
-// Pivots until the artificial variable leaves the basis, or a ray is met.
+// Follows (11.4) from large t: pivots until t leaves the basis or the path ends in a ray (11.5).
 LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
   const Index m = scaled.problem.offset.size();
   const int most = options.max_iterations.value_or(50000 + 20 * static_cast<int>(m));
@@ -192,6 +201,7 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     const VectorXd fall = tableau.fall(entering);
     const std::vector<Index> rows = falling_rows(fall);
     if (rows.empty()) {
+      // No basic variable falls: along the ray the entering z grows by one, the basic z by -fall.
       result = judge(scaled, basic_z(tableau, tableau.values()), options.tolerance);
       result.iterations = pivots;
       result.status = LcpStatus::ray;

@@ -1,3 +1,5 @@
+// Solves a linear complementarity problem by Newton's method for the minimum map min(z_i, w_i) = 0
+// (11.7).
 #include "lcp/minimum_map_newton.hpp"
 
 #include <vector>
@@ -14,8 +16,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double block_shift = 1e-12;  // of a singular block
-constexpr double singular = 1e-14;     // reciprocal condition
+constexpr double block_shift = 1e-12;  // added to the diagonal of a singular block, where M_ii = 1
+constexpr double singular = 1e-14;     // reciprocal condition number of a singular block
 
 VectorXd solve_block(MatrixXd block, const VectorXd& rhs) {
   const Eigen::PartialPivLU<MatrixXd> lu(block);
@@ -24,11 +26,13 @@ VectorXd solve_block(MatrixXd block, const VectorXd& rhs) {
   return block.partialPivLu().solve(rhs);
 }
 
+// Returns |min(z, w)|^2 / 2.
 double minimum_map_merit(const VectorXd& z, const VectorXd& w) {
   return 0.5 * z.cwiseMin(w).squaredNorm();
 }
 
-// Where z + step has w_A = 0, and all other z = 0.
+// Returns the step to the point with w_A = 0 and all other z = 0: M_AA z_A = -q_A, where A is the
+// set of indices with w_i < z_i.
 std::optional<DescentStep> minimum_map_step(const LcpProblem& problem, const VectorXd& z,
                                             const VectorXd& w) {
   std::vector<Index> active;

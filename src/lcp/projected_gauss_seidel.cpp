@@ -1,3 +1,5 @@
+// Solves a linear complementarity problem by projected Gauss-Seidel sweeps (section "Sweeps and
+// gradients" of chapter 11).
 #include "lcp/projected_gauss_seidel.hpp"
 
 #include <algorithm>
@@ -31,16 +33,17 @@ LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& op
   const ScaledLcp scaled = scale_problem(problem);
   require_positive_diagonal(problem);
   const auto& [matrix, offset] = scaled.problem;
-  // Rows are read: a transpose by columns keeps them together.
+  // The sweeps read rows of M; in the column-major transpose each row is contiguous.
   const Eigen::MatrixXd transposed = matrix.transpose();
   VectorXd z = scaled_guess(scaled.units, options.guess);
   int sweeps = 0;
   double residual = natural_residual(z, offset + matrix * z);
   while (residual > options.tolerance && residual < diverging_residual &&
          sweeps < options.max_iterations.value_or(default_sweeps)) {
+    // z_i <- max(0, z_i - w_i / M_ii)
     for (Index i = 0; i < z.size(); ++i) {
       const double w = offset[i] + transposed.col(i).dot(z);
-      z[i] = std::max(0.0, z[i] - w);  // M_ii = 1
+      z[i] = std::max(0.0, z[i] - w);  // the scaled M_ii is 1
     }
     residual = natural_residual(z, offset + matrix * z);
     ++sweeps;

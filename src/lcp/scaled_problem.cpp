@@ -1,3 +1,5 @@
+// Removes the units from a linear complementarity problem, and measures residuals of the problem
+// without units (section "Results: what a solution costs" of chapter 11).
 #include "lcp/scaled_problem.hpp"
 
 #include <limits>
@@ -11,7 +13,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// What counts as zero beside offsets of size one, where rounding has touched z and w.
+// Scaled z and w below this number are taken for zero: rounding has changed them, and the scaled q
+// has entries up to 1.
 constexpr double zero = 1e-9;
 
 }  // namespace
@@ -31,11 +34,13 @@ void require_valid(const LcpProblem& problem) {
 
 LcpUnits lcp_units(const VectorXd& diagonal, double largest, const VectorXd& offset) {
   LcpUnits units;
+  // s_i = M_ii^(-1/2)
   units.scale = diagonal.unaryExpr([&](double entry) {
     const double used = entry > 0.0 ? entry : largest;
     return used > 0.0 ? 1.0 / std::sqrt(used) : 1.0;
   });
   if (offset.size() > 0) {
+    // a = max_i |s_i q_i|
     const double size = units.scale.cwiseProduct(offset).cwiseAbs().maxCoeff();
     if (size > 0.0) units.size = size;
   }
@@ -48,6 +53,7 @@ ScaledLcp scale_problem(const LcpProblem& problem) {
   const double largest = matrix.size() > 0 ? matrix.cwiseAbs().maxCoeff() : 0.0;
   ScaledLcp scaled{{}, lcp_units(matrix.diagonal(), largest, offset)};
   const auto& scale = scaled.units.scale;
+  // M'_ij = s_i M_ij s_j and q'_i = s_i q_i / a
   scaled.problem.matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
   scaled.problem.offset = scale.cwiseProduct(offset) / scaled.units.size;
   return scaled;
@@ -64,7 +70,7 @@ VectorXd scaled_guess(const LcpUnits& units, const VectorXd& guess) {
 }
 
 double natural_residual(const VectorXd& z, const VectorXd& w) {
-  // A maximum may lose a NaN.
+  // Eigen's maxCoeff() may skip a NaN, so test for finite numbers first.
   if (!z.allFinite() || !w.allFinite()) return std::numeric_limits<double>::infinity();
   return z.size() == 0 ? 0.0 : z.cwiseMin(w).cwiseAbs().maxCoeff();
 }

@@ -1,3 +1,5 @@
+// Evaluates Cauchy integrals on the fluid's side of a curve by the compensated barycentric formula
+// (06.14), and distinguishes the sides of the curve by the formula's divisor (06.15).
 #include "near_singular/barycentric.hpp"
 
 #include <algorithm>
@@ -10,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-// Sums of one target over the nodes, unnormalised.
+// Sums over the nodes for one target, before the division by Delta (06.14).
 struct Sums {
   Complex delta, first, second;
 
@@ -24,7 +26,8 @@ struct Nodes {
   double own;
 };
 
-// Two targets share a division, which is what limits the loop.
+// Computes the sums for two targets at once. Both targets share one division per node, because the
+// divisions limit the speed of the loop.
 void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex target_0,
             Complex target_1, Sums& sums_0, Sums& sums_1) {
   const double x0 = target_0.real(), y0 = target_0.imag();
@@ -42,7 +45,7 @@ void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex t
     const double rx1 = x1 - x[j], ry1 = y1 - y[j];
     const double rho2_0 = rx0 * rx0 + ry0 * ry0, rho2_1 = rx1 * rx1 + ry1 * ry1;
     const double inverse = -1.0 / (rho2_0 * rho2_1);
-    // W = c / (t - z) = -c conj(r) / rho^2
+    // W = c / (t - z) = -c conj(r) / rho^2 with r = z - t; i0 = -1 / rho2_0, i1 = -1 / rho2_1
     const double i0 = inverse * rho2_1, i1 = inverse * rho2_0;
     const double wx0 = (cx[j] * rx0 + cy[j] * ry0) * i0, wy0 = (cy[j] * rx0 - cx[j] * ry0) * i0;
     const double wx1 = (cx[j] * rx1 + cy[j] * ry1) * i1, wy1 = (cy[j] * rx1 - cx[j] * ry1) * i1;
@@ -54,6 +57,7 @@ void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex t
     ay0 += wx0 * fy[j] + wy0 * fx[j];
     ax1 += wx1 * fx[j] - wy1 * fy[j];
     ay1 += wx1 * fy[j] + wy1 * fx[j];
+    // g + (conj(z) - conj(t)) h
     const double sx0 = gx[j] + rx0 * hx[j] + ry0 * hy[j], sy0 = gy[j] + rx0 * hy[j] - ry0 * hx[j];
     const double sx1 = gx[j] + rx1 * hx[j] + ry1 * hy[j], sy1 = gy[j] + rx1 * hy[j] - ry1 * hx[j];
     bx0 += wx0 * sx0 - wy0 * sy0;
@@ -74,6 +78,7 @@ BarycentricFunctions::BarycentricFunctions(const Eigen::Ref<const ComplexVector>
 
 Barycentric::Barycentric(const Curve& curve)
     : x_(curve.x.real()), y_(curve.x.imag()), own_(curve.side == Side::fluid_outside ? 1.0 : 0.0) {
+  // c_j = s t'_j h / (2 pi i) with h = 2 pi / N
   const ComplexVector c =
       curve.dx * (curve.sign() / (imaginary * static_cast<double>(curve.size())));
   cx_ = c.real();
@@ -97,7 +102,7 @@ std::vector<BarycentricValues> Barycentric::operator()(const BarycentricFunction
     if (sums.finite()) {
       value = sums.values();
     } else {
-      // The target is a node, or within the underflow of rho^2 of it.
+      // The target is a node, or so close to one that rho^2 underflows.
       const Index k = node_at(targets[i]);
       value = {{functions.fx[k], functions.fy[k]}, {functions.gx[k], functions.gy[k]}};
     }
@@ -107,7 +112,8 @@ std::vector<BarycentricValues> Barycentric::operator()(const BarycentricFunction
     Sums sums, sums_of_partner;
     add_up(nodes, functions, targets[i], targets[partner], sums, sums_of_partner);
     if (!sums.finite() || !sums_of_partner.finite()) {
-      // A node spoils the division that it shares: once more, each alone.
+      // One of the targets is a node, which makes the shared quotient infinite for both targets:
+      // repeat the sums with each target alone.
       add_up(nodes, functions, targets[i], targets[i], sums, sums);
       add_up(nodes, functions, targets[partner], targets[partner], sums_of_partner,
              sums_of_partner);
@@ -119,6 +125,7 @@ std::vector<BarycentricValues> Barycentric::operator()(const BarycentricFunction
 }
 
 Eigen::MatrixXcd Barycentric::weights(const ComplexVector& targets) const {
+  // w_j = W_j / Delta with Delta = sum_j W_j + [s = -1] (06.14); on a node w = 1 there, else 0.
   Eigen::MatrixXcd result(targets.size(), size());
   for (Index i = 0; i < targets.size(); ++i) {
     Complex delta = own_;
@@ -137,6 +144,7 @@ Eigen::MatrixXcd Barycentric::weights(const ComplexVector& targets) const {
 }
 
 double Barycentric::side(Complex point) const {
+  // Re Delta = [s = -1] + sum_j Re W_j
   double re = own_;
   for (Index j = 0; j < size(); ++j) {
     const double rx = point.real() - x_[j], ry = point.imag() - y_[j];

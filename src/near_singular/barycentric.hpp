@@ -9,50 +9,53 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// Node values of three functions, real and imaginary parts apart.
+/// Node values of three complex functions, with real and imaginary parts in separate vectors.
 struct BarycentricFunctions {
-  /// Takes three functions apart.
+  /// Separates three functions into real and imaginary parts.
   ///
-  /// @param  f  N values
-  /// @param  g  N values
-  /// @param  h  N values, unit of g / length
+  /// @param  f  N node values
+  /// @param  g  N node values
+  /// @param  h  N node values, unit of g / length
   BarycentricFunctions(const Eigen::Ref<const ComplexVector>& f,
                        const Eigen::Ref<const ComplexVector>& g,
                        const Eigen::Ref<const ComplexVector>& h);
 
-  Eigen::VectorXd fx,  ///< f
-      fy,              ///< f
-      gx,              ///< g
-      gy,              ///< g
-      hx,              ///< h
-      hy;              ///< h
+  Eigen::VectorXd fx,  ///< real part of f
+      fy,              ///< imaginary part of f
+      gx,              ///< real part of g
+      gy,              ///< imaginary part of g
+      hx,              ///< real part of h
+      hy;              ///< imaginary part of h
 };
 
-/// What a barycentric evaluation finds at a target.
+/// The two sums that a barycentric evaluation computes at a target z.
 struct BarycentricValues {
   Complex first,  ///< \f$ \sum_j w_j f_j \f$
       second;     ///< \f$ \sum_j w_j [g_j + (\bar z - \bar t_j) h_j] \f$
 };
 
-/// Compensated barycentric evaluation of Cauchy integrals on the fluid's side of a curve:
+/// Evaluates Cauchy integrals on the fluid's side of a curve by the compensated barycentric formula
+/// (06.14):
 /// \f[ w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
-/// At a node the weights are those of the node alone, so that the values there are the limits.
+/// The last term is 1 for a body and 0 for the enclosing wall. If the target is a node, then this
+/// node has the weight 1 and all others have the weight 0, so that the values are the limits from
+/// the fluid.
 /// @par Accuracy  rounding at any distance, once the functions are resolved: @ref claim_06_1,
-/// @ref claim_06_12; the side: @ref claim_06_28
+/// @ref claim_06_12; side(): @ref claim_06_28
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class Barycentric {
  public:
-  /// Takes the nodes and weights of a curve.
+  /// Stores the nodes of a curve and the factors of its Cauchy integrals.
   /// @param  curve  N nodes
   explicit Barycentric(const Curve& curve);
 
-  /// Evaluates at targets on the fluid's side or on nodes.
+  /// Evaluates both sums at targets on the fluid's side of the curve or on its nodes.
   ///
-  /// @param  functions  at the N nodes
+  /// @param  functions  f, g and h at the N nodes
   /// @param  targets    m points, length
   /// @return            values at the m targets, units of f and g
-  /// @par Cost          35 N operations and N / 2 divisions a target
+  /// @par Cost          35 N operations and N / 2 divisions per target
   std::vector<BarycentricValues> operator()(const BarycentricFunctions& functions,
                                             const ComplexVector& targets) const;
 
@@ -60,11 +63,12 @@ class Barycentric {
   ///
   /// @param  targets  m points on the fluid's side or on nodes, length
   /// @return          w, m x N
-  /// @par Cost        10 N operations a target
+  /// @par Cost        10 N operations per target
   Eigen::MatrixXcd weights(const ComplexVector& targets) const;
 
-  /// Evaluates \f$ \mathrm{Re}\,\Delta \f$: 1 in the fluid, 0 on the other side, once the curve is
-  /// resolved; infinite on a node.
+  /// Evaluates \f$ \mathrm{Re}\,\Delta \f$. If the curve is resolved, this number is greater than
+  /// 1/2 in the fluid, tending to 1 away from the curve, and less than 1/2 on the other side,
+  /// tending to 0 (06.15). On a node the number is infinite.
   ///
   /// @param  point  length
   /// @return        dimensionless
@@ -77,7 +81,7 @@ class Barycentric {
 
   Eigen::VectorXd x_, y_;    // nodes t_j
   Eigen::VectorXd cx_, cy_;  // s t'_j h / (2 pi i)
-  double own_;               // [s = -1]
+  double own_;               // [s = -1]: 1 for a body, 0 for the enclosing wall
 };
 
 /// @}

@@ -1,3 +1,5 @@
+// Evaluates the velocity of a double layer and its derivatives at any distance from the curve, by
+// Cauchy integrals of Goursat's functions in barycentric form: (06.11), (06.13) and (06.16).
 #include "near_singular/cauchy.hpp"
 
 #include <algorithm>
@@ -15,9 +17,9 @@ using Eigen::MatrixXd;
 namespace {
 
 // [cauchy_matrix]
-// Boundary values from the fluid of the Cauchy integral, C+[f] = V f with
-// (V f)_j = [s=+1] f_j + sum_{k/=j} (f_k - f_j) c_k / (t_k - t_j) + f'_j s h / (2 pi i), c_k = s
-// t'_k h / (2 pi i).
+// Assembles the matrix V of the limit of a Cauchy integral from the fluid, C+[f] = V f (06.11):
+// (V f)_j = [s=+1] f_j + sum_{k/=j} (f_k - f_j) c_k / (t_k - t_j) + f'_j s h / (2 pi i)
+// with c_k = s t'_k h / (2 pi i), where a prime is the derivative in the parameter.
 MatrixXcd cauchy_matrix(const Curve& curve) {
   const Index n = curve.size();
   const Complex derivative_weight = curve.sign() / (imaginary * static_cast<double>(n));
@@ -37,7 +39,8 @@ MatrixXcd cauchy_matrix(const Curve& curve) {
 }
 // [cauchy_matrix]
 
-// Drops the modes that hold nothing but rounding, which differentiation would amplify N times.
+// Sets modes that contain only rounding errors to zero, because differentiation would multiply
+// these errors by up to N / 2.
 ComplexVector without_rounding(const ComplexVector& f) {
   ComplexVector modes = fourier_coefficients(f);
   const double least = 1e-14 * modes.cwiseAbs().maxCoeff();
@@ -47,7 +50,8 @@ ComplexVector without_rounding(const ComplexVector& f) {
   return fourier_values(modes);
 }
 
-// Differentiates node values along the curve, d/dt, column by column.
+// Differentiates each column with respect to the point t of the curve: the derivative of the node
+// values with respect to the parameter, divided by that of t.
 MatrixXcd along(const Curve& curve, const MatrixXcd& f) {
   MatrixXcd result(f.rows(), f.cols());
   for (Index column = 0; column < f.cols(); ++column) {
@@ -58,6 +62,7 @@ MatrixXcd along(const Curve& curve, const MatrixXcd& f) {
 
 }  // namespace
 
+// phi = -C+[eta] / 2 (06.10), and the limit U = -eta / 2 + D eta from the fluid (02.8).
 CauchyCurve::CauchyCurve(const Curve& reference)
     : curve_(reference),
       barycentric_(curve_),
@@ -77,6 +82,7 @@ CauchyData CauchyCurve::data(const MatrixXcd& densities) const {
   return {complex_limit, phi_ * densities, dphi_ * densities};
 }
 
+// u = C[phi] - conj(C[chi + (conj(z) - conj(t)) phi']) (06.13) with chi = conj(phi - U) (06.12).
 ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
                                     const ComplexVector& targets) const {
   const auto phi = data.phi.col(column);
@@ -90,7 +96,8 @@ ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
   return result;
 }
 
-// U(z) = sum conj(w_j) U_j + 2 i Im(w_j) phi_j - conj(w_j) (z - t_j) conj(phi'_j)
+// (06.13), sorted by U, phi and phi':
+// u(z) = sum_j conj(w_j) U_j + 2 i Im(w_j) phi_j - conj(w_j) (z - t_j) conj(phi'_j).
 MatrixXd CauchyCurve::velocity_rows(const ComplexVector& targets) const {
   const MatrixXcd w = barycentric_.weights(targets);
   const Index m = w.rows(), n = w.cols();
@@ -101,6 +108,7 @@ MatrixXd CauchyCurve::velocity_rows(const ComplexVector& targets) const {
          interleaved_map(direct, conjugate);
 }
 
+// phi' and phi'' along the curve, and g = dchi/dt - phi' dconj(t)/dt (06.16).
 CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const {
   const Eigen::ArrayXcd dt = curve_.dx.array();
   const Index rows = data.phi.rows(), columns = data.phi.cols();
@@ -118,6 +126,7 @@ CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const 
   return result;
 }
 
+// Pressure -4 Re C[phi'], vorticity 4 Im C[phi'], and strain 2 du/dconj(z) by (06.16).
 std::vector<FlowDerivatives> CauchyCurve::derivatives(const CauchyDerivativeData& data,
                                                       Index column,
                                                       const ComplexVector& targets) const {

@@ -1,3 +1,5 @@
+// Finds the closest points of two curves: Newton's method for the minima of the height of one curve
+// over the other, started wherever the height turns from falling to rising (chapter 06).
 #include "near_singular/closest_points.hpp"
 
 #include <algorithm>
@@ -25,26 +27,27 @@ double distance_of_parameters(double s, double t) {
   return std::abs(std::remainder(s - t, 2.0 * std::numbers::pi));
 }
 
-// Unit normal out of the fluid.
+// Returns the unit normal that points out of the fluid.
 Complex normal(const SmoothCurve& curve, const Jet& jet) {
   return -imaginary * curve.nodes.sign() * jet.first / std::abs(jet.first);
 }
 
-// Newton's step to a minimum; downhill where there is none near, and no longer than allowed.
+// Returns Newton's step to a minimum, -slope / curvature. The modulus of the curvature turns a step
+// to a maximum into a step downhill; no step is longer than `longest`.
 double minimising_step(double slope, double curvature, double longest) {
   return slope == 0.0 ? 0.0 : std::clamp(-slope / std::abs(curvature), -longest, longest);
 }
 
-// A point of curve a and its foot, the nearest point of curve b.
+// A point of curve a, at the parameter s, and its foot on curve b, at the parameter t.
 struct Footing {
   double s, t;
   Jet a, b;
-  double height;  // of the point over b, positive in b's fluid
+  double height;  // signed distance of the point from b, positive on the side of b's fluid
 
   Complex across() const { return b.value - a.value; }
 };
 
-// Finds the foot that is nearest to a parameter t of b.
+// Finds the foot of the point a(s) on b by Newton's method, which starts at the parameter t.
 Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s, double t) {
   const Jet at_a = a.at(s);
   const auto on_b = [&b](double parameter) { return b.at(parameter); };
@@ -52,20 +55,22 @@ Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s, doubl
   return {s, foot.parameter, at_a, foot.at, dot(foot.at.value - at_a.value, normal(b, foot.at))};
 }
 
-// Finds the foot next to the node of b that is closest.
+// Finds the foot of the point a(s) on b by Newton's method, which starts at the closest node of b.
 Footing find_footing(const SmoothCurve& a, const SmoothCurve& b, double s) {
   const Index closest = nearest_node(b.nodes, a.at(s).value);
   return find_footing(a, b, s, b.parameter(closest));
 }
 
-// Feet on b of points along a, four from each node to the next: those that may be next to the
-// closest point, and none for the others. Curves may have as few nodes as their shape needs, and
-// two minima of the height between two of them.
+// Finds the feet on b of points along a, four points per node of a. Points that cannot be
+// neighbours of the closest point get no foot. One point per node is too few: a curve may have only
+// as many nodes as its shape requires, and two minima of the height may lie between two nodes.
 std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr int points_a_node = 4;
   const Index count = a.nodes.size();
   const double along_a = weights(a.nodes).maxCoeff(), along_b = weights(b.nodes).maxCoeff();
-  // Of the nodes; at first no more than they are.
+  // Lower bounds of the nodes' distances from b: a point of b is at most half a spacing away from a
+  // node of b. A node next to the closest point has a bound of at most `farthest`. For such nodes
+  // the exact height then replaces the bound.
   Eigen::ArrayXd height(count);
   for (Index i = 0; i < count; ++i) {
     height[i] = std::sqrt((b.nodes.x.array() - a.nodes.x[i]).abs2().minCoeff()) - 0.5 * along_b;
@@ -80,7 +85,8 @@ std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const Sm
     height[i] = own.height;
     least = std::min(least, own.height);
   }
-  // From a node to the next the height changes by no more than the way.
+  // Between two nodes the height changes by at most the arclength, so that it is at least
+  // (low + high - along_a) / 2 there. The piece is near if this bound is not above `least`.
   const auto is_near = [&](Index i) {
     const auto [low, high] = std::minmax({height[i], height[(i + 1) % count]});
     return low <= least || 0.5 * (low + high - along_a) <= least;
@@ -101,13 +107,15 @@ std::vector<std::optional<Footing>> near_footings(const SmoothCurve& a, const Sm
   return footings;
 }
 
-// How the height over b changes along a.
+// Returns the derivative of the height over b with respect to the parameter s of a: -a'.n.
 double slope(const SmoothCurve& b, const Footing& at) {
   return -dot(at.a.first, normal(b, at.b));
 }
 
-// Newton's step along a to the least height over b. Unlike the distance squared, the height is as
-// regular for curves that touch or overlap as it is for distant ones.
+// Returns Newton's step along a to a minimum of the height over b. Unlike the squared distance, the
+// height is as regular for curves that touch or overlap as for distant curves. Its second
+// derivative is -a''.n - s kappa (a'.b') dt/ds, with the side s and the curvature kappa of b, where
+// the foot moves by dt/ds = a'.b' / (|b'|^2 + (b - a).b'').
 double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) {
   const Complex n = normal(b, at.b);
   const double along = dot(at.a.first, at.b.first);
@@ -118,7 +126,8 @@ double step_down(const SmoothCurve& a, const SmoothCurve& b, const Footing& at) 
                          parameter_step(a.nodes));
 }
 
-// Descends from a foot to the least height of a over b.
+// Descends from a point and its foot to a local minimum of the height of a over b. A step after
+// which the height is larger is halved.
 Footing least_height(const SmoothCurve& a, const SmoothCurve& b, Footing at) {
   const double rounding = 1e-15 * (std::abs(at.a.value) + std::abs(at.b.value));
   double step = step_down(a, b, at);
@@ -134,8 +143,9 @@ Footing least_height(const SmoothCurve& a, const SmoothCurve& b, Footing at) {
   return at;
 }
 
-// Nothing lies between the closest points: where they see each other through the fluid, so does all
-// of either curve.
+// Returns the closest points with the gap between them. No other part of the curves lies between
+// the closest points. Therefore the curves are separate if each of the two points is on the fluid's
+// side of the other curve; else they overlap, and the gap is negative.
 ClosestPoints measured(const SmoothCurve& a, const Footing& at) {
   const bool separate = at.height > 0.0 && dot(at.across(), normal(a, at.a)) < 0.0;
   const double distance = std::abs(at.across());
@@ -156,6 +166,7 @@ Jet SmoothCurve::at(double t) const {
 }
 
 Foot find_foot(const Parametrisation& curve, Complex point, double guess, double longest) {
+  // Slope and curvature are the derivatives of |x(t) - z|^2 / 2.
   Foot foot{guess, curve(guess)};
   for (int iteration = 0; iteration < 30; ++iteration) {
     const auto& [value, first, second] = foot.at;
@@ -181,8 +192,9 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b) {
     const Footing found = least_height(a, b, *start);
     if (found.height < lowest.height) lowest = found;
   };
-  // Where the height falls at one point and rises at the next there is a minimum between them; two,
-  // where their feet are on different parts of b.
+  // If the height falls at one point and rises at the next, then there is a minimum between them.
+  // There may be two minima if the feet are on different parts of b: descend from both points. A
+  // point without a foot may fall or rise.
   for (std::size_t i = 0; i < footings.size(); ++i) {
     const auto &own = footings[i], &next = footings[(i + 1) % footings.size()];
     if (!falls(own) || !rises(next)) continue;

@@ -1,3 +1,5 @@
+// Evaluates a double layer close to its curve by interpolation along the normal, between the limit
+// on the curve and values of a finer trapezoid rule (chapter 06, "Interpolation").
 #include "near_singular/interpolation.hpp"
 
 #include <algorithm>
@@ -26,7 +28,8 @@ void require_in_range(const InterpolationSettings& settings) {
       std::to_string(settings.upsampling));
 }
 
-// Fine node values of a vector that is 1 at one node, a column a node.
+// Assembles the matrix that maps node values to fine node values: column j holds the fine values of
+// the function that is 1 at node j and 0 at the other nodes.
 MatrixXd refinement(Index n, Index fine) {
   MatrixXd matrix(fine, n);
   for (Index j = 0; j < n; ++j) {
@@ -35,7 +38,8 @@ MatrixXd refinement(Index n, Index fine) {
   return matrix;
 }
 
-// Lagrange polynomials of the nodes 0, 1, ..., degree at a point.
+// Evaluates the Lagrange polynomials of the nodes 0, 1, ..., degree at a point:
+// prod_{k/=j} (at - k) / (j - k) for j = 0, ..., degree.
 std::vector<double> lagrange(int degree, double at) {
   std::vector<double> values;
   for (int j = 0; j <= degree; ++j) {
@@ -56,6 +60,7 @@ InterpolationSettings InterpolationSettings::published(Index n_nodes) {
 }
 
 InterpolationSettings InterpolationSettings::for_tolerance(double tolerance) {
+  // sigma beta = ln(100 / tolerance) / (2 pi), from (06.6)
   const double spacings = std::log(100.0 / std::max(tolerance, 1e-12)) / (2.0 * std::numbers::pi);
   if (tolerance >= 1e-6) return {8, 1.0, static_cast<int>(std::ceil(spacings)), Spacing::local};
   return {12, 0.5, static_cast<int>(std::ceil(2.0 * spacings)), Spacing::local};
@@ -85,6 +90,9 @@ InterpolationData InterpolationCurve::data(const MatrixXcd& densities) const {
   return result;
 }
 
+// Finds the closest point x_0 by Newton's method, which starts at the preimage (06.4), and the
+// weights of the interpolation: of the limit at x_0, and of the values at x_0 - j beta h n for
+// j = 1, ..., degree. A target beyond the first of these points needs no interpolation.
 InterpolationCurve::Stencil InterpolationCurve::stencil(Complex target) const {
   const double step = 2.0 * std::numbers::pi / static_cast<double>(curve_.size());
   const Index node = nearest_node(curve_, target);
@@ -137,7 +145,8 @@ MatrixXd InterpolationCurve::velocity_rows(const ComplexVector& targets) const {
     const Stencil at = stencil(targets[i]);
     of_limit.row(i) = at.limit_weight * interpolation_weights(curve_.size(), at.parameter);
     for (std::size_t p = 0; p < at.points.size(); ++p) {
-      // (w / pi) (r.n) (r.eta) r / rho^4 with 2 (r.eta) r = rho^2 eta + r^2 conj(eta)
+      // The kernel (w / pi) (r.n) (r.eta) r / rho^4, where 2 (r.eta) r = rho^2 eta + r^2 conj(eta),
+      // as factors of eta and of conj(eta)
       for (Index j = 0; j < fine_curve_.size(); ++j) {
         const Complex r = at.points[p] - fine_curve_.x[j];
         const double rho2 = std::norm(r);

@@ -14,20 +14,20 @@ namespace stokesbook {
 
 /// Parameters of the interpolation scheme.
 ///
-/// The error of a resolved density is about
-/// \f$ \max(100\,e^{-2\pi\sigma\beta},\ K(\beta h/l)^{m+1}) \f$, l being the distance of the
-/// nearest singularity of the continued flow.
+/// For a resolved density the error of the scheme is about
+/// \f$ \max(100\,e^{-2\pi\sigma\beta},\ K(\beta h/l)^{m+1}) \f$ with a constant K, where l is the
+/// distance of the nearest singularity of the continued flow (06.6), (06.7).
 struct InterpolationSettings {
-  /// Which node spacing h the distances of the interpolation points are measured in.
+  /// Node spacing h that is the unit of the distances of the interpolation points.
   enum class Spacing {
-    local,  ///< of the closest point, \f$ |x'(s_0)|\,2\pi/N \f$
-    mean    ///< of the curve, \f$ |\Gamma|/N \f$
+    local,  ///< at the closest point, \f$ |x'(s_0)|\,2\pi/N \f$
+    mean    ///< mean over the curve, \f$ |\Gamma|/N \f$
   };
 
-  int degree = 6;                    ///< m, of the polynomial in the distance, >= 1
-  double step = 1.0;                 ///< \f$ \beta \f$, between its points, in spacings, > 0
-  int upsampling = 4;                ///< \f$ \sigma \f$, fine nodes a node, >= 1
-  Spacing spacing = Spacing::local;  ///< h
+  int degree = 6;                    ///< m, degree of the polynomial in the distance, >= 1
+  double step = 1.0;                 ///< \f$ \beta \f$, distance of its points over h, > 0
+  int upsampling = 4;                ///< \f$ \sigma \f$, fine nodes per node, >= 1
+  Spacing spacing = Spacing::local;  ///< h, the node spacing
 
   /// Returns the parameters of the published code: m = 6, beta = 1.1, \f$ \sigma = \lceil\sqrt
   /// N\rceil \f$ and the mean spacing.
@@ -37,32 +37,33 @@ struct InterpolationSettings {
   /// @sa source: Bystricky, Shanbhag, Quaife, Int. J. Numer. Meth. Fluids 92 (2020)
   static InterpolationSettings published(Eigen::Index n_nodes);
 
-  /// Returns parameters that meet a tolerance wherever the curve resolves the flow in steps of its
-  /// spacing: \f$ \sigma\beta = \ln(100/\varepsilon)/2\pi \f$; steps of one spacing down to 1e-6,
-  /// of half a spacing and a higher degree beyond.
+  /// Returns parameters that meet a tolerance, provided that the node spacing also resolves the
+  /// flow away from the curve: \f$ \sigma\beta = \ln(100/\varepsilon)/2\pi \f$, with steps of one
+  /// spacing for tolerances down to 1e-6, and steps of half a spacing and a higher degree for
+  /// smaller ones.
   ///
   /// @param  tolerance  relative to the density, > 0
   /// @return            settings
   static InterpolationSettings for_tolerance(double tolerance);
 };
 
-/// Node values from which InterpolationCurve evaluates. One column a density.
+/// Values from which InterpolationCurve evaluates, one polynomial and one column per density.
 struct InterpolationData {
-  std::vector<TrigonometricPolynomial> limit;  ///< of the velocity from the fluid, length / time
+  std::vector<TrigonometricPolynomial> limit;  ///< limits of the velocity, length / time
   Eigen::MatrixXcd fine;                       ///< densities at the fine nodes, length / time
 };
 
-/// The close evaluation of one curve's double layer by interpolation: a polynomial in the distance
-/// through the limit at the closest point of the curve and values farther out, where a trapezoid
-/// rule with more nodes does.
+/// Evaluates the double layer of one curve close to this curve by interpolation. A polynomial in
+/// the distance passes through the limit at the closest point of the curve and through m values
+/// farther out, for which a trapezoid rule with more nodes is accurate.
 ///
-/// Targets farther out than the first of these points take the fine rule itself. Everything is in
-/// the curve's own frame.
+/// At targets farther out than the first of these m points the fine rule is evaluated directly. All
+/// quantities are in the curve's own frame.
 /// @par Accuracy  that of InterpolationSettings: @ref claim_06_13, @ref claim_06_17,
-/// @ref claim_06_18; worst at a third of a spacing, proportional to the distance below:
-/// @ref claim_06_2
-/// @par Not for   curves whose fluid is narrower than m beta h behind the closest point: the
-/// points would lie outside it
+/// @ref claim_06_18; the error is largest at a third of a spacing, and closer to the curve it is
+/// proportional to the distance: @ref claim_06_2
+/// @par Not for   curves at which the fluid is narrower than m beta h: the points farther out would
+/// lie outside the fluid
 /// @sa source: Ying, Biros, Zorin, J. Comput. Phys. 219 (2006), 247; Quaife, Biros, J. Comput.
 /// Phys. 274 (2014), 403
 class InterpolationCurve {
@@ -70,33 +71,34 @@ class InterpolationCurve {
   /// Prepares fine nodes and limits of one curve.
   ///
   /// @param  reference  N nodes, in the curve's own frame
-  /// @param  settings   parameters
+  /// @param  settings   parameters of the scheme
   /// @throws std::invalid_argument when a setting is out of its range
   /// @par Cost          8 (4 + sigma) N^2 bytes
   InterpolationCurve(const Curve& reference, const InterpolationSettings& settings);
 
-  /// Computes fine densities and limits for densities in the curve's frame, one a column.
+  /// Computes fine densities and limits for densities in the curve's frame, one per column.
   ///
   /// @param  densities  N x k, length / time
-  /// @return            for velocity()
+  /// @return            data for velocity()
   /// @par Cost          (4 + 2 sigma) N^2 k real multiplications
   InterpolationData data(const Eigen::MatrixXcd& densities) const;
 
   /// Evaluates the velocity on the fluid's side, at any distance or on the curve.
   ///
   /// @param  data     from data()
-  /// @param  column   which density
+  /// @param  column   index of the density
   /// @param  targets  m points, in the curve's frame, length
   /// @return          m velocities in the curve's frame, length / time
-  /// @par Cost        at most m sigma N kernel evaluations a target, m the degree, and O(N)
+  /// @par Cost        at most m sigma N kernel evaluations per target, m being the degree, and O(N)
   ComplexVector velocity(const InterpolationData& data, Eigen::Index column,
                          const ComplexVector& targets) const;
 
-  /// Assembles the map from a density to the velocities at targets, of velocity() and data().
+  /// Assembles the matrix that maps a density to the velocities at targets. The product with this
+  /// matrix equals data() followed by velocity().
   ///
   /// @param  targets  m points on the fluid's side or on the curve, in the curve's frame, length
   /// @return          2m x 2N, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @par Cost        4 sigma N^2 + 8 N^2 real multiplications a target, as matrix products
+  /// @par Cost        4 sigma N^2 + 8 N^2 real multiplications per target, as matrix products
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
   /// Returns the nodes.
@@ -104,13 +106,14 @@ class InterpolationCurve {
   const Curve& curve() const { return curve_; }
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
+  // not write.
   /// @cond
   struct Stencil {
     double parameter;             // of the closest point
-    double limit_weight;          // of the velocity's limit there
-    std::vector<Complex> points;  // where the fine rule is evaluated
-    std::vector<double> weights;  // of its values
+    double limit_weight;          // weight of the velocity's limit at the closest point
+    std::vector<Complex> points;  // at which the fine rule is evaluated
+    std::vector<double> weights;  // of the fine rule's values
   };
   /// @endcond
   Stencil stencil(Complex target) const;

@@ -1,3 +1,5 @@
+// Plans and applies the near correction (06.17): a scheme of close evaluation minus the trapezoid
+// rule, summed over the curves that are near a target.
 #include "near_singular/near_correction.hpp"
 
 #include <map>
@@ -12,12 +14,13 @@ using Eigen::MatrixXcd;
 namespace {
 
 // [rows_pay]
-// Rows take N^2 operations a target once, the factored Cauchy scheme N^2 a curve in each of about
-// thirty applications: whatever N is, rows pay up to some number of targets. For 64 bodies it is 20
-// to 40 (./stokes bench), for fewer, whose rows stay in the cache, somewhat more.
+// Rows take O(N^2) operations per target once. The factored Cauchy scheme takes O(N^2) operations
+// per curve in each of about thirty applications. Therefore rows are cheaper up to a number of
+// targets that does not depend on N: 20 to 40 for 64 bodies (./stokes bench), somewhat more for
+// fewer bodies, whose rows stay in the cache.
 bool rows_pay(const PlacedCurve& placed, Index near_targets) {
   if (std::holds_alternative<std::shared_ptr<const InterpolationCurve>>(placed.scheme)) {
-    return true;  // an evaluation costs as much as a row has entries, m sigma times
+    return true;  // evaluating the scheme costs about m sigma times as much as applying a row
   }
   return near_targets <= 24;
 }
@@ -50,6 +53,7 @@ NearCorrection::NearCorrection(std::vector<PlacedCurve> curves, const ComplexVec
   }
 #pragma omp parallel for schedule(dynamic)
   for (Rows& rows : rows_) {
+    // Scheme minus trapezoid rule at the near targets of one curve (06.17)
     const ComplexVector& local = near_[rows.curve].local;
     rows.matrix = std::visit([&](const auto& scheme) { return scheme->velocity_rows(local); },
                              curves_[rows.curve].scheme) -
@@ -62,6 +66,7 @@ ComplexVector NearCorrection::local_density(const ComplexVector& density, std::s
                 -curves_[curve].orientation);
 }
 
+// Evaluates scheme minus trapezoid rule (06.17) for all curves that share a scheme.
 void NearCorrection::evaluate(const Group& group, const ComplexVector& density,
                               std::vector<ComplexVector>& corrections) const {
   const PlacedCurve& first = curves_[group.curves.front()];
@@ -93,7 +98,8 @@ ComplexVector NearCorrection::operator()(const ComplexVector& density) const {
         rows.matrix * interleaved(local_density(density, rows.curve)).eval();
     corrections[rows.curve] = deinterleaved(product);
   }
-  // In the curves' order, so that the sum does not depend on the threads.
+  // The corrections are added in the order of the curves, so that the sum does not depend on the
+  // number of threads.
   ComplexVector velocity = ComplexVector::Zero(target_count_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const ComplexVector correction = turned(corrections[k], curves_[k].orientation);

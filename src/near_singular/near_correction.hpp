@@ -9,40 +9,41 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// What a near correction keeps between applications.
+/// Data that a near correction stores between applications.
 enum class NearStorage {
-  automatic,     ///< the cheaper one for about thirty applications, a curve at a time
-  factored,      ///< nothing: every application evaluates the scheme
-  explicit_rows  ///< the map from a curve's density to its targets, 32 N bytes a target
+  automatic,     ///< for each curve the cheaper of the two in about thirty applications
+  factored,      ///< no data: every application evaluates the scheme
+  explicit_rows  ///< the matrix from a curve's density to its targets, 32 N bytes per target
 };
 
-/// How a near correction is to be planned.
+/// Parameters of a near correction.
 struct NearSettings {
   double tolerance = 1e-14;                      ///< of velocities relative to densities, > 0
-  NearStorage storage = NearStorage::automatic;  ///< what is kept
+  NearStorage storage = NearStorage::automatic;  ///< data that are stored
 };
 
-/// The near correction of a trapezoid sum: replaces it by a scheme of close evaluation at the
-/// targets where the rule is too coarse. Planned once per geometry, applied many times.
+/// Corrects a trapezoid sum at the targets for which the rule is too coarse: replaces the rule of
+/// each near curve by a scheme of close evaluation (06.17). A correction is planned once per
+/// geometry and applied many times.
 ///
 /// @par Accuracy  that of the scheme, at any gap, once the density is resolved: @ref claim_06_30,
-/// @ref claim_06_31; never worse than without: @ref claim_06_33
-/// @par Cost      factored, by the Cauchy scheme: 12 N^2 real multiplications a curve with near
-/// targets and 50 N operations a near target, O(1) memory a pair; explicit rows: 4 N real
-/// multiplications a near target, 24 N^2 once
+/// @ref claim_06_31; never worse than the sum without correction: @ref claim_06_33
+/// @par Cost      factored, by the Cauchy scheme: 12 N^2 real multiplications per curve with near
+/// targets and 50 N operations per near target, O(1) memory per pair; explicit rows: 4 N real
+/// multiplications per near target, 24 N^2 once
 class NearCorrection {
  public:
-  /// Finds the near targets of every curve and assembles the rows that pay.
+  /// Finds the near targets of every curve, and assembles the rows of the curves that store them.
   ///
   /// @param  curves    placed curves, in the order of the densities
   /// @param  targets   m points, length
-  /// @param  kind      what the targets are
-  /// @param  settings  tolerance, which decides what is near, and storage
+  /// @param  kind      nodes of the curves themselves, or other points
+  /// @param  settings  storage, and the tolerance, which decides which targets are near
   /// @par Cost         that of find_near_targets(), and of the rows
   NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets, Targets kind,
                  const NearSettings& settings);
 
-  /// Evaluates scheme minus trapezoid rule, summed over the near curves of each target.
+  /// Evaluates scheme minus trapezoid rule, summed over the near curves of each target (06.17).
   ///
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          velocities at the m targets, length / time
@@ -52,19 +53,20 @@ class NearCorrection {
   /// @return number of corrections that are summed
   Eigen::Index pair_count() const;
 
-  /// Counts the curves whose rows are kept.
+  /// Counts the curves whose rows are stored.
   /// @return 0 for factored storage
   Eigen::Index explicit_count() const { return static_cast<Eigen::Index>(rows_.size()); }
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
+  // not write.
   /// @cond
   struct Rows {
     std::size_t curve;
     Eigen::MatrixXd matrix;  // density -> scheme minus trapezoid rule, interleaved, curve's frame
   };
   struct Group {
-    std::vector<std::size_t> curves;  // that share a scheme
+    std::vector<std::size_t> curves;  // curves that share a scheme
     StressletSum trapezoid;
   };
   /// @endcond
@@ -75,7 +77,7 @@ class NearCorrection {
   std::vector<PlacedCurve> curves_;
   std::vector<Eigen::Index> offsets_;  // first node of each curve, and the total
   std::vector<NearTargets> near_;      // of each curve
-  std::vector<Rows> rows_;             // of curves for which they pay
+  std::vector<Rows> rows_;             // of the curves with explicit rows
   std::vector<Group> groups_;          // of the other curves with near targets
   Eigen::Index target_count_;
 };

@@ -1,3 +1,5 @@
+// Evaluates pressure, vorticity and strain of double layers at any distance from their curves: the
+// trapezoid sum, corrected (06.17) near the curves by the Cauchy scheme (06.16).
 #include "near_singular/near_derivatives.hpp"
 
 #include <stdexcept>
@@ -18,7 +20,8 @@ const CauchyCurve& cauchy_of(const PlacedCurve& placed) {
   return **cauchy;
 }
 
-// Pressure and vorticity do not turn with the curve, the strain turns twice.
+// Transforms derivatives to a frame that is turned: pressure and vorticity do not change, and the
+// complex strain is multiplied by turn^2.
 FlowDerivatives turned(const FlowDerivatives& flow, Complex turn) {
   return {flow.pressure, flow.vorticity, flow.strain * turn * turn};
 }
@@ -27,7 +30,8 @@ FlowDerivatives difference(const FlowDerivatives& a, const FlowDerivatives& b) {
   return {a.pressure - b.pressure, a.vorticity - b.vorticity, a.strain - b.strain};
 }
 
-// Cauchy scheme minus trapezoid rule at a curve's near targets, in the plane.
+// Evaluates Cauchy scheme minus trapezoid rule at the near targets of a curve (06.17), in the frame
+// of the plane.
 std::vector<FlowDerivatives> correction(const PlacedCurve& placed, const NearTargets& near,
                                         const ComplexVector& density) {
   const CauchyCurve& cauchy = cauchy_of(placed);
@@ -49,7 +53,7 @@ std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<Place
                                                          const ComplexVector& density,
                                                          const ComplexVector& targets,
                                                          double tolerance) {
-  for (const PlacedCurve& curve : curves) cauchy_of(curve);  // not first in a parallel region
+  for (const PlacedCurve& curve : curves) cauchy_of(curve);  // throws outside the parallel region
   const std::vector<Index> offsets = node_offsets(curves);
   const std::vector<NearTargets> near =
       find_near_targets(curves, targets, Targets::points, tolerance);
@@ -60,7 +64,8 @@ std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<Place
     corrections[k] =
         correction(curves[k], near[k], density.segment(offsets[k], offsets[k + 1] - offsets[k]));
   }
-  // In the curves' order, so that the sum does not depend on the threads.
+  // The corrections are added in the order of the curves, so that the sum does not depend on the
+  // number of threads.
   std::vector<FlowDerivatives> sum(static_cast<std::size_t>(targets.size()));
   for (std::size_t k = 0; k < curves.size(); ++k) {
     for (std::size_t i = 0; i < corrections[k].size(); ++i) {

@@ -9,8 +9,8 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// Evaluates pressure, vorticity and strain of the double layers of several curves, at any distance
-/// from them: the trapezoid rule, and the Cauchy scheme where that is too coarse.
+/// Evaluates pressure, vorticity and strain of the double layers of several curves at any distance
+/// from the curves: by the trapezoid rule, or by the Cauchy scheme where this rule is too coarse.
 ///
 /// On a node of a curve the values are the limits from the fluid.
 /// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
@@ -20,15 +20,15 @@ namespace stokesbook {
 /// @return            m values, 1 / time
 /// @throws std::invalid_argument when a curve has another scheme
 /// @par Accuracy  1e-11 relative, once the densities are resolved: @ref claim_06_8
-/// @par Cost      m n kernel evaluations, O(N^2) a curve with near targets, 50 N operations a near
-/// target
+/// @par Cost      m n kernel evaluations, O(N^2) per curve with near targets, 50 N operations per
+/// near target
 std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
                                                       const ComplexVector& density,
                                                       const ComplexVector& targets,
                                                       double tolerance);
 
-/// Evaluates by how much double_layer_derivatives() differs from StressletSum::derivatives(), for
-/// callers with another sum.
+/// Evaluates the difference between double_layer_derivatives() and StressletSum::derivatives(), for
+/// callers that evaluate the trapezoid sum by another method.
 ///
 /// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
 /// @param  density    at all nodes, in the curves' order, length / time
@@ -36,7 +36,7 @@ std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCu
 /// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
 /// @return            m values, 1 / time; zero at targets that are not near
 /// @throws std::invalid_argument when a curve has another scheme
-/// @par Cost      O(N^2) a curve with near targets, 50 N operations a near target
+/// @par Cost      O(N^2) per curve with near targets, 50 N operations per near target
 std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
                                                          const ComplexVector& density,
                                                          const ComplexVector& targets,

@@ -1,3 +1,5 @@
+// Finds the targets near each curve: an R-tree of rectangles excludes most targets, and the near
+// test (06.5) decides about the others.
 #include "near_singular/near_targets.hpp"
 
 #include <algorithm>
@@ -11,8 +13,9 @@ using Eigen::Index;
 
 namespace {
 
-// Where runs of targets begin, and the end of the last: the nodes of each curve, or points that
-// follow each other, as they do on a grid.
+// Divides the targets into runs, whose bounding rectangles are searched: the nodes of one curve, or
+// 32 consecutive points, which are neighbours if they lie on a grid. Returns the beginning of each
+// run, and the end of the last run.
 std::vector<Index> runs_of(const std::vector<PlacedCurve>& curves, const ComplexVector& targets,
                            Targets kind) {
   if (kind == Targets::own_nodes) return node_offsets(curves);
@@ -32,7 +35,7 @@ std::vector<Rectangle> rectangles_of(const ComplexVector& targets, const std::ve
   return rectangles;
 }
 
-// Appends the targets from first to last - 1 that are near a curve.
+// Collects the targets that are near one curve.
 class Finder {
  public:
   Finder(const PlacedCurve& placed, double tolerance)
@@ -42,9 +45,10 @@ class Finder {
         tolerance_(tolerance),
         reach_(bounding_radius(curve_, 0.0) + near_reach(curve_, tolerance)) {}
 
-  // Nothing is near beyond.
+  // Returns a square outside of which no target is near.
   Rectangle surroundings() const { return square_about(position_, reach_); }
 
+  // Tests the targets first, ..., last - 1.
   void look_at(const ComplexVector& targets, Index first, Index last) {
     for (Index i = first; i < last; ++i) {
       const Complex local = (targets[i] - position_) * turn_;

@@ -12,15 +12,15 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// A scheme of close evaluation of one curve. Both evaluate `velocity(data(densities), column,
-/// targets)` and `velocity_rows(targets)`; pressure and strain are CauchyCurve's alone.
+/// A scheme of close evaluation for one curve. Both schemes evaluate `velocity(data(densities),
+/// column, targets)` and `velocity_rows(targets)`; only CauchyCurve evaluates pressure and strain.
 using CloseScheme =
     std::variant<std::shared_ptr<const CauchyCurve>, std::shared_ptr<const InterpolationCurve>>;
 
-/// A curve placed in the plane: the scheme in its own frame, and where it is.
+/// A curve placed in the plane: the scheme in the curve's own frame, and the pose of this frame.
 struct PlacedCurve {
   CloseScheme scheme;        ///< shared by all curves of one shape
-  Complex position;          ///< of the scheme's frame, length
+  Complex position;          ///< origin of the curve's frame in the plane, length
   double orientation = 0.0;  ///< radians, counter-clockwise
 
   /// Returns the nodes.
@@ -30,28 +30,29 @@ struct PlacedCurve {
   }
 };
 
-/// Whose nodes the targets of a near correction are.
+/// Kinds of targets of a near correction.
 enum class Targets {
-  own_nodes,  ///< all nodes of the curves themselves, in order; a curve is not corrected on itself
+  own_nodes,  ///< all nodes of the curves, in order; no curve is corrected at its own nodes
   points      ///< points of the fluid or of its boundary
 };
 
 /// The targets that are near one curve.
 struct NearTargets {
-  std::vector<Eigen::Index> index;  ///< which, ascending
-  ComplexVector local;              ///< the same in the curve's own frame, length
+  std::vector<Eigen::Index> index;  ///< indices of these targets, ascending
+  ComplexVector local;              ///< positions of these targets in the curve's frame, length
 };
 
-/// Finds the targets at which each curve's trapezoid rule is too coarse, by is_near().
+/// Finds for each curve the targets at which its trapezoid rule is too coarse, by is_near().
 ///
 /// @param  curves     placed curves, in the order of the densities
 /// @param  targets    m points, length
-/// @param  kind       what the targets are
+/// @param  kind       nodes of the curves themselves, or other points
 /// @param  tolerance  of is_near(), > 0
-/// @return            one entry a curve
+/// @return            one entry per curve
 /// @throws std::invalid_argument when a target is not finite
-/// @par Cost          a search in a RectangleIndex a curve, O(N) for a target inside its circle of
-/// reach; for points that neighbour each other in their order, as on a grid
+/// @par Cost          a search in a RectangleIndex per curve, and O(N) per target within the
+/// near_reach() of a curve; the search excludes most targets only if consecutive points are
+/// neighbours, as on a grid
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance);
@@ -59,7 +60,7 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
 /// Returns the position of each curve's first node in the vector of all nodes.
 ///
 /// @param  curves  in the order of the densities
-/// @return         one entry a curve, and one more with the number of all nodes
+/// @return         one entry per curve, and a last entry with the number of all nodes
 std::vector<Eigen::Index> node_offsets(const std::vector<PlacedCurve>& curves);
 
 /// @}

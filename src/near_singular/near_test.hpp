@@ -7,10 +7,10 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// Finds the complex parameter s relative to node j that the curve's continuation maps to a target,
-/// \f$ x(t_j + s) = z \f$, to second order in the distance.
+/// Finds the preimage of a target, which is the complex parameter s, relative to that of node j,
+/// with \f$ x(t_j + s) = z \f$ for the continued curve, to second order in the distance (06.4).
 ///
-/// The trapezoid rule at the target errs by about \f$ e^{-N|\mathrm{Im}\,s|} \f$.
+/// The error of the trapezoid rule at the target is about \f$ e^{-N|\mathrm{Im}\,s|} \f$.
 /// @param  curve   nodes
 /// @param  node    j, the nearest node for good accuracy
 /// @param  target  z, length
@@ -26,32 +26,33 @@ Complex preimage(const Curve& curve, Eigen::Index node, Complex target);
 /// @par Cost       O(N)
 Eigen::Index nearest_node(const Curve& curve, Complex target);
 
-/// Returns \f$ N|\mathrm{Im}\,s| \f$ below which the trapezoid rule misses a relative tolerance:
-/// \f$ \ln(200/\varepsilon) \f$.
+/// Returns the bound \f$ \ln(200/\varepsilon) \f$: the trapezoid rule may miss a relative tolerance
+/// \f$ \varepsilon \f$ at targets with a smaller \f$ N|\mathrm{Im}\,s| \f$ (06.5).
 ///
-/// On resolved circles, ellipses and stars the error is at most 200 exp(-N
-/// |Im s|) down to rounding,
-/// @ref claim_06_23, and typically 10 to 20 times less.
+/// On resolved circles, ellipses and stars the error is at most
+/// \f$ 200\,e^{-N|\mathrm{Im}\,s|} \f$ down to rounding, @ref claim_06_23, and typically 10 to 20
+/// times less.
 /// @param  tolerance  relative to the density, > 0
 /// @return            bound of N |Im s|, dimensionless
 double near_cut(double tolerance);
 
-/// Measures how near a target is as the rule sees it: \f$ N|\mathrm{Im}\,s| \f$ of the nearest
-/// preimage, from the error of a Cauchy integral of which the value is known.
+/// Estimates \f$ N|\mathrm{Im}\,s| \f$ of the nearest preimage s of a target, from the error of the
+/// trapezoid rule for a Cauchy integral whose value is known.
 ///
-/// With every second node the rule errs by \f$ 1/|e^{-iNs/2} - 1| \f$ for the Cauchy integral of 1;
-/// the square of that error is \f$ e^{-N|\mathrm{Im}\,s|} \f$, for curves and gradings whose
-/// preimages no local expansion finds.
+/// The Cauchy integral of 1 is 1 inside the curve and 0 outside. The rule with every second node
+/// has the error \f$ 1/|e^{-iNs/2} - 1| \f$ for this integral (06.2), and the square of this error
+/// is about \f$ e^{-N|\mathrm{Im}\,s|} \f$. The estimate also holds for curves and gradings for
+/// which preimage() is inaccurate.
 /// @param  curve    N nodes
 /// @param  target   point of the fluid, length
-/// @return          dimensionless, up to about 70, where rounding ends it; 0 on a node
-/// @par Accuracy    the rule errs by at most 200 times the exponential: @ref claim_06_23,
+/// @return          dimensionless, at most about 70 because of rounding; 0 to 1.4 on a node
+/// @par Accuracy    the error of the rule is at most 200 times the exponential: @ref claim_06_23,
 /// @ref claim_06_24
 /// @par Cost        O(N)
 double preimage_depth(const Curve& curve, Complex target);
 
-/// Decides before any density is known whether the trapezoid rule of a curve is too coarse at a
-/// target: where preimage_depth() is below near_cut().
+/// Returns whether the trapezoid rule of a curve is too coarse at a target: whether
+/// preimage_depth() is at most near_cut(). The test requires no density.
 ///
 /// @param  curve      N nodes
 /// @param  target     point of the fluid, length
@@ -62,13 +63,14 @@ double preimage_depth(const Curve& curve, Complex target);
 bool is_near(const Curve& curve, Complex target, double tolerance);
 
 /// Returns a distance from the curve beyond which no target is near:
-/// \f$ \max\frac{|x'|}{\gamma}(e^{\gamma|s|} - 1),\ \gamma = |x''/x'| \f$, with
-/// \f$ N\,\mathrm{Im}\,s = cut \f$ and \f$ N|\mathrm{Re}\,s| \le \pi \f$, as the node is the
-/// nearest.
+/// \f$ \max\frac{|x'|}{\gamma}(e^{\gamma|s|} - 1),\ \gamma = |x''/x'| \f$, where
+/// \f$ N\,\mathrm{Im}\,s \f$ is near_cut(), and \f$ N|\mathrm{Re}\,s| \le \pi \f$ because the node
+/// is the nearest one.
 ///
-/// The continuation grows like that on circles, and along graded nodes about a cluster.
+/// The continuation of a curve grows at this rate on circles, and along graded nodes about a
+/// cluster.
 /// @param  curve      N nodes
-/// @param  tolerance  as of is_near()
+/// @param  tolerance  as for is_near()
 /// @return            distance, length
 /// @par Cost          O(N)
 double near_reach(const Curve& curve, double tolerance);

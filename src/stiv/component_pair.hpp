@@ -8,7 +8,7 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// Two components, the lesser number first.
+/// The numbers of two components, the smaller number first.
 using ComponentPair = std::pair<std::size_t, std::size_t>;
 
 /// @}

@@ -1,3 +1,5 @@
+// Makes the polygon by which contact sees a curve, with as many vertices as a limit of the sag
+// (10.1) requires.
 #include "stiv/contact_shape.hpp"
 
 #include <algorithm>
@@ -12,6 +14,7 @@ using Eigen::Index;
 
 namespace {
 
+// Returns for each vertex half the lengths of its two edges: the weights w_s of (10.6).
 Eigen::VectorXd half_edges(const ComplexVector& vertices) {
   const Index m = vertices.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(m);
@@ -24,24 +27,26 @@ Eigen::VectorXd half_edges(const ComplexVector& vertices) {
   return weights;
 }
 
-// As many nodes as see every bend of a shape.
+// Returns a number of nodes that resolves the curvature of a shape.
 Index resolving_nodes(const Shape& shape) {
   const auto* nodal = std::get_if<NodalCurve>(&shape);
   return std::max<Index>(256, nodal ? 2 * nodal->points.size() : 0);
 }
 
-// The largest part of x'' across the curve: sags are this times the square of the step over 8.
+// Returns max |x' cross x''| / |x'|, the largest component of x'' normal to the curve. The sag
+// (10.1) is this number times h^2/8, with the spacing h of the nodes in the curve's parameter.
 double bend(const Curve& curve) {
   const auto across = (curve.dx.conjugate().array() * curve.ddx.array()).imag().abs();
   return (across / curve.dx.array().abs()).maxCoeff();
 }
 
+// Returns the sag (10.1) for n nodes.
 double sag(double bend, Index n) {
   const double step = 2.0 * std::numbers::pi / static_cast<double>(n);
   return bend * step * step / 8.0;
 }
 
-// The least even number of nodes that keeps to a sag.
+// Returns the least even number of nodes, at least 16, whose sag (10.1) is at most sag_limit.
 Index nodes_for(double bend, double sag_limit) {
   const double half = std::ceil(std::numbers::pi * std::sqrt(bend / (8.0 * sag_limit)));
   return std::max<Index>(16, 2 * static_cast<Index>(half));

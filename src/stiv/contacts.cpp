@@ -1,3 +1,5 @@
+// Groups the vertex events of two components into connected contacts, with the volume (10.6) and
+// the rows of each (section "Which number stands for a contact" of chapter 10).
 #include "stiv/contacts.hpp"
 
 #include <algorithm>
@@ -11,13 +13,13 @@ using Eigen::Index;
 
 namespace {
 
-// Consecutive vertices of one polygon that have events.
+// Holds consecutive vertices of one polygon that have events.
 struct Run {
   bool of_a;
   std::vector<VertexEvent> events;  // in the order of the curve
 };
 
-// The events of one polygon with m vertices.
+// Splits the events of one polygon with m vertices into runs.
 std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a) {
   std::vector<Run> runs;
   for (const VertexEvent& event : events) {
@@ -25,14 +27,14 @@ std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool o
     if (!continues) runs.push_back({of_a, {}});
     runs.back().events.push_back(event);
   }
-  // The last vertex is followed by the first.
+  // The first vertex follows the last one: join the run that ends there and the run that begins.
   if (runs.size() > 1 && events.front().vertex == 0 && events.back().vertex == m - 1) {
     std::vector<VertexEvent>& last = runs.back().events;
     last.insert(last.end(), runs.front().events.begin(), runs.front().events.end());
     runs.front() = std::move(runs.back());
     runs.pop_back();
   }
-  // A run of all vertices starts where it is least deep.
+  // A run of all vertices has no natural start: let it start at the widest gap.
   if (runs.size() == 1 && static_cast<Index>(events.size()) == m) {
     std::vector<VertexEvent>& all = runs.front().events;
     std::rotate(all.begin(), std::ranges::max_element(all, {}, &VertexEvent::gap), all.end());
@@ -40,7 +42,7 @@ std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool o
   return runs;
 }
 
-// Sets of runs that are connected.
+// Holds the sets of connected runs, by union-find.
 class Links {
  public:
   explicit Links(std::size_t count) : parent_(count) {
@@ -52,7 +54,7 @@ class Links {
     return k;
   }
 
-  // The least member is the root.
+  // Unites two sets. The least member of a set is its root.
   void join(std::size_t k, std::size_t l) {
     const auto [first, second] = std::minmax({root(k), root(l)});
     parent_[second] = first;
@@ -62,7 +64,7 @@ class Links {
   std::vector<std::size_t> parent_;
 };
 
-// Which run a vertex of a polygon belongs to.
+// Finds the runs of one polygon that contain a given vertex.
 class RunOfVertex {
  public:
   RunOfVertex(const std::vector<Run>& runs, bool of_a, Index m) : m_(m) {
@@ -73,7 +75,8 @@ class RunOfVertex {
     std::ranges::sort(entries_, {}, &Entry::vertex);
   }
 
-  // Joins a run with all those that have a vertex at an edge, or up to two farther.
+  // Joins a run of the other polygon with all runs here that have a vertex of the given edge, or a
+  // vertex at most two farther.
   void join_about(Index edge, std::size_t run, Links& links) const {
     const Index first = (edge - 2 + m_) % m_;
     auto entry = std::ranges::lower_bound(entries_, first, {}, &Entry::vertex);
@@ -94,9 +97,9 @@ class RunOfVertex {
   std::vector<Entry> entries_;
 };
 
-using Group = std::vector<Run>;  // of connected runs
+using Group = std::vector<Run>;  // connected runs
 
-// The groups of those events of a pair that a condition selects.
+// Groups the events of a pair that fulfil a condition into connected runs.
 template <class Condition>
 std::vector<Group> connected_groups(const PairEvents& pair, const Condition& selects) {
   const auto runs_with = [&](std::vector<VertexEvent> events, Index m, bool of_a) {
@@ -121,11 +124,11 @@ std::vector<Group> connected_groups(const PairEvents& pair, const Condition& sel
   return groups;
 }
 
-// Where in a run the gap has local minima, between which it rises and falls
-// by more than a threshold.
+// Returns the places in a run at which the gap has local minima. Between two minima the gap rises
+// and falls by more than the threshold.
 std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double threshold) {
   std::vector<std::size_t> found;
-  std::size_t turning = 0;  // lowest or highest place since the last turn
+  std::size_t turning = 0;  // place of the least or greatest gap since the last turn
   bool descends = true;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const double beyond = run[i].gap - run[turning].gap;
@@ -141,9 +144,11 @@ std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double thre
   return found;
 }
 
-// What holds up one local minimum of the gap: the deepest vertex, then the ends of a flat contact.
+// Holds the events that get rows for one local minimum of the gap: the deepest vertex, then the
+// ends of the stretch of nearly equal gaps if the contact is flat.
 using Support = std::vector<VertexEvent>;
 
+// Returns the supports of all local minima of the gap in a run.
 std::vector<Support> supports(const std::vector<VertexEvent>& run, double threshold) {
   constexpr std::size_t vertices_of_a_curved_contact = 4;
   std::vector<Support> found;
@@ -175,6 +180,7 @@ const Run& deepest(const Group& group) {
   return *std::ranges::min_element(group, {}, [](const Run& run) { return deepest(run).gap; });
 }
 
+// Returns whether a group contains the event of a vertex.
 bool holds(const Group& group, bool of_a, Index vertex) {
   return std::ranges::any_of(group, [&](const Run& run) {
     const auto is_it = [&](const VertexEvent& event) { return event.vertex == vertex; };
@@ -206,7 +212,8 @@ void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
   add_to(sum.on_b, wrenches.on_b);
 }
 
-// The mean over all vertices that end too deep; place and name are those of the deepest.
+// Returns the weighted mean of the rows of all vertices that end too deep, with the gap V / sum w_s
+// (10.6). Point, normal, time and key are those of the deepest vertex.
 ContactRow mean_row(const std::vector<WeightedRow>& violations) {
   const auto gap = [](const WeightedRow& violation) { return violation.row.gap; };
   ContactRow mean = std::ranges::min_element(violations, {}, gap)->row;
@@ -222,6 +229,7 @@ ContactRow mean_row(const std::vector<WeightedRow>& violations) {
   return mean;
 }
 
+// Returns V = sum w_s g_s over the violations (10.6).
 double volume(const Group& violations) {
   double sum = 0.0;
   for (const Run& run : violations) {
@@ -230,9 +238,9 @@ double volume(const Group& violations) {
   return sum;
 }
 
-// Rows at the local minima of all events: for the violations that they are part of, and for what is
-// near without any. Either polygon sees the whole contact: the one whose vertices go deepest
-// suffices.
+// Adds a row for each local minimum of the gap, to the violation that contains it, or else to a new
+// contact that is near but not violated. The vertices of one polygon suffice, as each polygon sees
+// the whole contact: the polygon with the deepest vertex is used.
 std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Group>& violations,
                                       std::vector<Contact> contacts) {
   const double sags = pair.shape_a.sag + pair.shape_b.sag;
@@ -286,7 +294,8 @@ std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance
       own.clear();
       for (const WeightedRow& violation : all) own.push_back(violation.row);
     } else if (own.empty()) {
-      // Less than a sag from a deeper one, whose flat support may end here.
+      // No local minimum belongs to this violation, as a deeper one is within the sags. The row is
+      // that of its deepest vertex, which may also be the end of a flat support of the deeper one.
       const Run& run = deepest(violations[k]);
       const ContactRow row = row_of(pair, deepest(run), run.of_a);
       for (Contact& other : contacts) {

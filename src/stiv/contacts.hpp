@@ -11,26 +11,26 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// Which rows stand for a contact. All choices have the same set of admissible poses.
+/// Selects the rows that a contact has. All choices admit the same poses.
 enum class RowChoice {
-  deepest,    ///< deepest vertex, other local minima of the gap, ends of flat contacts
-  aggregate,  ///< the volume divided by the length that it is over, as published
-  every       ///< one for every vertex that ends too deep
+  deepest,    ///< rows of the deepest vertex, other local minima of the gap, ends of flat contacts
+  aggregate,  ///< one row: the volume, as in the published method, divided by the contact's length
+  every       ///< one row for every vertex that ends too deep
 };
 
 /// A connected contact of two components.
 struct Contact {
   std::size_t a;                 ///< one component
-  std::size_t b;                 ///< the other one, a < b
-  double volume;                 ///< sum of w min(g, 0) over its violations, length^2; 0 if none
+  std::size_t b;                 ///< the other component, a < b
+  double volume;                 ///< V of (10.6), length^2, at most 0; 0 if not violated
   std::vector<ContactRow> rows;  ///< ascending by key, at least one
 
-  /// Tells whether the step must not be taken as it is.
+  /// Returns whether the step violates this contact and must not be taken unchanged.
   /// @return true when a vertex ends too deep by more than the tolerance
   bool is_violated() const { return volume < 0.0; }
 };
 
-/// The vertex events of two components, both ways.
+/// The vertex events of two components: vertices of each against the polygon of the other.
 struct PairEvents {
   PathPair paths;                     ///< numbers and paths of both
   const ContactShape& shape_a;        ///< of a
@@ -40,28 +40,32 @@ struct PairEvents {
   SearchCost cost;                    ///< of both searches
 };
 
-/// Follows the vertices of either component past the other: the narrow phase.
+/// Follows the vertices of each of two components past the other: the narrow phase.
 ///
-/// Polygons that come together do so first at a vertex of one of them: no edges need be compared
-/// with edges.
-/// @param  shapes     of all components, which outlive the events
-/// @param  paths      of two of them, as for vertex_events()
-/// @param  clearance  separation, tolerance and watch
-/// @return            events both ways
+/// Polygons that approach each other touch first at a vertex of one of them, so edges need not be
+/// compared with edges.
+/// @param  shapes     of all components, which must outlive the events
+/// @param  paths      of two components, which do not overlap at the start of the step
+/// @param  clearance  separation, tolerance, watch and dip
+/// @return            events of the vertices of both
 PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
                        const Clearance& clearance);
 
-/// Groups the events of a pair into connected contacts: violations, and what ends near without any.
+/// Groups the events of a pair into connected contacts, violated ones and near ones.
 ///
-/// Runs of consecutive vertices belong together, and so do runs of either polygon where an edge
-/// that one comes near to is within two vertices of the other. Rows are at local minima of the gap,
-/// between which it rises by more than the two sags: less is the polygons', not the curves'. A
-/// minimum along which more than four vertices are that near is a flat contact, and has rows at
-/// both ends too.
-/// @param  pair       its events
-/// @param  tolerance  of gaps: events below its negative are violations, length
-/// @param  rows       which rows to return
-/// @return            violations, then near contacts, in an order that only the events decide
+/// Consecutive vertices with events form a run. A run of one polygon and a run of the other belong
+/// to the same contact if a vertex of one run is closest to an edge that has a vertex of the other
+/// run, or is within two vertices of it.
+///
+/// Rows are at local minima of the gap along a run. Between two minima the gap must rise by more
+/// than the sum of the two sags, because smaller variations are due to the polygons and not to the
+/// curves. If the gaps of more than four consecutive vertices, the minimum included, exceed the
+/// minimum by at most this sum, the contact is flat there, and has rows at both ends of this
+/// stretch as well.
+/// @param  pair       events of two components
+/// @param  tolerance  length; events with a gap below its negative are violations
+/// @param  rows       that violated contacts have
+/// @return            violations, then near contacts, in an order that depends only on the events
 /// @par Cost          O(e log e) for e events
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows);
 

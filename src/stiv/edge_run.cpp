@@ -1,3 +1,5 @@
+// Computes the distances of a point or a chord from eight edges of a polygon side by side, in Eigen
+// arrays of eight numbers.
 #include "stiv/edge_run.hpp"
 
 namespace stokesbook {
@@ -8,10 +10,12 @@ namespace {
 
 using Lanes = Eigen::Array<double, EdgeRun::size, 1>;
 
+// Eight plane vectors.
 struct Vectors {
   Lanes x, y;
 };
 
+// Returns eight copies of a vector.
 Vectors all(Complex z) {
   return {Lanes::Constant(z.real()), Lanes::Constant(z.imag())};
 }
@@ -28,12 +32,13 @@ Lanes cross(const Vectors& p, const Vectors& q) {
   return p.x * q.y - p.y * q.x;
 }
 
-// Segments from the origin, and inverse squares of their lengths.
+// Eight segments from the origin, and the inverse squares of their lengths.
 struct Segments {
   Vectors along;
   Lanes inverse;
 };
 
+// Returns t = min(max(p . v / |v|^2, 0), 1): the closest point to p of the segment v is t v.
 Lanes closest_fractions(const Segments& segments, const Vectors& points) {
   return (dot(points, segments.along) * segments.inverse).max(0.0).min(1.0);
 }
@@ -78,11 +83,13 @@ bool EdgeRun::is_clear_of(const Chord& chord, double distance) const {
   const Vectors starts{x_, y_},
       from_start = all(chord.from) - starts, to_start = starts - all(chord.from),
       to_end{to_start.x + dx_, to_start.y + dy_}, ends_from_start = all(chord.to) - starts;
+  // Unless they cross, chord and edge are closest at an end of one of them.
   const Lanes least = squared_distances(edges, from_start)
                           .min(squared_distances(edges, ends_from_start))
                           .min(squared_distances(chords, to_start))
                           .min(squared_distances(chords, to_end));
-  // Where they cross, each has its ends on different sides of the other.
+  // Chord and edge cross if the ends of each lie on different sides of the other: both products are
+  // negative.
   const Lanes sides = (cross(edges.along, from_start) * cross(edges.along, ends_from_start))
                           .max(cross(chords.along, to_start) * cross(chords.along, to_end));
   return least.minCoeff() > distance * distance && sides.minCoeff() >= 0.0;

@@ -15,39 +15,39 @@ struct Chord {
   Complex to;    ///< end, length
 };
 
-/// Eight edges of a polygon, looked at side by side.
+/// Eight edges of a polygon, for which distances are computed side by side.
 class EdgeRun {
  public:
-  /// How many edges there are.
+  /// Number of edges.
   static constexpr Eigen::Index size = 8;
 
-  /// Where the edges are closest to a point.
+  /// The place of the edges that is closest to a point.
   struct Closest {
     double squared_distance;  ///< length squared
-    Eigen::Index edge;        ///< number, the least of equally close ones
-    double fraction;          ///< of the edge that is before the closest place, 0 to 1
+    Eigen::Index edge;        ///< number of the closest edge, the least number if several are
+    double fraction;          ///< part of the edge before the closest place, 0 to 1
   };
 
-  /// Takes edges.
+  /// Stores eight edges.
   /// @param  edges  of positive length each
   explicit EdgeRun(const std::array<Chord, size>& edges);
 
-  /// Finds the edge that is closest to a point.
+  /// Finds the edge that is closest to a point, and the closest place on it.
   /// @param  z  point, length
-  /// @return    edge and place
+  /// @return    squared distance, edge and place
   Closest closest(Complex z) const;
 
-  /// Tells whether a straight piece of a path keeps away from all edges.
+  /// Returns whether a chord keeps a distance from all edges.
   /// @param  chord     start and end, length
   /// @param  distance  to keep, >= 0, length
-  /// @return           true when all its points are farther than that
+  /// @return           true when all points of the chord are farther than this distance
   bool is_clear_of(const Chord& chord, double distance) const;
 
  private:
-  using Lanes = Eigen::Array<double, size, 1>;  // a number for each edge
+  using Lanes = Eigen::Array<double, size, 1>;  // one number for each edge
 
-  Lanes x_, y_, dx_, dy_;  // starts, and from there to the ends
-  Lanes inverse_;          // of squared lengths
+  Lanes x_, y_, dx_, dy_;  // starts, and vectors from starts to ends
+  Lanes inverse_;          // inverse squared lengths
 };
 
 /// @}

@@ -1,3 +1,5 @@
+// Finds all contacts of a step: broad phase by rectangles, then for each pair the narrow phase and
+// connected contacts (chapter 10).
 #include "stiv/interferences.hpp"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace stokesbook {
 
 namespace {
 
-// Contacts that end within so many separations are listed though nothing violates them.
+// Contacts that end within this many separations are listed even if no gap is violated.
 constexpr double watched_separations = 4.0;
 
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
@@ -36,6 +38,7 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
   }
 }
 
+// Finds the contacts of one pair of components: narrow phase, then grouping.
 Interferences in_pair(const ContactShapes& shapes, const PathPair& paths,
                       const ContactRules& rules) {
   const double separation = rules.separation.between(paths.a, paths.b);

@@ -1,3 +1,5 @@
+// Selects the pairs of components that may come near each other, from rectangles about their paths
+// in an R-tree: the broad phase (section "Results: what it costs" of chapter 10).
 #include "stiv/near_pairs.hpp"
 
 #include <algorithm>
@@ -14,7 +16,8 @@ Rectangle swept_rectangle(const ContactShape& shape, const RigidPath& path) {
   const Rectangle start = bounding_rectangle(shape, path.at(0.0)),
                   end = bounding_rectangle(shape, path.at(1.0));
   const ComplexVector corners = ComplexVector{{start.lower, start.upper, end.lower, end.upper}};
-  // No arc is farther from its chord than its circle is wide.
+  // An arc of the circle |X| rises above its chord by at most |X| rotation^2/8, and by at most the
+  // diameter 2 |X|.
   const double arc = std::min(path.rotation * path.rotation / 8.0, 2.0) * shape.radius;
   return widened(bounding_rectangle(corners), arc);
 }
@@ -36,6 +39,7 @@ std::vector<ComponentPair> near_pairs(const ContactShapes& shapes,
       if (other > k && !encloses(other)) pairs.emplace_back(k, other);
     }
   }
+  // Pair each enclosing wall with all components that it encloses.
   for (std::size_t wall : enclosing) {
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       if (!encloses(k)) pairs.push_back(std::minmax(k, wall));

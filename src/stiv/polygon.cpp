@@ -1,3 +1,5 @@
+// Finds the closest point of a polygon, and vertices in a region, by a binary tree of bounding
+// rectangles over runs of eight edges (section "Results: what it costs" of chapter 10).
 #include "stiv/polygon.hpp"
 
 #include <algorithm>
@@ -15,6 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Returns the least rectangle that holds two rectangles.
 Rectangle around_both(const Rectangle& p, const Rectangle& q) {
   return {{std::min(p.lower.real(), q.lower.real()), std::min(p.lower.imag(), q.lower.imag())},
           {std::max(p.upper.real(), q.upper.real()), std::max(p.upper.imag(), q.upper.imag())}};
@@ -37,6 +40,7 @@ double squared_distance(const Rectangle& rectangle, Complex z) {
   return dx * dx + dy * dy;
 }
 
+// Returns from + t (to - from), exactly `to` for t = 1.
 Complex at_fraction(const Chord& chord, double t) {
   return t == 1.0 ? chord.to : chord.from + t * (chord.to - chord.from);
 }
@@ -55,7 +59,7 @@ Polygon::Polygon(const ComplexVector& vertices, Side side) : vertices_(vertices)
                                 std::to_string(vertices.size()));
   }
   while (static_cast<Index>(leaf_count_) * EdgeRun::size < size()) leaf_count_ *= 2;
-  // What holds nothing meets nothing and is infinitely far.
+  // An empty box meets no other box, and its distance from any point is infinite.
   const Rectangle nothing{{infinity, infinity}, {-infinity, -infinity}};
   boxes_.assign(2 * leaf_count_, nothing);
   for (Index first = 0; first < size(); first += EdgeRun::size) {
@@ -81,6 +85,8 @@ Index Polygon::first_edge(std::size_t leaf) const {
   return static_cast<Index>(leaf - leaf_count_) * EdgeRun::size;
 }
 
+// Searches the tree below a node, the nearer child first, and leaves out children that are farther
+// than the nearest edge so far.
 void Polygon::search(std::size_t node, Complex z, Nearest& nearest) const {
   if (node >= leaf_count_) {
     const auto [distance2, edge, fraction] = runs_[node - leaf_count_].closest(z);
@@ -103,7 +109,9 @@ ClosestPoint Polygon::closest(Complex z, double at_most) const {
   Nearest nearest{at_most * at_most, -1, 0.0};
   if (squared_distance(boxes_[1], z) < nearest.squared_distance) search(1, z, nearest);
   if (nearest.edge < 0) return {infinity, {}, {}, -1};
-  const double inward = static_cast<double>(side_);  // of the fluid, where it is within
+  // perp() of an edge points to the inside, as vertices are counter-clockwise. The side is +1 if
+  // the fluid lies inside, else -1, so that the normal points into the fluid.
+  const double inward = static_cast<double>(side_);
   const auto edge_normal = [&](Index e) {
     const auto [from, to] = edge(e);
     const Complex along = to - from;
@@ -115,7 +123,7 @@ ClosestPoint Polygon::closest(Complex z, double at_most) const {
     const Complex normal = edge_normal(e);
     return {dot(z - vertices_[e], normal), point, normal, e};
   }
-  // At a vertex the mean normal of its edges tells the sides apart.
+  // At a vertex the mean normal of its two edges gives the sign of the distance.
   const Index other = fraction == 0.0 ? (e > 0 ? e : size()) - 1 : (e + 1 < size() ? e + 1 : 0);
   const Complex mean = edge_normal(e) + edge_normal(other);
   const double distance = std::copysign(std::sqrt(distance2), dot(z - point, mean));
@@ -145,7 +153,7 @@ void Polygon::collect(std::size_t node, const Condition& holds, std::vector<Inde
     collect(2 * node + 1, holds, found);
     return;
   }
-  // The vertices of a leaf are those where its edges start.
+  // The vertices of a leaf are the starts of its edges.
   const Index past_last = std::min(first_edge(node) + EdgeRun::size, size());
   for (Index i = first_edge(node); i < past_last; ++i) found.push_back(i);
 }

@@ -12,30 +12,31 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// Where a polygon is closest to a point.
+/// The point of a polygon that is closest to a given point z.
 struct ClosestPoint {
-  double distance;    ///< of the point, > 0 in the polygon's fluid, < 0 beyond it; length
-  Complex point;      ///< of the polygon, length
-  Complex normal;     ///< gradient of the distance, unit: into the fluid; also where that is 0
-  Eigen::Index edge;  ///< that holds the point: from vertex edge to the next one
+  double distance;    ///< signed distance of z, length: > 0 in the fluid, < 0 beyond the polygon
+  Complex point;      ///< the closest point, length
+  Complex normal;     ///< unit gradient of the distance, into the fluid; also at distance 0
+  Eigen::Index edge;  ///< number of the edge with the closest point; edge i starts at vertex i
 };
 
-/// A closed polygon in its own frame, whose closest edges are found without looking at all of them:
-/// runs of eight consecutive edges, each looked at as one, have bounding rectangles, and pairs of
-/// those have theirs.
+/// A closed polygon in its own frame, with a tree that finds its closest edges without a look at
+/// all edges.
 ///
-/// Safe to ask from several threads at once.
+/// The leaves of the tree are runs of eight consecutive edges with their bounding rectangles; each
+/// inner node has the bounding rectangle of its two children. The const member functions may be
+/// called from several threads at once.
 class Polygon {
  public:
-  /// Sorts the edges.
+  /// Builds the tree.
   ///
-  /// @param  vertices  M of them, counter-clockwise, no two consecutive ones equal, length
-  /// @param  side      where the fluid lies
-  /// @throws std::invalid_argument when there are fewer than three, or one is not finite
+  /// @param  vertices  M vertices, counter-clockwise, consecutive vertices distinct, length
+  /// @param  side      of the polygon on which the fluid lies
+  /// @throws std::invalid_argument when there are fewer than three vertices, or one is not finite
   /// @par Cost         O(M)
   Polygon(const ComplexVector& vertices, Side side);
 
-  /// Counts vertices, and edges.
+  /// Returns the number of vertices, which is also the number of edges.
   /// @return M
   Eigen::Index size() const { return vertices_.size(); }
 
@@ -48,7 +49,7 @@ class Polygon {
   /// @return M places in the polygon's frame, length
   const ComplexVector& vertices() const { return vertices_; }
 
-  /// Tells where the fluid lies.
+  /// Returns the side of the polygon on which the fluid lies.
   /// @return side
   Side side() const { return side_; }
 
@@ -59,32 +60,33 @@ class Polygon {
   /// Finds the point of the polygon that is closest to a point.
   ///
   /// @param  z        point, length
-  /// @param  at_most  distance beyond which none is looked for, length; may be infinite
-  /// @return          closest point; its distance is infinite where none is as near as at_most
-  /// @par Accuracy  rounding of the positions, @ref claim_10_18
-  /// @par Cost      O(log M) where one part of the polygon is clearly the closest, O(M) from the
-  /// centre of a circle; no allocation
+  /// @param  at_most  distance up to which the search looks, length; may be infinite
+  /// @return          closest point; its distance is infinite and its edge -1 if the polygon is not
+  ///                  nearer than at_most
+  /// @par Accuracy    rounding of the positions, @ref claim_10_18
+  /// @par Cost        O(log M) if one part of the polygon is clearly the closest, O(M) from the
+  ///                  centre of a circle; no allocation
   ClosestPoint closest(Complex z, double at_most) const;
 
-  /// Tells whether a straight piece of a path keeps away from the polygon.
+  /// Returns whether a chord keeps a distance from the polygon.
   ///
   /// @param  chord     start and end, length
   /// @param  distance  to keep, >= 0, length
-  /// @return           true when all points of the chord are farther than that from all edges
-  /// @par Cost         as closest()
+  /// @return           true when all points of the chord are farther than this from all edges
+  /// @par Cost         like closest()
   bool is_clear_of(const Chord& chord, double distance) const;
 
-  /// What is asked of a rectangle that holds some of the vertices.
+  /// A condition on a rectangle that holds some of the vertices.
   using Condition = std::function<bool(const Rectangle&)>;
 
   /// Finds the vertices of the runs whose rectangles fulfil a condition.
   ///
-  /// @param  holds  whether a rectangle may hold a vertex that is sought, in the polygon's frame
-  /// @return        numbers of vertices, ascending: all that are sought, and others of their runs
+  /// @param  holds  returns whether a rectangle in the polygon's frame may hold a wanted vertex
+  /// @return        numbers of vertices, ascending: all wanted vertices, and others of their runs
   /// @par Cost      O(log M + m) for m vertices of one part of the polygon
   std::vector<Eigen::Index> vertices_if(const Condition& holds) const;
 
-  /// Finds the vertices in a rectangle, borders included.
+  /// Finds the vertices in a rectangle, including its border.
   ///
   /// @param  rectangle  in the polygon's frame
   /// @return            numbers of vertices, ascending
@@ -92,7 +94,8 @@ class Polygon {
   std::vector<Eigen::Index> vertices_in(const Rectangle& rectangle) const;
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // Nearest is hidden from Doxygen 1.9, which links to a list of private nested types but does not
+  // write that list.
   /// @cond
   struct Nearest;
   /// @endcond
@@ -107,7 +110,7 @@ class Polygon {
   ComplexVector vertices_;
   Side side_;
   std::size_t leaf_count_ = 1;    // a power of two
-  std::vector<EdgeRun> runs_;     // of the leaves; the last edge fills up the last one
+  std::vector<EdgeRun> runs_;     // one for each leaf; copies of the last edge fill the last run
   std::vector<Rectangle> boxes_;  // of nodes 1, 2, ...: 2 k and 2 k + 1 are the children of node k
 };
 

@@ -1,3 +1,5 @@
+// Measures the gaps of polygons at rest, from the signed distances of their vertices and from edges
+// that cross, as the test that accepts a state (section "How it fails" of chapter 10).
 #include "stiv/polygon_gaps.hpp"
 
 #include <algorithm>
@@ -12,12 +14,14 @@ using Eigen::Index;
 
 namespace {
 
+// Returns the frame of a pose, seen from the frame of another pose.
 RelativeFrame frame_in(const Pose& pose, const Pose& observer) {
   return RelativePath({pose, {}, 0.0}, {observer, {}, 0.0}).start();
 }
 
-// The vertices of one polygon that may lie within a distance of another one, or beyond it: those in
-// its rectangle, all where it encloses.
+// Returns the vertices of a polygon `of` that may be nearer than `reach` to a polygon `about`, or
+// overlap it: the vertices in the bounding rectangle of `about`, widened by `reach`. Returns all
+// vertices if `about` is an enclosing wall.
 std::vector<Index> near_vertices(const Polygon& of, const Polygon& about,
                                  const RelativeFrame& frame, double reach) {
   if (about.side() == Side::fluid_inside) {
@@ -32,12 +36,13 @@ std::vector<Index> near_vertices(const Polygon& of, const Polygon& about,
   return of.vertices_in(widened(bounding_rectangle(corners), reach));
 }
 
+// Holds a component's shape and its pose.
 struct Placed {
   const ContactShape& shape;
   const Pose& pose;
 };
 
-// The deepest or nearest vertex of one polygon about the other.
+// Holds the vertex of one polygon with the least signed distance from the other.
 struct NearestVertex {
   double distance;
   Complex place;  // in the plane
@@ -57,6 +62,7 @@ NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach
   return nearest;
 }
 
+// Returns whether edges of two polygons cross.
 bool edges_cross(const Placed& p, const Placed& q) {
   const bool p_is_simpler = p.shape.polygon.size() < q.shape.polygon.size();
   const Placed &of = p_is_simpler ? p : q, &about = p_is_simpler ? q : p;
@@ -70,7 +76,7 @@ bool edges_cross(const Placed& p, const Placed& q) {
   return false;
 }
 
-// Of a and b, at least reach where they are not nearer.
+// Returns the gap of a and b; the result is at least `reach` if they are not nearer than `reach`.
 PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, double reach) {
   const NearestVertex of_a = nearest_vertex(a, b, reach), of_b = nearest_vertex(b, a, reach);
   const NearestVertex nearest = of_a.distance <= of_b.distance ? of_a : of_b;

@@ -1,3 +1,5 @@
+// Describes the motion of a component in the frame of another one (10.2), with bounds of its speed
+// (10.4) and of its distance from chords.
 #include "stiv/rigid_path.hpp"
 
 #include <algorithm>
@@ -12,6 +14,8 @@ RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
       spin_(of.rotation - from.rotation),
       observer_(from.start.orientation),
       observer_spin_(from.rotation) {
+  // centre_speed is the first term of (10.4), centre_bend the first term of |d^2 z / dtau^2|. Both
+  // are moduli of vectors linear in tau, so that their maxima lie at tau = 0 or 1.
   const auto centre_speed = [&](Complex offset) {
     return std::abs(drift_ - observer_spin_ * perp(offset));
   };
@@ -25,6 +29,7 @@ RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
   end_ = at(1.0);
 }
 
+// Evaluates (10.2).
 RelativeFrame RelativePath::at(double tau) const {
   return {std::polar(1.0, -observer_ - tau * observer_spin_) * (offset_ + tau * drift_),
           std::polar(1.0, orientation_ + tau * spin_)};

@@ -11,72 +11,75 @@ namespace stokesbook {
 /// \f$ c(\tau) = c + \tau\Delta c,\ \theta(\tau) = \theta + \tau\Delta\theta \f$.
 struct RigidPath {
   Pose start;             ///< c and theta
-  Complex displacement;   ///< Delta c, length; 0 for what is held
+  Complex displacement;   ///< Delta c, length; 0 for a component that is held
   double rotation = 0.0;  ///< Delta theta, radians; more than a turn is allowed
 
-  /// Returns where the component is at a time.
+  /// Returns the pose of the component at a time.
   /// @param  tau  from 0 to 1
-  /// @return      its frame
+  /// @return      pose of its frame
   Pose at(double tau) const {
     return {start.position + tau * displacement, start.orientation + tau * rotation};
   }
 };
 
-/// A component's frame as another component sees it: a point X of the one is at
-/// \f$ z = shift + turn\,X \f$ in the frame of the other.
+/// The frame of a component, seen from the frame of another component: a point X of the first is at
+/// \f$ z = shift + turn\,X \f$ in the frame of the second.
 struct RelativeFrame {
-  Complex shift;  ///< length
-  Complex turn;   ///< of modulus 1
+  Complex shift;  ///< place of the first frame's origin, length
+  Complex turn;   ///< rotation, a number of modulus 1
 
-  /// Returns where a point is in the other's frame.
-  /// @param  x  in the component's own frame, length
+  /// Returns the place of a point in the second frame.
+  /// @param  x  the point X in the first frame, length
   /// @return    z, length
   Complex operator()(Complex x) const { return shift + turn * x; }
 
-  /// Returns which point of the component is at a place of the other's frame.
-  /// @param  z  in the other's frame, length
+  /// Returns the point of the component that is at a place of the second frame.
+  /// @param  z  place in the second frame, length
   /// @return    X, length
   Complex inverse(Complex z) const { return std::conj(turn) * (z - shift); }
 };
 
-/// The motion of a component A in one step, in the frame of a component B that moves too:
+/// The motion of a component A in one step, in the frame of a component B that moves too (10.2):
 /// \f[ z(\tau) = R(-\theta_B)(c_A - c_B) + R(\theta_A-\theta_B)X. \f]
 ///
-/// It depends on the difference of the displacements only, and is the same for any observer.
+/// The relative path depends only on the difference of the displacements, and is the same for any
+/// observer.
 class RelativePath {
  public:
   /// @param  of    path of A
   /// @param  from  path of B, in whose frame A is seen
   RelativePath(const RigidPath& of, const RigidPath& from);
 
-  /// Returns where A is at a time.
+  /// Returns the frame of A at a time.
   /// @param  tau  from 0 to 1
-  /// @return      its frame, seen from B
+  /// @return      frame of A, seen from B
   RelativeFrame at(double tau) const;
 
-  /// Returns where A is at the start.
+  /// Returns the frame of A at the start of the step.
   /// @return at(0)
   const RelativeFrame& start() const { return start_; }
 
-  /// Returns where A is at the end.
+  /// Returns the frame of A at the end of the step.
   /// @return at(1)
   const RelativeFrame& end() const { return end_; }
 
   /// Bounds the speed of a point of A: \f$ \max_{\tau=0,1}|\Delta c_A - \Delta c_B -
-  /// \Delta\theta_B(c_A-c_B)^\perp| + |\Delta\theta_A-\Delta\theta_B||X| \f$.
+  /// \Delta\theta_B(c_A-c_B)^\perp| + |\Delta\theta_A-\Delta\theta_B||X| \f$ (10.4).
   ///
-  /// The first term is the modulus of a vector that is linear in tau.
+  /// The first term is the modulus of a vector that is linear in tau, so that its largest value
+  /// lies at an end of the step.
   /// @param  radius  |X|, length
   /// @return         bound of |dz/dtau|, length
   double speed_bound(double radius) const { return speed_ + std::abs(spin_) * radius; }
 
-  /// Bounds how far a point of A strays from the chord between two of its places:
+  /// Bounds the distance of a point of A from the chord between two places of its path:
   /// \f$ \frac{\Delta\tau^2}{8}(\max_{\tau=0,1}|2\Delta\theta_B(\Delta c_A-\Delta c_B)^\perp +
   /// \Delta\theta_B^2(c_A-c_B)| + (\Delta\theta_A-\Delta\theta_B)^2|X|) \f$.
   ///
-  /// That is the modulus of the second derivative, in which the first term is linear in tau again.
+  /// The expression in parentheses bounds the second derivative of the path, whose first term is
+  /// linear in tau.
   /// @param  radius  |X|, length
-  /// @param  step    Delta tau between the places
+  /// @param  step    time \f$ \Delta\tau \f$ between the two places
   /// @return         distance, length
   double stray_bound(double radius, double step) const {
     return 0.125 * step * step * (bend_ + spin_ * spin_ * radius);

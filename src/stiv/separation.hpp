@@ -10,20 +10,20 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// Pairs that may come closer than others, and how close, length, > 0.
+/// Pairs that may come closer than others, with their own separation, length, > 0.
 using CloserPairs = std::map<ComponentPair, double>;
 
-/// The least distance that the polygons of each pair of components keep.
+/// The least distance that the polygons of each pair of components must keep.
 ///
-/// Gaps of the curves are narrower by at most the sum of the two sags: who wants them wider than
-/// delta asks for delta and both sags.
+/// The gap of two curves is narrower than the gap of their polygons by at most the sum of the two
+/// sags. To keep the curves delta apart, pass delta plus both sags.
 struct Separation {
   double everywhere;     ///< of pairs in general, length, > 0
-  CloserPairs closer{};  ///< exceptions
+  CloserPairs closer{};  ///< pairs with a smaller separation
 
   /// Returns the separation of a pair.
-  /// @param  a  a component
-  /// @param  b  another one
+  /// @param  a  number of a component
+  /// @param  b  number of another component
   /// @return    length, > 0, at most @c everywhere
   double between(std::size_t a, std::size_t b) const {
     const auto own = closer.find(std::minmax({a, b}));

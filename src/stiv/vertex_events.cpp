@@ -1,3 +1,5 @@
+// Follows the vertices of one component past the polygon of another by conservative advancement
+// (10.3) along the relative path (10.2), and measures the gaps that they leave (10.5).
 #include "stiv/vertex_events.hpp"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The search for one pair, one way.
+// Follows the vertices of component A past the polygon of component B.
 class Search {
  public:
   Search(const ContactShape& a, const Polygon& polygon, const RelativePath& path,
@@ -24,7 +26,8 @@ class Search {
         clearance_(clearance),
         deep_((1.0 - clearance.dip) * clearance.separation + clearance.tolerance) {}
 
-  // The vertices of A that may come near B.
+  // Returns the vertices of A that may come near B. A run of vertices is left out if the path of
+  // its bounding circle keeps away from B.
   std::vector<Index> candidates() {
     return a_.polygon.vertices_if([this](const Rectangle& rectangle) {
       const Complex centre = 0.5 * (rectangle.lower + rectangle.upper);
@@ -33,6 +36,9 @@ class Search {
     });
   }
 
+  // Returns the event of a vertex. The gap is (10.5) if the vertex goes deep and ends beyond the
+  // touched line; otherwise the distance at the end counts. Returns nothing if the vertex neither
+  // goes deep nor ends near B.
   std::optional<VertexEvent> event(Index vertex) {
     const Complex x = a_.polygon.vertex(vertex);
     const Place start = start_of(x), end = end_of(x);
@@ -52,13 +58,13 @@ class Search {
   std::size_t queries() const { return queries_; }
 
  private:
-  // Where a point of A is at a time, in B's frame.
+  // The place of a point of A at a time, in B's frame.
   struct Place {
     double tau;
     Complex z;
   };
 
-  // A place of the path at the separation.
+  // A place of the path at which the distance from B has fallen to the separation.
   struct Touch {
     double tau;
     Complex z;
@@ -69,12 +75,13 @@ class Search {
   Place end_of(Complex x) const { return {1.0, path_.end()(x)}; }
   Place place_of(Complex x, double tau) const { return {tau, path_.at(tau)(x)}; }
 
-  // The gap to the touched line at the end.
+  // Returns the gap at the end from the line through the touched point (10.5).
   double gap(const Touch& touch, Complex end) const {
     return touch.at.distance - clearance_.separation + dot(touch.at.normal, end - touch.z);
   }
 
-  // Whether chords of the path of a point X of A show that it goes nowhere deep, as of most points.
+  // Returns true if chords of the path of a point X of A prove that X never goes deep. This settles
+  // most points. The path is halved up to `halvings` times.
   bool keeps_off(Complex x, const Place& from, const Place& to, int halvings) {
     if (is_clear(x, from, to, deep_)) return true;
     if (halvings == 0) return false;
@@ -82,7 +89,9 @@ class Search {
     return keeps_off(x, from, middle, halvings - 1) && keeps_off(x, middle, to, halvings - 1);
   }
 
-  // Where a point X of A touched the line beyond which its path goes deep, and ends.
+  // Finds the contact in which a point X of A goes deep and ends beyond the touched line. Returns
+  // the touch at the start of this contact, or the first deep place if X ends beyond the line there
+  // only. Returns nothing if there is no such contact. Advances by (10.3) with the bound (10.4).
   std::optional<Touch> deep_touch(Complex x, Complex end) {
     const double speed = path_.speed_bound(std::abs(x)), separation = clearance_.separation,
                  tolerance = clearance_.tolerance;
@@ -94,9 +103,10 @@ class Search {
       const ClosestPoint at = closest(z, separation + tolerance + speed * (1.0 - tau));
       if (at.edge < 0) return {};
       const double excess = at.distance - separation;
-      double step = excess / speed;  // no contact before that
+      double step = excess / speed;  // (10.3): no contact before tau + step
       if (excess > tolerance) {
         touch.reset();
+        // If steps hardly shrink, try chords of growing length.
         stretch = step > 0.5 * previous ? 2.0 * stretch : 1.0;
         previous = step;
         const double longer = std::min(stretch * step, 1.0 - tau);
@@ -112,6 +122,7 @@ class Search {
             if (gap(line, end) < -tolerance) return line;
           }
         }
+        // In contact, a step of half the separation cannot pass through B.
         step = 0.5 * std::max(at.distance, separation) / speed;
       }
       tau += std::max(step, std::numeric_limits<double>::epsilon());
@@ -120,7 +131,8 @@ class Search {
     return {};
   }
 
-  // Whether the path of a point X of A keeps a distance from B between two places.
+  // Returns whether the chord between two places of X proves that the path between them keeps a
+  // distance from B.
   bool is_clear(Complex x, const Place& from, const Place& to, double distance) {
     ++queries_;
     return polygon_.is_clear_of({from.z, to.z},
@@ -140,7 +152,7 @@ class Search {
   const Polygon& polygon_;
   const RelativePath& path_;
   const Clearance clearance_;
-  const double deep_;  // up to this distance a vertex is deep
+  const double deep_;  // a vertex at this distance from B or nearer is deep
   std::size_t queries_ = 0;
 };
 

@@ -11,26 +11,26 @@ namespace stokesbook {
 /// @addtogroup stiv
 /// @{
 
-/// What a vertex of one component A does to the polygon of another one B in a step.
+/// Records how a vertex of a component A comes near the polygon of a component B in a step.
 struct VertexEvent {
   Eigen::Index vertex;  ///< of A
-  Eigen::Index edge;    ///< of B, that it comes closest to
-  double weight;        ///< length of A's polygon that the vertex stands for
-  double time;          ///< when gap, point and normal were taken: tau_I, from 0 to 1, where the
-                        ///< contact began that the vertex goes deep in; 1, the end, without one
-  double gap;           ///< g, length, < 0 where the vertex ends too deep
-  Complex point;        ///< y, closest of B's polygon, in B's frame, length
-  Complex normal;       ///< n, into the fluid about B, in B's frame
+  Eigen::Index edge;    ///< of B, closest to the vertex at this time
+  double weight;        ///< w_s of (10.6): half the lengths of the two edges at the vertex
+  double time;          ///< tau_I, from 0 to 1, at which gap, point and normal were taken: start of
+                        ///< the contact if the vertex goes deep; otherwise 1, the end of the step
+  double gap;           ///< g at the end of the step, length, < 0 if the vertex ends too deep
+  Complex point;        ///< y, closest point of B's polygon, in B's frame, length
+  Complex normal;       ///< n_I, unit, into the fluid about B, in B's frame
 };
 
-/// How much a search for contact took.
+/// Counts the work of a search for contact.
 struct SearchCost {
-  std::size_t pairs = 0;     ///< pairs of components that the broad phase left
+  std::size_t pairs = 0;     ///< pairs of components that passed the broad phase
   std::size_t vertices = 0;  ///< vertices whose paths were followed
-  std::size_t queries = 0;   ///< of closest points and of chords
+  std::size_t queries = 0;   ///< queries of a polygon, for a closest point or a chord
 
-  /// Adds another search.
-  /// @param  other  what that took
+  /// Adds the counts of another search.
+  /// @param  other  counts of that search
   /// @return        the sum
   SearchCost& operator+=(const SearchCost& other) {
     pairs += other.pairs;
@@ -43,47 +43,51 @@ struct SearchCost {
   bool operator==(const SearchCost&) const = default;
 };
 
-/// What two components are to keep, and how closely the search looks.
+/// The distance that two components must keep, and options of the search.
 struct Clearance {
   double separation;  ///< delta, length, > 0
-  double tolerance;   ///< of gaps, length, > 0: contact is found up to this early
-  double watch;       ///< distance at the end of the step up to which vertices are listed, length
+  double tolerance;   ///< of gaps, length, > 0: contact is found at most this much too early
+  double watch;       ///< vertices that end nearer to the other component are listed, length
   double dip = 0.5;   ///< part of the separation that a vertex may lose within a step, 0 to 1
 };
 
-/// The events of one component's vertices, and what finding them took.
+/// The events of one component's vertices, and the work of finding them.
 struct VertexEvents {
-  std::vector<VertexEvent> events;  ///< ascending by vertex, one a vertex at most
+  std::vector<VertexEvent> events;  ///< ascending by vertex, at most one per vertex
   SearchCost cost;                  ///< of this search
 };
 
-/// Follows the vertices of a component A along their paths relative to a component B: the narrow
-/// phase, one way.
+/// Follows the vertices of a component A along their paths relative to a component B. This is one
+/// half of the narrow phase: the vertices of B past A are the other half.
 ///
-/// With the signed distance d of B's polygon and the relative path z(tau), the first contact is
-/// where d comes down to delta, and the gap that it leaves at the end is that to the line through
-/// the touched point,
+/// Let d be the signed distance from B's polygon and z(tau) the relative path (10.2). The first
+/// contact is the time at which d has fallen to delta. The gap at the end of the step is measured
+/// from the line through the touched point (10.5),
 /// \f[ g = d(z_I) - \delta + n_I\cdot(z(1) - z_I), \f]
-/// however far beyond B the vertex ends. This holds for vertices that go deep, nearer than
-/// (1 - dip) delta. For all others the end alone counts, \f$ g = d(z(1)) - \delta \f$ with the
-/// normal there: what slides along B at a distance of delta, up to the tolerance, would meet tilted
-/// lines at every bend that it passes.
+/// and remains negative however far beyond B the vertex ends. This gap is used for vertices that go
+/// deep, that is, nearer than (1 - dip) delta. For all other vertices only the end of the step
+/// counts, \f$ g = d(z(1)) - \delta \f$ with the normal there. The reason is sliding: a vertex that
+/// slides along B at the distance delta, up to the tolerance, would end behind the tilted line of
+/// every bend that it passes.
 ///
-/// Runs of vertices whose bounding circle stays away are not looked at one by one. Of most of the
-/// others a chord of the path shows that they go nowhere deep. For the rest the search advances by
-/// \f$ (d-\delta)/L \f$, with a bound L of the speed: that cannot skip a contact, however fast.
-/// Where this creeps, as along a wall, it tries chords that grow until one comes too near. In
-/// contact it goes on in steps of half the separation, which cannot pass through B either.
+/// Three tests reduce the work. Runs of vertices whose bounding circle keeps away from B are left
+/// out. For most other vertices a chord of the path proves that they never go deep. For the
+/// remaining vertices the search advances in time by \f$ (d-\delta)/L \f$ (10.3) with a bound L of
+/// the speed (10.4). Such a step cannot skip a contact, however fast the vertex. If the steps
+/// become small, for example along a wall, the search tries chords of growing length until one
+/// comes too near. In contact the search advances in steps of half the separation, which cannot
+/// pass through B either.
 /// @param  a          shape of A
 /// @param  b          shape of B
 /// @param  path       of A, seen from B; the polygons do not overlap at its start
 /// @param  clearance  separation, tolerance, watch and dip
-/// @return            vertices that end too deep, and those that end near B
-/// @par Accuracy      contact is found at delta + tolerance at the latest, @ref claim_10_4; g has
-/// rounding error for B's polygon, which lies within its sag of the curve
-/// @par Cost          a few queries O(log M) a vertex that comes near; O(log M) for all others
+/// @return            events of vertices that end too deep, or end near B
+/// @par Accuracy      first contact is found at a distance between delta and delta + tolerance,
+///                    @ref claim_10_4; g has rounding error for B's polygon, which lies within its
+///                    sag of the curve
+/// @par Cost          a few queries of O(log M) per vertex that comes near; O(log M) for all others
 /// @sa source: Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, thesis, Berkeley,
-/// 1996, for the advancement
+///             1996, for the advancement
 VertexEvents vertex_events(const ContactShape& a, const ContactShape& b, const RelativePath& path,
                            const Clearance& clearance);
 

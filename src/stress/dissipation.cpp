@@ -1,4 +1,5 @@
-// Computes the power that boundaries bring into the fluid, by tractions and by loads (chapter 07).
+// Computes the power that boundaries put into the fluid, from tractions and from loads, and the
+// dissipation in the fluid (07.11).
 #include "stress/dissipation.hpp"
 
 #include <optional>
@@ -12,12 +13,13 @@ using Eigen::Index;
 
 namespace {
 
+// Integrates u . sigma n over a curve by the trapezoid rule.
 double power(const Curve& curve, const ComplexVector& velocity, const ComplexVector& traction) {
   return weights(curve).dot(velocity.conjugate().cwiseProduct(traction).real());
 }
 
-/// Takes the rigid motion off a velocity that is given at the nodes of a wall. Returns nothing where
-/// the rest is rounding of the nodes' places, which grows with their distance from the origin.
+// Subtracts the rigid motion from the velocity at the nodes of a wall. Returns nothing if the rest
+// is due to the rounding of the nodes' positions, which grows with their distance from the origin.
 std::optional<ComplexVector> deformation(const Curve& curve, const RigidModes& modes,
                                          const RigidMotion& rigid, const ComplexVector& velocity) {
   ComplexVector rest = velocity - modes.at_nodes(rigid);
@@ -49,6 +51,7 @@ std::vector<double> power_of_loads(const SolvedFlow& flow) {
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     const Load& load = flow.completion().loads[k];
+    // U . F + omega L
     const auto power_of = [&](const RigidMotion& motion) {
       return dot(motion.velocity, load.force) + motion.omega * load.torque;
     };

@@ -10,26 +10,27 @@ namespace stokesbook {
 /// @addtogroup stress
 /// @{
 
-/// Integrates the power that every component's surface does on the fluid,
+/// Integrates the power that the surface of each component puts into the fluid,
 /// \f$ \oint u\cdot\sigma n\,ds \f$.
 ///
-/// Their sum is what the fluid dissipates, where it is enclosed; in an unbounded fluid that rests
-/// at infinity too, when the total force vanishes.
+/// The sum over all components is the dissipation of the fluid (07.11), if the fluid is enclosed.
+/// In an unbounded fluid the sum is the dissipation if the fluid rests at infinity and the total
+/// force vanishes.
 /// @param  flow      problem and motions
 /// @param  traction  of the whole flow, from boundary_traction()
-/// @return           one entry a component, force length / time a unit of depth
-/// @par Accuracy     geometric in the nodes: @ref claim_07_18; equal to power_of_loads() where all
+/// @return           one entry per component, force length / time per unit of depth
+/// @par Accuracy     geometric in the nodes: @ref claim_07_18; equal to power_of_loads() if all
 /// motions are rigid, @ref claim_07_19
 std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction);
 
-/// Computes the same power from motions and loads.
+/// Computes the power of boundary_power() from motions and loads.
 ///
-/// With the rigid part \f$ U + \omega(x-c)^\perp \f$ of a component's velocity g,
+/// With the rigid part \f$ U + \omega(x-c)^\perp \f$ of the velocity g of a component,
 /// \f[ \oint g\cdot\sigma n\,ds = U\cdot F + \omega L + \oint (g - U - \omega (x-c)^\perp)\cdot
-///     \sigma n\,ds, \f]
-/// whose last term asks for the traction only where a wall does not move rigidly.
+///     \sigma n\,ds. \f]
+/// The last term requires the traction, but only on walls that do not move rigidly.
 /// @param  flow      problem, motions and loads; the background must vanish
-/// @return           one entry a component, force length / time a unit of depth
+/// @return           one entry per component, force length / time per unit of depth
 /// @throws std::invalid_argument when a wall that does not move rigidly has no Cauchy scheme
 /// @par Cost         O(n), and the derivatives at the nodes of walls that do not move rigidly
 std::vector<double> power_of_loads(const SolvedFlow& flow);
@@ -39,7 +40,7 @@ std::vector<double> power_of_loads(const SolvedFlow& flow);
 /// @param  rule      quadrature over the fluid
 /// @param  at_points derivatives of the whole flow at the rule's points
 /// @param  mu        viscosity, force time / length^2
-/// @return           force length / time a unit of depth
+/// @return           force length / time per unit of depth
 /// @par Accuracy     that of the rule, once the flow is resolved: @ref claim_07_20
 double volume_dissipation(const FluidQuadrature& rule,
                           const std::vector<FlowDerivatives>& at_points, double mu);

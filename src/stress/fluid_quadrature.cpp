@@ -1,3 +1,5 @@
+// Makes a quadrature rule for the fluid: Gauss's rule and the trapezoid rule in strips along the
+// boundary, a square grid for the rest, and a smooth cut-off between the two (07.12).
 #include "stress/fluid_quadrature.hpp"
 
 #include <algorithm>
@@ -19,12 +21,14 @@ using Eigen::Index;
 
 namespace {
 
-// erfc(beta) is 1e-13: the cut-off is as good as smooth where it ends.
+// erfc(beta) is 1e-13, so that the cut-off is smooth up to rounding at the edges of a strip.
 constexpr double beta = 5.25;
 
-// GSL tabulates Gauss's nodes for this number; it resolves the cut-off to rounding.
+// Number of Gauss's nodes across a strip: GSL tabulates this rule, which resolves the cut-off to
+// rounding.
 constexpr int nodes_across = 64;
 
+// Returns chi of (07.12) as a function of the height d / delta.
 double cut_off(double height) {
   return 0.5 * std::erfc(beta * (2.0 * height - 1.0));
 }
@@ -34,8 +38,8 @@ SmoothCurve smooth(const Curve& curve) {
       curve, std::make_shared<const Parametrisation>(TrigonometricPolynomial(curve.x)), {}, 0.0};
 }
 
-// Height of a point over a curve, > 0 in the fluid; where the point is farther than the reach, only
-// its sign is meant.
+// Returns the signed distance of a point from a curve, > 0 in the fluid. For points farther away
+// than the reach, only the sign of the result is accurate.
 double height(const SmoothCurve& curve, Complex z, double reach) {
   const Curve& nodes = curve.nodes;
   const Index nearest = nearest_node(nodes, z);
@@ -69,7 +73,9 @@ class Rule {
   std::vector<double> weights_;
 };
 
-// Points of a finer rule along the curve: integrands are products of what its nodes resolve.
+// Adds the points of a strip, with the weights chi |x'| (1 - s kappa d) dt dd. The strip has twice
+// as many points along the curve as the curve has nodes, because integrands are products of
+// functions that the nodes resolve.
 void add_strip(Rule& rule, const Curve& curve, double width) {
   const Index m = 2 * curve.size();
   const Curve fine = resample(curve, m);
@@ -114,7 +120,7 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
     add_strip(rule, curve, width);
     boundary.push_back(smooth(curve));
   }
-  // What the strips leave of a point's weight, 0 outside the fluid.
+  // Factor 1 - sum chi of the weight of a grid point; 0 outside the fluid
   const auto left = [&](Complex z) {
     double share = 1.0;
     for (const SmoothCurve& curve : boundary) {

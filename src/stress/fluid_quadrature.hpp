@@ -19,32 +19,34 @@ struct FluidQuadrature {
 
 /// Resolution of fluid_quadrature().
 struct FluidQuadratureSettings {
-  double width = 0.0;            ///< of the strips, length; 0: strip_width() chooses
+  double width = 0.0;            ///< width of the strips, length; 0: that of strip_width()
   double points_a_width = 18.0;  ///< grid points across a strip
 };
 
-/// Chooses the width of the strips of fluid_quadrature(): half the least gap, and at most half the
-/// least radius of curvature where a curve is hollow towards the fluid.
+/// Chooses the width of the strips of fluid_quadrature(): half of the smallest gap, but at most
+/// half of the smallest radius of curvature among points whose centre of curvature lies on the
+/// fluid's side.
 ///
-/// @param  curves  of the boundary, at least one
+/// @param  curves  curves of the boundary, at least one
 /// @return         width, length
-/// @par Cost       that of closest_points() a pair
+/// @par Cost       that of closest_points() per pair of curves
 double strip_width(const std::vector<Curve>& curves);
 
 /// Makes a quadrature rule for smooth functions on the fluid between bodies and an enclosing wall.
 ///
 /// In a strip of width \f$ \delta \f$ along each curve the points are \f$ x(t) - d\,n(t) \f$, by
-/// the trapezoid rule in t and Gauss's rule in d, weighted with a cut-off \f$ \chi(d/\delta) =
-/// \frac12\mathrm{erfc}(\beta(2d/\delta-1)) \f$ from 1 on the curve to 0. What is left,
-/// \f$ (1-\sum\chi)f \f$ extended by zero, is smooth in the plane up to rounding: sums over a
-/// square grid converge faster than any power of its spacing.
-/// @param  curves    bodies, inner walls and one enclosing wall; their nodes resolve them
+/// the trapezoid rule in t and Gauss's rule in d. The integrand f is multiplied there by a cut-off
+/// \f$ \chi(d/\delta) = \frac12\mathrm{erfc}(\beta(2d/\delta-1)) \f$, which falls from 1 on the
+/// curve to 0 at the other edge of the strip (07.12). The rest \f$ (1-\sum\chi)f \f$, extended by
+/// zero, is smooth in the whole plane up to rounding. Sums of this rest over a square grid converge
+/// faster than any power of the spacing (07.13).
+/// @param  curves    bodies, inner walls and one enclosing wall, with enough nodes to resolve them
 /// @param  settings  width of the strips and spacing of the grid
 /// @return           points in the fluid with their weights
 /// @throws std::invalid_argument when there is not exactly one enclosing wall
-/// @par Accuracy     e^{-.09 P^2} with P grid points across a strip, down to
-/// 1e-13: @ref claim_07_22
-/// @par Cost         area times (18 / width)^2 points of the grid, 128 times the nodes in strips
+/// @par Accuracy     \f$ e^{-0.09 P^2} \f$ with P grid points across a strip, down to 1e-13:
+/// @ref claim_07_22
+/// @par Cost         area times (18 / width)^2 points on the grid, 128 points per node in strips
 /// @par Not for      small gaps, which the grid must resolve
 FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
                                  const FluidQuadratureSettings& settings = {});

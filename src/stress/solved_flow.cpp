@@ -1,3 +1,5 @@
+// Evaluates the flow of a solved problem: the double layer, Stokeslets and rotlets by a plain sum,
+// with near corrections (06.17); pressure, vorticity and strain as in (07.4).
 #include "stress/solved_flow.hpp"
 
 #include <stdexcept>
@@ -28,7 +30,7 @@ std::vector<FlowDerivatives> direct_derivatives(const SolvedFlow& flow,
     const Component& component = problem.components[k];
     const Load& load = flow.completion().loads[k];
     const bool has_load = load.force != Complex{} || load.torque != 0.0;
-    // The layer of an enclosing wall holds the wall's load.
+    // The load of an enclosing wall has no singularity: it is due to the wall's double layer.
     if (!has_load || component.kind == ComponentKind::enclosing_wall) continue;
     for (Index i = 0; i < targets.size(); ++i) {
       const Complex r = targets[i] - component.centre;
@@ -98,7 +100,8 @@ ComplexVector SolvedFlow::boundary_velocity() const {
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem) {
   std::vector<PlacedCurve> placed;
   for (const Component& component : problem.components) {
-    // About its centre: reaches are measured from the frame's origin.
+    // The frame's origin is the component's centre, because find_near_targets() searches in a
+    // circle about this origin.
     Curve local = component.curve;
     local.x.array() -= component.centre;
     placed.push_back({std::make_shared<const CauchyCurve>(local), component.centre, 0.0});

@@ -14,29 +14,30 @@ namespace stokesbook {
 
 class SolvedFlow;
 
-/// Sums the trapezoid rule's layer and the singularities of a solution at m targets.
+/// Functions that sum a solution's double layer, by the trapezoid rule, and its Stokeslets and
+/// rotlets at m targets.
 struct PlainSum {
-  /// Velocities, without the uniform one, length / time.
+  /// Evaluates velocities without the uniform velocity, length / time.
   std::function<ComplexVector(const SolvedFlow&, const ComplexVector& targets)> velocity;
-  /// Pressure, vorticity and strain, 1 / time.
+  /// Evaluates pressure, vorticity and strain, 1 / time.
   std::function<std::vector<FlowDerivatives>(const SolvedFlow&, const ComplexVector& targets)>
       derivatives;
 };
 
-/// Returns the sum over all nodes and loads, one after the other.
-/// @return m n kernel evaluations for n nodes
+/// Returns the direct sum over all nodes and loads.
+/// @return sum with m n kernel evaluations for n nodes
 PlainSum direct_sum();
 
-/// How a SolvedFlow is evaluated.
+/// Parameters of a SolvedFlow.
 struct FlowSettings {
-  double tolerance = 1e-14;     ///< relative to the densities, > 0; decides what is near
-  PlainSum sum = direct_sum();  ///< beside near corrections
+  double tolerance = 1e-14;     ///< relative to the densities, > 0; decides which targets are near
+  PlainSum sum = direct_sum();  ///< sum to which the near corrections are added
 };
 
 /// The flow of a solved boundary value problem, without its background.
 ///
 /// \f[ u = D[(I-P)\eta] + \sum_k (S_kF_k + R_kL_k) + u_c. \f]
-/// The background is the caller's to add; derivatives superpose.
+/// The caller adds velocities and derivatives of the background to those of this flow.
 /// @par Accuracy  derivatives 1e-11 relative at any distance from the boundary and on its nodes,
 /// once the densities are resolved, @ref claim_07_9; geometric in the nodes, @ref claim_07_16
 /// @par Not for   points inside bodies, or outside the enclosing wall
@@ -45,11 +46,11 @@ class SolvedFlow {
   /// Prepares a solution for evaluation.
   ///
   /// @param  problem   components with their data, n nodes in all
-  /// @param  placed    the same components for evaluation near them; derivatives want the Cauchy
-  ///                   scheme; empty: the trapezoid rule everywhere, velocities only
+  /// @param  placed    the same components with schemes of close evaluation; derivatives require
+  ///                   the Cauchy scheme; empty: velocities only, by the trapezoid rule everywhere
   /// @param  density   solution of the system of Closure, at all n nodes, length / time
-  /// @param  settings  what is near, and how the rest is summed
-  /// @throws std::invalid_argument when Closure refuses the problem
+  /// @param  settings  tolerance and plain sum
+  /// @throws std::invalid_argument when Closure rejects the problem
   SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> placed,
              const ComplexVector& density, FlowSettings settings = {});
 
@@ -62,7 +63,8 @@ class SolvedFlow {
 
   /// Evaluates pressure, vorticity and strain; on a node they are the limits from the fluid.
   ///
-  /// The pressure vanishes at infinity; in an enclosed fluid it has a datum that means nothing.
+  /// In an unbounded fluid the pressure vanishes at infinity. In an enclosed fluid only differences
+  /// of pressures have a meaning.
   /// @param  targets  m points of the fluid or its boundary, length
   /// @return          m values, 1 / time
   /// @throws std::invalid_argument when a component has no Cauchy scheme
@@ -73,24 +75,25 @@ class SolvedFlow {
   /// @return n points, length
   ComplexVector nodes() const;
 
-  /// Returns the velocity of the boundary: rigid motions of free bodies, else what is prescribed.
-  /// @return whole velocities at all n nodes, the background included, length / time
+  /// Returns the velocity of the boundary: the rigid motions of free bodies, and the prescribed
+  /// velocities of all other components.
+  /// @return velocities at all n nodes, including the background, length / time
   ComplexVector boundary_velocity() const;
 
   /// Returns the problem.
   /// @return the problem that was solved
   const StokesProblem& problem() const { return problem_; }
 
-  /// Returns what the double layer is evaluated with.
+  /// Returns the density of the double layer, without its rigid part on bodies.
   /// @return \f$ (I-P)\eta \f$ at all n nodes, length / time
   const ComplexVector& density() const { return density_; }
 
   /// Returns the closure of the problem.
-  /// @return what ties motions and loads to the density
+  /// @return relations between motions, loads and density
   const Closure& closure() const { return closure_; }
 
   /// Returns motions and loads.
-  /// @return what the density says about the problem
+  /// @return motions and loads of all components, computed from the density
   const Completion& completion() const { return completion_; }
 
  private:
@@ -105,8 +108,8 @@ class SolvedFlow {
 /// Prepares curves that are already in the plane for evaluation near them, by the Cauchy scheme.
 ///
 /// @param  problem  its components
-/// @return          one entry a component
-/// @par Cost        that of CauchyCurve a component
+/// @return          one entry per component
+/// @par Cost        that of one CauchyCurve per component
 /// @par Not for     many components of one shape, which can share a CauchyCurve
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem);
 

@@ -1,3 +1,4 @@
+// Computes the stresslet of a component from its density, or from its traction (07.14).
 #include "stress/stresslet.hpp"
 
 namespace stokesbook {

@@ -9,43 +9,43 @@ namespace stokesbook {
 /// @{
 
 /// Computes the stresslet of a component from its density, \f$ S_{11} + iS_{12} =
-/// -\mu\oint n\eta\,ds \f$ (complex product; \f$ S_{22} = -S_{11} \f$).
+/// -\mu\oint n\eta\,ds \f$ (complex product; \f$ S_{22} = -S_{11} \f$), by (07.14).
 ///
-/// The symmetric dipole of the forces that the fluid exerts on the component (Batchelor's sign):
-/// for a rigid body the traceless symmetric part of \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with
-/// \f$ \nu = -n \f$ into the fluid. The rigid part of the density, Stokeslet and rotlet contribute
-/// nothing.
+/// The stresslet is the symmetric dipole of the forces that the fluid exerts on the component, with
+/// Batchelor's sign. For a rigid body the stresslet is the traceless symmetric part of
+/// \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with \f$ \nu = -n \f$ into the fluid. The rigid part
+/// of the density, the Stokeslet and the rotlet contribute nothing.
 /// @param  curve    N nodes
 /// @param  density  at its nodes, length / time
 /// @param  mu       viscosity, force time / length^2
-/// @return          S_11 + i S_12, force length a unit of depth
+/// @return          S_11 + i S_12, force length per unit of depth
 /// @par Accuracy    that of the rule: geometric in N, @ref claim_07_23
 /// @par Not for     components with a force, whose dipole depends on the point c
 /// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
 Complex body_stresslet(const Curve& curve, const ComplexVector& density, double mu);
 
 /// Computes the same stresslet from the traction of a rigid body,
-/// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product).
+/// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product), by (07.14).
 ///
 /// @param  curve     N nodes
 /// @param  centre    c, where a force acts; length
 /// @param  traction  of the whole flow at its nodes, from boundary_traction(), force / length^2
-/// @return           S_11 + i S_12, force length a unit of depth
+/// @return           S_11 + i S_12, force length per unit of depth
 /// @par Accuracy     that of integrated tractions: geometric in N, @ref claim_07_17
-/// @par Not for      walls that deform, whose velocity has a share in the stresslet
+/// @par Not for      walls that deform, whose velocity contributes to the stresslet
 Complex stresslet_of_traction(const Curve& curve, Complex centre, const ComplexVector& traction);
 
-/// Computes what bodies add to the viscosity of a fluid in a linear flow, over the area fraction
-/// that they take: the intrinsic viscosity
+/// Computes the intrinsic viscosity of bodies in a linear flow: the relative increase of the
+/// viscosity that the bodies cause, divided by their area fraction \f$ \phi \f$ (07.17),
 /// \f[ [\mu] = \frac{S:E}{2\mu\,E:E\,A_b} = \frac{\mathrm{Re}(\bar q S)}{\mu|q|^2A_b},\qquad
 ///     \mu_\mathrm{eff} = \mu(1 + \phi[\mu]). \f]
 ///
-/// The mean stress of a suspension is \f$ -pI + 2\mu E + \sum_kS_k/A \f$. Free circles far from
-/// each other have \f$ S = 4\pi\mu a^2E \f$, hence \f$ [\mu] = 2 \f$; so do free ellipses in the
-/// mean over a Jeffery orbit, @ref claim_07_29.
-/// @param  stresslet  sum of those of the bodies, S_11 + i S_12, force length
+/// The mean stress of a suspension is \f$ -pI + 2\mu E + \sum_kS_k/A \f$ (07.16). Free circles far
+/// from each other have \f$ S = 4\pi\mu a^2E \f$, hence \f$ [\mu] = 2 \f$. Free ellipses have the
+/// same \f$ [\mu] \f$ in the mean over a Jeffery orbit, @ref claim_07_29.
+/// @param  stresslet  sum of the bodies' stresslets, S_11 + i S_12, force length
 /// @param  strain     q = E_11 - E_22 + 2i E_12 of the linear flow, 1 / time, not zero
-/// @param  area       A_b, of the bodies, length^2
+/// @param  area       A_b, total area of the bodies, length^2
 /// @param  mu         viscosity of the fluid, force time / length^2
 /// @return            dimensionless
 inline double intrinsic_viscosity(Complex stresslet, Complex strain, double area, double mu) {

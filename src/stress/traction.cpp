@@ -1,3 +1,4 @@
+// Computes the traction at the nodes (07.5), and integrates it to forces and torques.
 #include "stress/traction.hpp"
 
 #include <stdexcept>
@@ -42,6 +43,7 @@ std::vector<Load> integrated_loads(const StokesProblem& problem, const ComplexVe
   for (const Component& component : problem.components) {
     const Eigen::VectorXd w = weights(component.curve);
     Load load;
+    // F = sum w_j (sigma n)_j, L = sum w_j (x_j - c) x (sigma n)_j
     for (Index j = 0; j < w.size(); ++j) {
       const Complex force = w[j] * traction[first + j];
       load.force += force;

@@ -22,11 +22,11 @@ ComplexVector traction_on(const Curve& curve, std::span<const FlowDerivatives> a
                           double viscosity);
 
 /// Computes the traction \f$ \sigma n \f$ at the nodes of every component, with n out of the fluid:
-/// what the body or wall does to the fluid, a unit of length.
+/// the force per length that the body or wall exerts on the fluid.
 ///
 /// @param  problem   components with n nodes in all
-/// @param  at_nodes  derivatives of the whole flow at all nodes, limits from the fluid, as by
-///                   SolvedFlow::derivatives(), and the background's
+/// @param  at_nodes  derivatives of the whole flow at all nodes, limits from the fluid: those of
+///                   SolvedFlow::derivatives() plus those of the background
 /// @return           n tractions, force / length^2
 /// @throws std::invalid_argument when the numbers of nodes differ
 /// @par Cost         O(n)
@@ -39,8 +39,8 @@ ComplexVector boundary_traction(const StokesProblem& problem,
 /// @param  problem   components with n nodes in all
 /// @param  traction  from boundary_traction()
 /// @return           force and torque of each component on the fluid, about its centre
-/// @par Accuracy     1e-14 of the loads of the same solution: @ref claim_07_14; the loads
-/// themselves geometric in the nodes, @ref claim_07_17
+/// @par Accuracy     agree with the loads of the same solution to 1e-14: @ref claim_07_14; these
+/// loads converge geometrically in the nodes, @ref claim_07_17
 /// @par Cost         O(n)
 std::vector<Load> integrated_loads(const StokesProblem& problem, const ComplexVector& traction);
 

@@ -1,3 +1,4 @@
+// Advances by one step of Adams-Bashforth 2 with variable step lengths (09.5).
 #include "time_stepping/adams_bashforth.hpp"
 
 namespace stokesbook {

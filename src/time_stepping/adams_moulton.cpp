@@ -1,4 +1,5 @@
-// Estimates the error of a step, without another evaluation of the rate (chapter 09).
+// Estimates the error of a step by the implicit formula of Adams (09.16), without another
+// evaluation of the rate.
 #include "time_stepping/adams_moulton.hpp"
 
 namespace stokesbook {

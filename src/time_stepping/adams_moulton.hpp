@@ -10,18 +10,18 @@ namespace stokesbook {
 /// @addtogroup time_stepping
 /// @{
 
-/// Estimates the error of a step by the implicit formula of Adams: the rate, interpolated through
-/// both ends of the step and the beginning of the step before, is integrated over the step,
+/// Estimates the error of a step by the implicit formula of Adams: integrates the parabola through
+/// the rates at both ends of the step and at the beginning of the previous step,
 /// \f$ q_0 + h\left[\tfrac12(f_0 + f_1) - \tfrac16d\right] - q_1 \f$ with
-/// \f$ d = \frac{r}{1+r}\left[f_1 - f_0 - r(f_0 - f_{-1})\right],\ r = h/h_{-1} \f$.
+/// \f$ d = \frac{r}{1+r}\left[f_1 - f_0 - r(f_0 - f_{-1})\right],\ r = h/h_{-1} \f$ (09.16).
 ///
-/// @param  step      that was taken, with the rates at both of its ends
-/// @param  previous  the step before; none: the rate is interpolated by a straight line, d = 0
-/// @return           what the end lacks, n numbers
-/// @par Accuracy  of methods of order 1 and, with a previous step, of order 2 the error of the step
-///                but for parts of the next order, @ref claim_09_36 to @ref claim_09_38
+/// @param  step      step that was taken, with the rates at both of its ends
+/// @param  previous  the previous step; none: the rate is interpolated by a straight line, d = 0
+/// @return           corrected end minus end of the step, n numbers
+/// @par Accuracy  up to terms of the next order, the error of the step for methods of order 1 and,
+///                with a previous step, of order 2: @ref claim_09_36 to @ref claim_09_38
 /// @par Cost      no evaluation of f
-/// @par Not for   the step after f has jumped, with the step before it
+/// @par Not for   the step after a jump of f, together with the previous step
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, III.1 and III.5
 Eigen::VectorXd adams_moulton_error(const Step& step, const std::optional<PreviousStep>& previous);
 

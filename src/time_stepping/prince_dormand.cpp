@@ -1,3 +1,4 @@
+// Advances by one step of the pair 8(7) of Prince and Dormand, with GSL's stages (chapter 09).
 #include "time_stepping/prince_dormand.hpp"
 
 #include <exception>
@@ -14,7 +15,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The right-hand side as GSL calls it. Exceptions must not cross GSL's C code: the first is kept.
+// The right-hand side in the form that GSL calls. Exceptions must not pass through GSL's C code:
+// evaluate() stores an exception, and prince_dormand87_step() throws it again.
 struct Guarded {
   const Rate& f;
   Index size;
@@ -45,6 +47,7 @@ EstimatedEnd prince_dormand87_step(const Rate& f, const TimePoint& start, double
   gsl_odeiv2_step_apply(stepper.get(), start.t, dt, step.end.data(), step.error.data(),
                         start.rate.data(), nullptr, &system);
   if (guarded.thrown) std::rethrow_exception(guarded.thrown);
+  // A fifth of GSL's estimate, by experience (chapter 09).
   step.error *= 0.2;
   return step;
 }

@@ -1,4 +1,4 @@
-// Holds the coefficients of Runge-Kutta schemes, and evaluates their stages (chapter 09).
+// Holds the coefficients of Runge-Kutta schemes, and evaluates their stages (09.6).
 #include "time_stepping/runge_kutta.hpp"
 
 namespace stokesbook {
@@ -9,6 +9,7 @@ using Eigen::VectorXd;
 
 namespace {
 
+// Returns a square matrix from the rows below its diagonal; all other entries are zero.
 MatrixXd rows(std::initializer_list<std::initializer_list<double>> below_diagonal) {
   const auto s = static_cast<Index>(below_diagonal.size());
   MatrixXd a = MatrixXd::Zero(s, s);
@@ -66,6 +67,7 @@ const Tableau& dormand_prince54() {
 }
 
 // [stages]
+// k_i = f(t + c_i h, q + h sum_{j<i} a_ij k_j) with c_i = sum_j a_ij (09.6)
 MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
                             double dt) {
   MatrixXd stages(start.state.size(), tableau.b.size());

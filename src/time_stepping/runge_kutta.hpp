@@ -9,31 +9,32 @@ namespace stokesbook {
 
 /// Coefficients of an explicit Runge-Kutta scheme of s stages,
 /// \f$ k_i = f\left(t + c_i h, q + h\sum_{j<i}a_{ij}k_j\right),\ c_i = \sum_ja_{ij} \f$, whose step
-/// ends at \f$ q_1 = q + h\sum_jb_jk_j \f$.
+/// ends at \f$ q_1 = q + h\sum_jb_jk_j \f$ (09.6).
 ///
-/// Weights of the estimate and of the bubble have one number more than there are stages, for the
-/// rate at the end: the next step begins with it, so here it costs nothing ("first same as last").
+/// The last of the s + 1 weights of the estimate and of the bubble belongs to the rate at the end
+/// of the step. The next step begins with this rate, so that the rate costs no additional
+/// evaluation ("first same as last").
 struct Tableau {
   Eigen::MatrixXd a;            ///< s x s, strictly lower triangular
   Eigen::VectorXd b;            ///< s weights of the end
   int estimate_order = 0;       ///< the estimate of a step is of order h^(estimate_order + 1)
-  Eigen::VectorXd error = {};   ///< s + 1 weights of the estimate; empty: there is none
-  Eigen::VectorXd bubble = {};  ///< s + 1 weights of the bubble in Step; empty: there is none
+  Eigen::VectorXd error = {};   ///< s + 1 weights of the estimate; empty: no estimate
+  Eigen::VectorXd bubble = {};  ///< s + 1 weights of the bubble in Step; empty: no bubble
 };
 
-/// Returns explicit Euler.
+/// Returns the explicit Euler scheme.
 /// @return order 1, one stage
 const Tableau& euler();
 
-/// Returns Heun's scheme, the trapezoid rule with an Euler step as predictor.
+/// Returns Heun's scheme, the trapezoid rule with an Euler step as predictor (09.4).
 /// @return order 2, two stages
 const Tableau& heun();
 
 /// Returns the classical Runge-Kutta scheme.
 ///
-/// Its estimate is the difference to the end with the rate there in the place of the last stage,
-/// which is of order 3. GSL's scheme has the same stages, but doubles every step for an estimate:
-/// three times the evaluations.
+/// The estimate is the difference between the end and another end of order 3, in which the rate at
+/// the end replaces the last stage. GSL's scheme has the same stages, but repeats every step by two
+/// halves for its estimate, which takes three times as many evaluations.
 /// @return order 4 with an estimate of order 3, four stages
 const Tableau& runge_kutta4();
 
@@ -45,18 +46,18 @@ const Tableau& bogacki_shampine32();
 
 /// Returns the pair of Dormand and Prince with the interpolant of order 4.
 ///
-/// GSL has neither this pair nor an interpolant for any other.
+/// GSL has neither this pair nor an interpolant for any pair.
 /// @return order 5 with an estimate of order 4, six stages
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.5 and II.6
 const Tableau& dormand_prince54();
 
-/// Evaluates the stages of a step.
+/// Evaluates the stages of a step (09.6).
 ///
-/// @param  tableau  of s stages
+/// @param  tableau  scheme of s stages
 /// @param  f        right-hand side
-/// @param  start    of the step, n numbers; its rate is the first stage
-/// @param  dt       h, the step, time
-/// @return          n x s rates, one a column
+/// @param  start    start of the step, n numbers; its rate is the first stage
+/// @param  dt       h, length of the step, time
+/// @return          n x s rates, one stage per column
 /// @par Cost        s - 1 evaluations of f
 Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
                                    double dt);

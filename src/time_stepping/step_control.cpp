@@ -1,4 +1,5 @@
-// Measures errors of steps, and chooses how long the next one is (chapter 09).
+// Measures errors of steps (09.8), and chooses the length of the first step and of each following
+// step (09.9).
 #include "time_stepping/step_control.hpp"
 
 #include <algorithm>
@@ -14,11 +15,12 @@ double ErrorBound::in_units_of_scale(const VectorXd& error) const {
 }
 
 // [factor]
+// 0.9 e_n^(-0.7/k) e_(n-1)^(0.4/k), bounded (09.9)
 double step_factor(double error, double previous, int order) {
   constexpr double safety = 0.9, least = 0.2, most = 5.0;
   const double history = std::pow(std::max(previous, 1e-4), 0.4 / order);
   const double factor = safety * history * std::pow(error, -0.7 / order);
-  return factor > least ? std::min(factor, most) : least;  // no number: least
+  return factor > least ? std::min(factor, most) : least;  // least also if NaN
 }
 // [factor]
 
@@ -30,9 +32,10 @@ double first_step(const Rate& f, const TimePoint& start, const ErrorBound& bound
   try {
     rate = f(start.t + trial, start.state + trial * start.rate);
   } catch (const InadmissibleState&) {
-    return trial;  // the step itself will find out how far it may go
+    return trial;  // the step is halved if it meets such a state, too
   }
-  // Derivatives in units of the bound and of the time 1 / speed, in which q changes by its scale.
+  // First and second derivative, in units of the bound and of the time 1 / speed, in which q
+  // changes by its scale.
   const double first = 1.0 / bound.tolerance,
                second = bound(rate - start.rate) / (trial * speed * speed);
   return std::min(100.0 * trial, std::pow(0.01 / std::max(first, second), 1.0 / order) / speed);

@@ -1,4 +1,5 @@
-// Takes one step by any of the methods, and a shorter one where it fails (chapter 09).
+// Takes one step by any of the methods. A step that fails, because of its error or because of an
+// inadmissible state, is repeated with a shorter length (chapter 09).
 #include "time_stepping/stepper.hpp"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ const Tableau& tableau_of(SteppingMethod method) {
       return bogacki_shampine32();
     case SteppingMethod::dormand_prince54:
       return dormand_prince54();
-    default:  // Adams-Bashforth begins with it
+    default:  // Adams-Bashforth begins with Heun's scheme
       return heun();
   }
 }
@@ -42,10 +43,12 @@ StepRefused too_short(double dt, double error) {
 }  // namespace
 
 double evened_end(double t, double event, double longest) {
+  // A remainder below 1e-9 of a step is rounding, and needs no further step.
   const double steps = std::ceil((event - t) / longest - 1e-9);
   return steps > 1.0 ? t + (event - t) / steps : event;
 }
 
+// The end by (09.6), and an estimate of the form (09.7) that includes the rate at the end.
 Stepper::Try Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) const {
   const Tableau& tableau = tableau_of(settings_.method);
   const double dt = t_end - start.t;
@@ -97,7 +100,7 @@ double Stepper::longest_step(const TimePoint& start, const StepMemory& memory) c
 StepMemory Stepper::after(const Try& tried, double scaled_error, double longest, bool rejected,
                           StepMemory memory) const {
   const double dt = tried.step.dt();
-  // A step that an event has cut short says little of longer ones.
+  // The error of a step that an event has cut short is no basis for the length of longer steps.
   const bool cut = dt < 0.5 * longest;
   if (is_embedded(settings_.method)) {
     const double factor = step_factor(scaled_error, memory.error, power_of_estimate());

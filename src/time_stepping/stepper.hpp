@@ -13,97 +13,102 @@ namespace stokesbook {
 /// @addtogroup time_stepping
 /// @{
 
-/// How a state is advanced.
+/// Parameters of a Stepper.
 struct SteppingSettings {
-  SteppingMethod method = SteppingMethod::euler;  ///< that advances
-  std::optional<double> dt{};  ///< longest step; of embedded methods the first, none: chosen
-  double dt_min = 0.0;         ///< no step is made shorter than this to meet error or state
-  double dt_max = std::numeric_limits<double>::infinity();  ///< of embedded methods: longest step
-  ErrorBound bound{};  ///< of embedded methods: of each step's error as the method estimates it
+  SteppingMethod method = SteppingMethod::euler;  ///< method that advances the state
+  std::optional<double> dt{};  ///< longest step; embedded methods: first step, none: first_step()
+  double dt_min = 0.0;         ///< least length with which a step that failed is repeated
+  double dt_max = std::numeric_limits<double>::infinity();  ///< longest step of embedded methods
+  ErrorBound bound{};  ///< bound of each step's estimated error, for embedded methods
 };
 
 /// Shorter steps around an InadmissibleState.
 struct Detour {
-  double end = 0.0;  ///< where the step that met it would have ended
-  double dt = 0.0;   ///< longest step thereafter
+  double end = 0.0;  ///< time at which the step that met this state was to end
+  double dt = 0.0;   ///< longest step after this time
 };
 
-/// What steps remember of those before; with time and state, all that the next ones depend on.
+/// Data of the previous steps. Together with time and state they determine all steps that follow.
 struct StepMemory {
   std::optional<double> dt{};  ///< longest next step; none: that of the settings
   double error = 1.0;          ///< scaled error of the last step that was taken
   std::optional<PreviousStep>
-      previous{};                  ///< of methods of fixed steps, unless the rate has jumped
-  std::optional<Detour> detour{};  ///< of methods of fixed steps, while steps are halved
+      previous{};                  ///< for methods of fixed steps, unless the rate has jumped
+  std::optional<Detour> detour{};  ///< for methods of fixed steps, while steps are halved
 };
 
-/// The rate as a step asks for it.
+/// The right-hand side, as a function for each kind of evaluation.
 struct Rates {
-  Rate within;  ///< at stages within a step and in its trials
-  Rate at_end;  ///< at the end of a step, where the next begins
+  Rate within;  ///< for stages within a step and for trial steps
+  Rate at_end;  ///< for the end of a step, at which the next step begins
 };
 
-/// No step that is long enough has an error that is allowed.
+/// Thrown when no step of at least the smallest allowed length has an error within the bound.
 class StepRefused : public std::runtime_error {
  public:
-  /// Takes the message.
+  /// Stores the message.
   using std::runtime_error::runtime_error;
 };
 
-/// A step that was taken, and what it took.
+/// A step that was taken, with its estimated error, and the memory for the next step.
 struct Advance {
-  Step step;              ///< whose end is where the next begins
-  Eigen::VectorXd error;  ///< of the step as Stepper estimates it, n numbers
-  StepMemory memory;      ///< for the next
-  int rejected = 0;       ///< tries before that were longer
+  Step step;              ///< the next step begins at the end of this step
+  Eigen::VectorXd error;  ///< estimated error of the step, n numbers
+  StepMemory memory;      ///< memory for the next step
+  int rejected = 0;       ///< number of longer steps that were tried and rejected
 };
 
-/// Returns the end of the first of equal steps to an event, none longer than a given one.
+/// Divides the time to an event into equal steps, none longer than a given length, and returns the
+/// end of the first step.
 ///
 /// @param  t        start
 /// @param  event    > t, time
-/// @param  longest  step, > 0
-/// @return          the event itself where one step is enough
+/// @param  longest  longest step, > 0
+/// @return          end of the first step, time; the event itself if one step is enough
 double evened_end(double t, double event, double longest);
 
-/// Advances \f$ \dot q = f(t, q) \f$ step by step; it keeps nothing between steps.
+/// Advances \f$ \dot q = f(t, q) \f$ step by step. A Stepper stores nothing between steps.
 ///
-/// Steps are evened out to hit events exactly. Embedded methods choose them by step_factor(), so
-/// that the scaled error of each is at most one. The state advances by the higher order of the
-/// pair, while the estimate is that of the lower: per step, errors of the state are smaller than
-/// the estimate by a power of h, so that those at a given time are in proportion to the tolerance.
-/// A step that meets an InadmissibleState is halved; methods of fixed steps come back to theirs
-/// where the step that was halved would have ended.
+/// The lengths of steps before an event are made equal, so that the last step ends at the event
+/// exactly. Embedded methods choose lengths by step_factor(), so that the scaled error of each step
+/// is at most one. The state advances by the weights of the higher order, while the estimate is the
+/// error of the lower order. Per step, the error of the state is therefore smaller than the
+/// estimate by a power of h, and the error at a given time is proportional to the tolerance. A step
+/// that meets an InadmissibleState is halved. Methods of fixed steps return to their length at the
+/// time at which the step that was halved would have ended.
 ///
-/// Each step has an estimate of its error, at no cost. Those of embedded methods, to which steps are
-/// adapted, and of Runge-Kutta 4 are of the lower order, and larger than the error. For Euler's,
-/// Heun's and Adams-Bashforth's method it is adams_moulton_error(), near the error itself; but of a
-/// first step by Heun's method, with none before it, it shows one of two parts.
-/// @par Accuracy  orders of SteppingMethod, @ref claim_09_1 to @ref claim_09_7; of embedded methods, errors
-///                in proportion to the bound, @ref claim_09_17 to @ref claim_09_19
+/// Each step has an estimate of its error that costs no evaluation of f. For embedded methods,
+/// whose steps are adapted to the estimate, and for Runge-Kutta 4 the estimate is the error of a
+/// lower order, and larger than the error of the step. For the methods of Euler, Heun and
+/// Adams-Bashforth the estimate is adams_moulton_error(), which is close to the error of the step.
+/// A first step by Heun's method has no previous step, so that its estimate lacks one of two terms
+/// (d = 0).
+/// @par Accuracy  orders of SteppingMethod, @ref claim_09_1 to @ref claim_09_7; errors of embedded
+///                methods are proportional to the bound, @ref claim_09_17 to @ref claim_09_19
 class Stepper {
  public:
-  /// Takes the settings.
+  /// Stores settings and right-hand side.
   ///
-  /// @param  settings  with a bound for embedded methods and a step for all others
-  /// @param  rates     right-hand side, twice the same where steps do not matter to it
+  /// @param  settings  with a bound for embedded methods, and with dt for all others
+  /// @param  rates     right-hand side; the same function twice if it does not distinguish the two
   Stepper(SteppingSettings settings, Rates rates)
       : settings_(std::move(settings)), rates_(std::move(rates)) {}
 
   /// Takes one step.
   ///
-  /// @param  start   with its rate
-  /// @param  memory  of the step before, or none
+  /// @param  start   start of the step, with its rate
+  /// @param  memory  memory of the previous step; a new StepMemory for the first step
   /// @param  event   time > start.t that no step may pass
-  /// @return         the step, whose end is the event when it is near
-  /// @throws InadmissibleState when steps down to dt_min meet one
-  /// @throws StepRefused when steps down to dt_min have errors that are not allowed
-  /// @par Cost       an evaluation of f at the end, and those of the stages; where there is no step
-  ///                 to begin with, first_step()
+  /// @return         the step, which ends at the event if the event is near enough
+  /// @throws InadmissibleState when all steps down to dt_min meet such a state
+  /// @throws StepRefused when all steps down to dt_min have errors above the bound
+  /// @par Cost       for each step that is tried, one evaluation of f at the end and those of the
+  ///                 stages; the cost of first_step() if no length of the first step is given
   Advance advance(const TimePoint& start, StepMemory memory, double event) const;
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
+  // not write.
   /// @cond
   struct Try {
     Step step;

@@ -1,3 +1,5 @@
+// Computes weights (01.2), normals (01.3), curvatures (01.4), lengths and areas of closed curves
+// from their nodes, by the periodic trapezoid rule, and places curves in the plane.
 #include "trapezoid/curve.hpp"
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 namespace stokesbook {
 
 Curve place(const Curve& reference, Complex position, double orientation) {
+  // x -> c + e^{i theta} x; the derivatives are only turned.
   const Complex turn = std::polar(1.0, orientation);
   return {(position + (turn * reference.x).array()).matrix(), turn * reference.dx,
           turn * reference.ddx, reference.side};
@@ -19,14 +22,17 @@ ComplexVector all_nodes(const std::vector<Curve>& curves) {
 }
 
 Eigen::VectorXd weights(const Curve& curve) {
+  // w_j = |x'(t_j)| 2 pi / N (01.2).
   return curve.dx.cwiseAbs() * (2.0 * std::numbers::pi / static_cast<double>(curve.size()));
 }
 
 ComplexVector normals(const Curve& curve) {
+  // n = -i s x' / |x'| (01.3).
   return (-imaginary * curve.sign()) * curve.dx.cwiseQuotient(curve.dx.cwiseAbs());
 }
 
 Eigen::VectorXd curvatures(const Curve& curve) {
+  // kappa = (x' cross x'') / |x'|^3 (01.4).
   const auto cross_product = (curve.dx.conjugate().array() * curve.ddx.array()).imag();
   return cross_product / curve.dx.array().abs().cube();
 }
@@ -36,6 +42,7 @@ double perimeter(const Curve& curve) {
 }
 
 double area(const Curve& curve) {
+  // (1 / 2) sum_j (x_j cross x'_j) 2 pi / N.
   return (curve.x.conjugate().array() * curve.dx.array()).imag().sum() * std::numbers::pi /
          static_cast<double>(curve.size());
 }
@@ -50,6 +57,8 @@ double bounding_radius(const Curve& curve, Complex centre) {
 }
 
 double outer_radius(const Curve& curve, Complex centre) {
+  // The squared distance g = |x - c|^2 has the derivatives g' = 2 (x - c).x' and
+  // g'' = 2 |x'|^2 + 2 (x - c).x''.
   const Eigen::Index n = curve.size();
   const double half_spacing = std::numbers::pi / static_cast<double>(n);
   const Eigen::ArrayXcd arm = curve.x.array() - centre;
@@ -58,10 +67,11 @@ double outer_radius(const Curve& curve, Complex centre) {
       2.0 * (curve.dx.array().abs2() + (arm.conjugate() * curve.ddx.array()).real());
   double radius = 0.0;
   for (Eigen::Index j = 0; j < n; ++j) {
+    // The largest value of g_j + |g'_j| tau + M tau^2 / 2 over 0 <= tau <= pi / N.
     const double most = std::max({bend[(j + n - 1) % n], bend[j], bend[(j + 1) % n]});
     const double step = most < 0.0 ? std::min(half_spacing, slope[j] / -most) : half_spacing;
     const double rise = step * (slope[j] + 0.5 * most * step), own = std::abs(arm[j]);
-    // The root of own^2 + rise, and own itself to the last bit where nothing rises.
+    // sqrt(own^2 + rise), in a form that returns exactly `own` if rise = 0.
     radius = std::max(radius, own + rise / (own + std::sqrt(own * own + rise)));
   }
   return radius;

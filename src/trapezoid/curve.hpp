@@ -12,19 +12,21 @@ namespace stokesbook {
 /// @addtogroup trapezoid
 /// @{
 
-/// The side of its curve on which the fluid lies; the value is the sign s of the formulas.
+/// The side of a curve on which the fluid lies. The value is the sign s of (01.3).
 enum class Side : int {
   fluid_outside = -1,  ///< bodies and inner walls
   fluid_inside = +1    ///< the enclosing wall
 };
 
-/// Collocation nodes \f$ x(t_j), t_j = 2\pi j/N \f$ of a smooth closed curve, counter-clockwise; t
-/// is whatever parameter they are equidistant in, see Grading.
+/// Collocation nodes \f$ x(t_j), t_j = 2\pi j/N \f$ of a smooth closed curve, counter-clockwise.
+///
+/// The parameter t is the one in which the nodes are equidistant; for graded nodes, t is the
+/// parameter s of Grading.
 struct Curve {
   ComplexVector x;                  ///< nodes, length
   ComplexVector dx;                 ///< \f$ x'(t_j) \f$, length
   ComplexVector ddx;                ///< \f$ x''(t_j) \f$, length
-  Side side = Side::fluid_outside;  ///< where the fluid lies
+  Side side = Side::fluid_outside;  ///< side on which the fluid lies
 
   /// Counts the nodes.
   /// @return N
@@ -35,18 +37,18 @@ struct Curve {
   double sign() const { return static_cast<double>(side); }
 };
 
-/// Samples a shape at n equidistant parameters, in its own frame, with exact derivatives
-/// (by Fourier interpolation for NodalCurve).
+/// Samples a shape at n equidistant parameters, in the frame of the shape.
 ///
-/// @param  shape  in its own frame
+/// Derivatives are exact; the derivatives of a NodalCurve are those of its Fourier interpolant.
+/// @param  shape  closed curve in its own frame
 /// @param  n      number of nodes, even, >= 4
-/// @param  side   where the fluid lies
+/// @param  side   side of the curve on which the fluid lies
 /// @return        n nodes, counter-clockwise
 /// @throws std::invalid_argument when n is odd or too small
 /// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points,
 /// @ref claim_01_8
 /// @par Cost      O(n); for a NodalCurve with p points O(n log n + p log p)
-/// @par Not for   a NodalCurve at fewer nodes than it has points: its highest modes are dropped
+/// @par Not for   fewer nodes than a NodalCurve has points: the highest modes are dropped
 Curve sample(const Shape& shape, Eigen::Index n, Side side);
 
 /// Samples the trigonometric interpolants of a curve and its derivatives at m equidistant
@@ -56,11 +58,11 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side);
 /// @param  m      number of new nodes, even
 /// @return        m nodes with the same side, in the same parameter
 /// @throws std::invalid_argument when m is odd or < 2
-/// @par Accuracy  that of resample() for values, @ref claim_01_7
+/// @par Accuracy  that of resample() for node values, @ref claim_01_7
 /// @par Cost      O(N log N + m log m)
 Curve resample(const Curve& curve, Eigen::Index m);
 
-/// Moves a curve from its own frame: \f$ x \to c + e^{i\theta} x \f$.
+/// Moves a curve from its own frame into the plane: \f$ x \to c + e^{i\theta} x \f$.
 ///
 /// @param  reference    N nodes, in the curve's own frame
 /// @param  position     c, length
@@ -74,25 +76,25 @@ Curve place(const Curve& reference, Complex position, double orientation);
 /// @return         n points, length
 ComplexVector all_nodes(const std::vector<Curve>& curves);
 
-/// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ of the trapezoid rule in arclength.
+/// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ (01.2) of the trapezoid rule in arclength.
 ///
 /// @param  curve  N nodes
 /// @return        N weights, length
-/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, at the distance
-/// of the nearest pole: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
+/// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, with the distance
+/// of the nearest pole as the rate: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
 /// @par Not for   integrands that are singular, or nearly so, on the curve: use near_singular
 Eigen::VectorXd weights(const Curve& curve);
 
-/// Returns the unit normals \f$ n = -i s x'/|x'| \f$: out of the fluid (into bodies, outward on the
-/// enclosing wall).
+/// Returns the unit normals \f$ n = -i s x'/|x'| \f$ (01.3).
 ///
+/// Normals point out of the fluid: into bodies, and outward on the enclosing wall.
 /// @param  curve  N nodes
 /// @return        N normals, dimensionless
 ComplexVector normals(const Curve& curve);
 
-/// Returns the signed curvatures \f$ \kappa = (x' \times x'')/|x'|^3 \f$, > 0 where convex
-/// whatever the side of the fluid.
+/// Returns the signed curvatures \f$ \kappa = (x' \times x'')/|x'|^3 \f$ (01.4).
 ///
+/// Curvatures are positive where the curve is convex, on whichever side the fluid lies.
 /// @param  curve  N nodes
 /// @return        N curvatures, 1 / length
 Eigen::VectorXd curvatures(const Curve& curve);
@@ -123,19 +125,19 @@ Complex boundary_centroid(const Curve& curve);
 ///
 /// @param  curve   N nodes
 /// @param  centre  point, length
-/// @return         radius, length; between nodes the curve may reach a little further, see
+/// @return         radius, length; between nodes the curve may lie a little farther away, see
 ///                 outer_radius()
 double bounding_radius(const Curve& curve, Complex centre);
 
-/// Bounds the distance of a curve from a point, between nodes too.
+/// Returns an upper bound of the distance of a curve from a point, between nodes too.
 ///
-/// Within half a spacing h of a node, \f$ g = |x-c|^2 \f$ is at most
-/// \f$ g_j + |g'_j|\tau + \frac12 M\tau^2,\ 0\le\tau\le\frac12h \f$, with the largest second
-/// derivative M of the node and its neighbours.
+/// Within half a spacing \f$ h = 2\pi/N \f$ of node j, \f$ g = |x-c|^2 \f$ is at most
+/// \f$ g_j + |g'_j|\tau + \frac12 M\tau^2,\ 0\le\tau\le\frac12h \f$, where M is the largest
+/// second derivative of g at the node and its two neighbours.
 /// @param  curve   N nodes
 /// @param  centre  c, length
-/// @return         radius, length; that of the farthest node, where none of the curve is farther,
-///                 and else a little too large
+/// @return         radius, length: the distance of the farthest node if no point of the curve is
+///                 farther, otherwise a little more than necessary
 double outer_radius(const Curve& curve, Complex centre);
 
 /// @}

@@ -1,3 +1,5 @@
+// Transforms, interpolates and differentiates node values by the fast Fourier transform of GSL, and
+// evaluates trigonometric polynomials (chapter 01, "Interpolation and differentiation").
 #include "trapezoid/fourier.hpp"
 
 #include <algorithm>
@@ -16,6 +18,7 @@ using Eigen::Index;
 
 namespace {
 
+// GSL's tables and work space for transforms of n numbers.
 struct FourierPlan {
   using Wavetable =
       std::unique_ptr<gsl_fft_complex_wavetable, decltype(&gsl_fft_complex_wavetable_free)>;
@@ -28,13 +31,14 @@ struct FourierPlan {
   Workspace workspace;
 };
 
-// Planned once for each length and thread: a plan takes longer than a short transform.
+// Returns the plan for length n, which is made once for each length and thread, because making a
+// plan takes longer than a short transform.
 const FourierPlan& plan_for(std::size_t n) {
   thread_local std::map<std::size_t, FourierPlan> plans;
   return plans.try_emplace(n, n).first->second;
 }
 
-// GSL takes interleaved real and imaginary parts, which is how std::complex is laid out.
+// GSL reads interleaved real and imaginary parts, which is the memory layout of std::complex.
 double* packed(ComplexVector& v) {
   return reinterpret_cast<double*>(v.data());
 }
@@ -48,6 +52,7 @@ void require_even(Index n) {
 
 }  // namespace
 
+// c_k = (1 / N) sum_j f(t_j) e^{-i k t_j}.
 ComplexVector fourier_coefficients(const ComplexVector& f) {
   const auto n = static_cast<std::size_t>(f.size());
   const FourierPlan& plan = plan_for(n);
@@ -56,6 +61,7 @@ ComplexVector fourier_coefficients(const ComplexVector& f) {
   return c / static_cast<double>(n);
 }
 
+// f(t_j) = sum_k c_k e^{i k t_j}.
 ComplexVector fourier_values(const ComplexVector& c) {
   const auto n = static_cast<std::size_t>(c.size());
   const FourierPlan& plan = plan_for(n);
@@ -72,6 +78,7 @@ ComplexVector differentiate(const ComplexVector& f) {
   require_even(f.size());
   const Index n = f.size();
   ComplexVector c = fourier_coefficients(f);
+  // The derivative has the coefficients i k c_k; the mode k = -N/2 is dropped.
   for (Index i = 0; i < n; ++i) {
     c[i] *= i == n / 2 ? 0.0 : imaginary * static_cast<double>(wave_number(i, n));
   }
@@ -81,6 +88,7 @@ ComplexVector differentiate(const ComplexVector& f) {
 Eigen::MatrixXd differentiation_matrix(Index n) {
   require_even(n);
   Eigen::MatrixXd matrix(n, n);
+  // (1 / 2) (-1)^{j - k} cot((t_j - t_k) / 2), and 0 on the diagonal.
   for (Index j = 0; j < n; ++j) {
     for (Index k = 0; k < n; ++k) {
       const Index lag = j - k;
@@ -97,12 +105,13 @@ ComplexVector resample(const ComplexVector& f, Index m) {
   const Index n = f.size();
   const ComplexVector c = fourier_coefficients(f);
   ComplexVector resampled = ComplexVector::Zero(m);
+  // All wave numbers that both grids represent with either sign keep their coefficients.
   const Index kept = std::min((n - 1) / 2, m / 2 - 1);
   for (Index k = -kept; k <= kept; ++k) {
     resampled[(k + m) % m] = c[(k + n) % n];
   }
   if (n % 2 == 0 && n <= m) {
-    // The highest mode of an even grid stands for a cosine: half of it for each sign of k.
+    // The mode N/2 of an even grid is a cosine: half of its coefficient belongs to each sign of k.
     resampled[n / 2] += 0.5 * c[n / 2];
     resampled[m - n / 2] += 0.5 * c[n / 2];
   }
@@ -113,6 +122,7 @@ Eigen::RowVectorXd interpolation_weights(Index n, double t) {
   require_even(n);
   const auto nodes = static_cast<double>(n);
   Eigen::RowVectorXd result(n);
+  // (1 / N) sin(N tau / 2) cot(tau / 2) with tau = t - t_j, and 1 for tau = 0.
   for (Index j = 0; j < n; ++j) {
     const double turn = 2.0 * std::numbers::pi;
     const double lag = std::remainder(t - turn * static_cast<double>(j) / nodes, turn);
@@ -128,11 +138,12 @@ Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<doubl
   for (Index column = 0; column < f.cols(); ++column) {
     coefficients.col(column) = fourier_coefficients(f.col(column));
   }
-  Eigen::MatrixXcd modes(n, static_cast<Index>(parameters.size()));  // a column a parameter
+  Eigen::MatrixXcd modes(n, static_cast<Index>(parameters.size()));  // one column per parameter
   for (Index j = 0; j < modes.cols(); ++j) {
     const double t = parameters[static_cast<std::size_t>(j)];
     const Complex step = std::polar(1.0, t);
     Complex mode = 1.0;
+    // e^{i k t} for |k| < N/2 in the order of the coefficients, and cos(N t / 2).
     for (Index k = 0; k < highest; ++k) {
       modes(k, j) = mode;
       if (k > 0) modes(n - k, j) = std::conj(mode);
@@ -165,7 +176,8 @@ TrigonometricPolynomial::TrigonometricPolynomial(const ComplexVector& values) {
   for (Index k = -highest; k <= highest; ++k) {
     coefficients_[k + highest] = c[(k + n) % n];
   }
-  if (n % 2 != 0) return;  // no mode stands for a cosine
+  if (n % 2 != 0) return;
+  // The mode N/2 of an even grid is a cosine: half of its coefficient belongs to each sign of k.
   coefficients_[0] *= 0.5;
   coefficients_[n] *= 0.5;
 }
@@ -175,6 +187,7 @@ TrigonometricPolynomial::Jet TrigonometricPolynomial::operator()(double t) const
   const Complex step = std::polar(1.0, t);
   Complex phase = std::polar(1.0, -static_cast<double>(highest) * t);
   Jet jet{};
+  // p = sum_k c_k e^{i k t}, p' = sum_k i k c_k e^{i k t} and p'' = -sum_k k^2 c_k e^{i k t}.
   for (Index i = 0; i < coefficients_.size(); ++i) {
     const auto k = static_cast<double>(i - highest);
     const Complex term = coefficients_[i] * phase;

@@ -16,14 +16,15 @@ namespace stokesbook {
 ///
 /// @param  f  values at the N nodes, in node order, any N >= 1
 /// @return    N coefficients for k = 0, 1, ..., N/2-1, -N/2, ..., -1, unit of f
-/// @par Cost  O(N log N) (GSL's mixed-radix transform; O(N^2) where N is prime)
+/// @par Cost  O(N log N) (GSL's mixed-radix transform; O(N^2) if N is prime)
 ComplexVector fourier_coefficients(const ComplexVector& f);
 
-/// Computes the values \f$ f(t_j) = \sum_k c_k e^{i k t_j} \f$, inverse of fourier_coefficients().
+/// Computes the values \f$ f(t_j) = \sum_k c_k e^{i k t_j} \f$: the inverse of
+/// fourier_coefficients().
 ///
-/// @param  c  N coefficients, ordered as by fourier_coefficients()
+/// @param  c  N coefficients, in the order of fourier_coefficients()
 /// @return    values at the N nodes, unit of c
-/// @par Cost  as fourier_coefficients()
+/// @par Cost  that of fourier_coefficients()
 ComplexVector fourier_values(const ComplexVector& c);
 
 /// Returns the wave number k of an entry of the Fourier coefficients.
@@ -35,8 +36,8 @@ Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 
 /// Differentiates the trigonometric interpolant with respect to the parameter t.
 ///
-/// The mode k = -N/2 has no derivative that is a trigonometric polynomial of the same degree; it is
-/// dropped.
+/// The mode k = -N/2 is dropped: it stands for cos(N t / 2), whose derivative vanishes at every
+/// node.
 /// @param  f  values at the N nodes, N even
 /// @return    derivative at the same N nodes, unit of f
 /// @throws std::invalid_argument when N is odd or 0
@@ -55,14 +56,14 @@ ComplexVector differentiate(const ComplexVector& f);
 /// @sa source: Trefethen, Spectral Methods in MATLAB, 2000, chapter 3
 Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 
-/// Interpolates the values to m equidistant nodes, from the same trigonometric polynomial.
+/// Evaluates the trigonometric interpolant of node values at m equidistant nodes.
 ///
 /// @param  f  values at N nodes, any N >= 1
 /// @param  m  number of new nodes, even; m < N truncates the series
 /// @return    values at the m nodes, unit of f
 /// @throws std::invalid_argument when m is odd or < 2
-/// @par Accuracy  geometric in the smaller of N and m for analytic f: @ref claim_01_7; exact where
-/// m >= N
+/// @par Accuracy  geometric in the smaller of N and m for analytic f: @ref claim_01_7; m >= N keeps
+/// the interpolant
 /// @par Cost      O(N log N + m log m)
 ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 
@@ -81,23 +82,23 @@ Eigen::RowVectorXd interpolation_weights(Eigen::Index n, double t);
 /// Interpolates the values of several functions to the same parameters.
 ///
 /// @param  f           N x m, a column of node values for each function, N even
-/// @param  parameters  n of them, radians, any real numbers
+/// @param  parameters  n parameters, radians, any real numbers
 /// @return             n x m, unit of f
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Accuracy       geometric in N for analytic functions: @ref claim_01_7
-/// @par Cost           O(N n m), of which N n are more than a multiplication and an addition
+/// @par Cost           O(N n m): a matrix of N n modes, multiplied by the coefficients
 Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<double>& parameters);
 
-/// Measures what the highest modes carry: max |c_k| over |k| >= N/2 - max(2, N/16).
+/// Returns the largest coefficient of the highest modes: max |c_k| over |k| >= N/2 - max(2, N/16).
 ///
-/// For a resolved analytic function this is the size of the interpolation error.
+/// For a resolved analytic function, this coefficient has the size of the interpolation error.
 /// @param  f  values at the N nodes, N even
 /// @return    largest modulus of the tail's coefficients, unit of f
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Cost      O(N log N)
 double fourier_tail(const ComplexVector& f);
 
-/// A trigonometric polynomial, evaluated anywhere.
+/// A trigonometric polynomial, which can be evaluated at any parameter.
 class TrigonometricPolynomial {
  public:
   /// Value and first two derivatives with respect to the parameter, all in the unit of the values.
@@ -115,7 +116,7 @@ class TrigonometricPolynomial {
   /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);
 
-  /// Evaluates at a parameter.
+  /// Evaluates the polynomial and its derivatives at a parameter.
   ///
   /// @param  t  parameter, radians, any real number
   /// @return    p and its derivatives at t
@@ -123,7 +124,7 @@ class TrigonometricPolynomial {
   Jet operator()(double t) const;
 
  private:
-  ComplexVector coefficients_;  // k = -N/2 ... N/2, rounded to 0, ascending
+  ComplexVector coefficients_;  // k ascending from -m to m, m = N/2 rounded down
 };
 
 /// @}

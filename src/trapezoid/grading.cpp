@@ -1,3 +1,5 @@
+// Computes graded nodes: inverts the map s(t) of (01.11), a sum of elliptic integrals, by Newton's
+// method, and evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
@@ -14,13 +16,14 @@ namespace {
 
 constexpr double period = 2.0 * std::numbers::pi;
 
-// Carlson's R_F, by duplication: its principal branch, for real and complex arguments.
+// Evaluates Carlson's elliptic integral R_F by the duplication theorem: the principal branch, for
+// real and complex arguments.
 template <class Number>
 Number carlson_rf(Number x, Number y, Number z) {
   for (;;) {
     const Number mean = (x + y + z) / 3.0;
     const Number dx = 1.0 - x / mean, dy = 1.0 - y / mean, dz = -dx - dy;
-    // The series errs by the sixth power of the differences; norms are their squares.
+    // The error of the series is of sixth order in the differences; std::norm squares them.
     if (std::max({std::norm(dx), std::norm(dy), std::norm(dz)}) < 2e-3 * 2e-3) {
       const Number e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
       return (1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0) /
@@ -34,31 +37,34 @@ Number carlson_rf(Number x, Number y, Number z) {
   }
 }
 
-// The integral of 1 / sqrt(4 sin^2(t/2) + width^2) from 0 to t, |Re t| <= pi: (2 / width) F(t/2 |
-// -4 / width^2). All terms are positive for real t, so that nothing cancels at any width.
+// Integrates 1 / sqrt(4 sin^2(t/2) + width^2) from 0 to t, |Re t| <= pi. The result is
+// (2 / width) F(t/2 | -4 / width^2) with the elliptic integral F of the first kind. For real t all
+// terms are positive, so that nothing cancels at any width.
 template <class Number>
 Number integral_in_period(Number t, double width) {
   const Number sine = std::sin(0.5 * t), cosine = std::cos(0.5 * t), ratio = 2.0 * sine / width;
   return ratio * carlson_rf<Number>(cosine * cosine, 1.0 + ratio * ratio, 1.0);
 }
 
+// Returns the number of periods in t, rounded to the nearest integer.
 double turns(double t) {
   return std::round(t / period);
 }
 
+// Integrates as integral_in_period() up to any real t: each period adds two half periods.
 double integral(double t, double width) {
   const double k = turns(t);
   return integral_in_period(t - period * k, width) +
          (k == 0.0 ? 0.0 : 2.0 * k * integral_in_period(std::numbers::pi, width));
 }
 
-// Density of nodes m and its derivative.
+// Node density m of (01.11), and its derivative with respect to t.
 struct Density {
   double value, slope;
 };
 
-// The map between t and C s, from where one of the clusters is: offsets tau = t - t_c keep their
-// digits there.
+// The map between t and C s (01.11), with the origin at the parameter t_c of one of the clusters:
+// near t_c, the offsets tau = t - t_c have full relative accuracy.
 class MapFromCluster {
  public:
   MapFromCluster(const Grading& grading, std::size_t c) : grading_(grading), origin_(c) {
@@ -70,7 +76,7 @@ class MapFromCluster {
 
   double parameter() const { return grading_.clusters[origin_].parameter; }
 
-  // C s(t_c + tau) - C s(t_c).
+  // Returns C s(t_c + tau) - C s(t_c).
   double operator()(double tau) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < shifts_.size(); ++k) {
@@ -79,6 +85,7 @@ class MapFromCluster {
     return tau + grading_.strength * sum;
   }
 
+  // m = 1 + b sum_k 1 / sqrt(4 sin^2(t_k/2) + delta_k^2), t_k the offset from cluster k.
   Density density(double tau) const {
     Density density{1.0, 0.0};
     for (std::size_t k = 0; k < shifts_.size(); ++k) {
@@ -90,14 +97,15 @@ class MapFromCluster {
     return density;
   }
 
-  // Solves for tau = width sinh v, by Newton's method in v: there the map is nearly linear about
-  // the cluster. Where steps leave the bounds or do not shrink, they halve what is between these.
+  // Finds the offset tau at which the map has a value, by Newton's method in v, tau = width sinh v:
+  // about the cluster, the map is nearly linear in v. A step that leaves the bounds, or that does
+  // not shrink by half, is replaced by a bisection of the bounds.
   double inverse(double value) const {
     const double width = grading_.clusters[origin_].width;
     double high = std::asinh(period / width), low = -high;
     double v = std::clamp(value / grading_.strength, low, high);
     double step = high - low;
-    // What is left after a step is about its square.
+    // The error after a step is about the square of that step.
     while (std::abs(step) > 1e-9) {
       const double tau = width * std::sinh(v);
       const double excess = (*this)(tau)-value;
@@ -114,8 +122,8 @@ class MapFromCluster {
  private:
   const Grading& grading_;
   std::size_t origin_;
-  std::vector<double> shifts_,  // t_c less the other clusters' parameters
-      constants_;               // their integrals at t_c
+  std::vector<double> shifts_,  // t_c minus the parameter of each cluster
+      constants_;               // integral of each cluster at t_c
 };
 
 void require_valid(const std::vector<Cluster>& clusters, const std::vector<double>& strengths) {
@@ -137,7 +145,7 @@ void require_valid(const Grading& grading) {
   require_valid(grading.clusters, {grading.strength});
 }
 
-// All clusters' integrals over half a period.
+// Sums the integrals of all clusters over half a period.
 double half_period_integral(const std::vector<Cluster>& clusters) {
   double sum = 0.0;
   for (const Cluster& cluster : clusters) {
@@ -146,7 +154,7 @@ double half_period_integral(const std::vector<Cluster>& clusters) {
   return sum;
 }
 
-// C, the mean of m.
+// Returns C of (01.11), the mean of m.
 double mean_density(double strength, double half_integral) {
   return 1.0 + strength * half_integral / std::numbers::pi;
 }
@@ -169,6 +177,7 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   const double mean = mean_density(grading);
   std::vector<MapFromCluster> maps;
   for (std::size_t c = 0; c < grading.clusters.size(); ++c) maps.emplace_back(grading, c);
+  // s(t_c) of each cluster, where s(0) = 0.
   std::vector<double> clusters_s;
   for (const MapFromCluster& map : maps) clusters_s.push_back(-map(-map.parameter()) / mean);
   for (Index j = 0; j < n; ++j) {
@@ -182,6 +191,7 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
         offset = distance;
       }
     }
+    // t follows from the nearest cluster; dt/ds = C / m and d2t/ds2 = -(dt/ds)^2 m' / m.
     const MapFromCluster& map = maps[nearest];
     const double tau = map.inverse(mean * offset);
     const auto [m, slope] = map.density(tau);
@@ -195,6 +205,7 @@ std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters) {
   require_valid(grading);
   const double mean = mean_density(grading);
+  // C s(t) = t + b sum_c [I_c(t - t_c) - I_c(-t_c)] with the integral I_c of each cluster (01.11).
   double at_zero = 0.0;
   for (const auto& [parameter, width] : grading.clusters) at_zero += integral(-parameter, width);
   std::vector<double> positions;
@@ -214,16 +225,18 @@ std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
                                   const std::vector<double>& strengths, double parameter,
                                   double depth) {
   require_valid(clusters, strengths);
-  // The integral from there on is less than rounding; further on, sines overflow.
+  // The rest of the integral beyond this depth is below rounding; far beyond, the sines overflow.
   constexpr double deepest = 80.0;
   double sum = 0.0;
   for (const Cluster& cluster : clusters) {
     const Complex t{std::remainder(parameter - cluster.parameter, period),
                     std::min(depth, deepest)};
-    // Right on a cut of the branch, over a cluster or opposite to it, the sign is that of a zero.
+    // Above a cluster, and opposite to it, t lies on a branch cut, where the sign of the imaginary
+    // part is that of a zero: only the modulus counts.
     sum += std::abs(integral_in_period(t, cluster.width).imag());
   }
   const double half_integral = half_period_integral(clusters);
+  // |Im s| = (d + b sum) / C, see graded_depth().
   std::vector<double> depths;
   for (const double strength : strengths) {
     depths.push_back((depth + strength * sum) / mean_density(strength, half_integral));

@@ -18,18 +18,19 @@ struct Cluster {
   bool operator==(const Cluster&) const = default;
 };
 
-/// How the nodes of a curve crowd: their density over the parameter t is proportional to
+/// Describes how the nodes of a curve crowd: the node density over the parameter t is proportional
+/// to (01.11)
 /// \f[ m(t) = 1 + b\sum_c \frac{1}{\sqrt{4\sin^2\frac{t-t_c}{2} + \delta_c^2}}. \f]
 ///
-/// Nodes are equidistant in \f$ s(t) = \frac1C\int_0^t m,\ C = \frac{1}{2\pi}\int_0^{2\pi} m \f$,
-/// which is analytic and of period \f$ 2\pi \f$: the trapezoid rule in s keeps its geometric rate.
-/// Close to a cluster \f$ t - t_c = \delta\sinh(C(s-s_c)/b) \f$, and
-/// \f$ C \approx 1 + \sum_c \frac{b}{\pi}\ln\frac{8}{\delta_c} \f$: nodes in numbers that grow as
-/// the logarithm of the width resolve what equidistant ones resolve in numbers that grow as its
-/// inverse.
+/// Nodes are equidistant in \f$ s(t) = \frac1C\int_0^t m,\ C = \frac{1}{2\pi}\int_0^{2\pi} m \f$.
+/// The map s is analytic and grows by \f$ 2\pi \f$ with t, so that the trapezoid rule in s
+/// converges geometrically. Close to a cluster \f$ t - t_c = \delta\sinh(C(s-s_c)/b) \f$, and
+/// \f$ C \approx 1 + \sum_c \frac{b}{\pi}\ln\frac{8}{\delta_c} \f$. To resolve a function that
+/// varies over the width \f$ \delta \f$, the number of graded nodes grows as
+/// \f$ \ln(1/\delta) \f$, whereas the number of equidistant nodes grows as \f$ 1/\delta \f$.
 struct Grading {
-  std::vector<Cluster> clusters;  ///< none: equidistant in t
-  double strength = 2.0;          ///< b, > 0: more leaves fewer nodes to the rest of the curve
+  std::vector<Cluster> clusters;  ///< if empty, nodes are equidistant in t
+  double strength = 2.0;          ///< b, > 0; a larger b leaves fewer nodes elsewhere on the curve
 
   /// @return true when all members are equal
   bool operator==(const Grading&) const = default;
@@ -37,72 +38,75 @@ struct Grading {
 
 /// A node's parameter, and its derivatives with respect to s.
 struct GradedParameter {
-  double t,  ///< radians, modulo 2 pi: near a cluster at 0 it keeps its digits on both sides
+  double t,  ///< radians, modulo 2 pi; accurate relative to |t| on both sides of a cluster at 0
       dt,    ///< dt/ds, > 0
       ddt;   ///< d2t/ds2
 };
 
 /// Finds the parameters of graded nodes.
 ///
-/// @param  grading  where nodes crowd
+/// @param  grading  clusters and strength
 /// @param  n        number of nodes, >= 1
-/// @return          t(s_j) at \f$ s_j = 2\pi j/n \f$; t(0) = 0
+/// @return          t(s_j) at \f$ s_j = 2\pi j/n \f$, with t(0) = 0
 /// @throws std::invalid_argument when a width or the strength is not positive, or a number is not
 ///                  finite
-/// @par Accuracy    rounding; near a cluster t - t_c errs by rounding of its width, not of t_c:
-/// @ref claim_01_17
-/// @par Cost        about six evaluations of m a node, each an elliptic integral a cluster
+/// @par Accuracy    rounding; near a cluster, the error of t - t_c is relative to the width of the
+/// cluster, not to t_c: @ref claim_01_17
+/// @par Cost        about six evaluations of s per node, each with an elliptic integral per cluster
 std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::Index n);
 
-/// Samples a shape at graded nodes, in its own frame; dx and ddx of the curve are derivatives with
-/// respect to s.
+/// Samples a shape at graded nodes, in the frame of the shape.
 ///
-/// @param  shape    in its own frame
+/// The members dx and ddx of the curve are derivatives with respect to s.
+/// @param  shape    closed curve in its own frame
 /// @param  n        number of nodes, even, >= 4
-/// @param  side     where the fluid lies
-/// @param  grading  where nodes crowd; without clusters the result is that of sample() without it
+/// @param  side     side of the curve on which the fluid lies
+/// @param  grading  clusters and strength; without clusters, the result is that of sample() without
+///                  a grading
 /// @return          n nodes, counter-clockwise
-/// @throws std::invalid_argument when n is odd or too small, or as graded_parameters()
-/// @par Accuracy    rounding; of the rule: geometric in n, @ref claim_01_15
-/// @par Cost        as graded_parameters(); for a NodalCurve with p points n p more
+/// @throws std::invalid_argument when n is odd or too small, or when graded_parameters() throws
+/// @par Accuracy    rounding; the rule converges geometrically in n, @ref claim_01_15
+/// @par Cost        that of graded_parameters(), and n p more for a NodalCurve with p points
 Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
 
-/// Samples a shape as above where the parameters of its nodes are known.
+/// Samples a shape at graded nodes whose parameters are known.
 ///
-/// @param  shape       closed curve
-/// @param  parameters  of the nodes, from graded_parameters()
-/// @param  side        where the fluid is
-/// @return             nodes
+/// @param  shape       closed curve in its own frame
+/// @param  parameters  parameters of the nodes, from graded_parameters()
+/// @param  side        side of the curve on which the fluid lies
+/// @return             one node per parameter
 Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side);
 
-/// Computes where parameters lie among graded nodes: the inverse of graded_parameters(), with the
-/// rounding of t stretched by dt/ds.
+/// Computes s of given parameters t: the inverse of graded_parameters().
 ///
-/// @param  grading     where nodes crowd
-/// @param  parameters  t, radians; their derivatives do not count
+/// The map multiplies the rounding error of t by ds/dt, which is large near a cluster.
+/// @param  grading     clusters and strength
+/// @param  parameters  t, radians; the derivatives dt and ddt are not used
 /// @return             s(t), radians; t itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Cost           an integral a parameter and cluster
+/// @par Cost           one elliptic integral per parameter and cluster
 std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters);
 
-/// Computes where one parameter lies, as graded_positions() does.
+/// Computes s of one parameter t, as graded_positions() does.
 ///
-/// @param  grading    where nodes crowd
+/// @param  grading    clusters and strength
 /// @param  parameter  t, radians
 /// @return            s(t), radians
 /// @throws std::invalid_argument as graded_parameters()
 double graded_position(const Grading& grading, double parameter);
 
-/// Computes how far from the real s axis a singularity at \f$ t = p + id \f$ comes to lie:
+/// Computes the distance from the real s axis of a singularity at \f$ t = p + id \f$:
 /// \f[ |\mathrm{Im}\,s| = \frac1C\Bigl(d + b\sum_c \mathrm{Im}\int_0^{p+id-t_c}
 ///     \frac{d\tau}{\sqrt{4\sin^2\frac\tau2+\delta_c^2}}\Bigr). \f]
 ///
-/// This is the rate at which the modes of such a function decay, and half of it where the rule
-/// integrates products of two. Over a cluster the integral is \f$ \arcsin(d/\delta) \f$, and stays
-/// at \f$ \pi/2 \f$ for all deeper ones: a width equal to the depth loses nothing. Singularities of
-/// t(s) itself lie about twice as deep as its clusters' widths.
-/// @param  grading    where nodes crowd
+/// The Fourier coefficients of a function with this singularity decay at this rate, and so does the
+/// error of the rule with the number of nodes; interpolants converge at half of the rate, as
+/// chapter 01 shows. Above a narrow cluster, \f$ p = t_c \f$, the integral is
+/// \f$ \arcsin(d/\delta) \f$ for \f$ d \le \delta \f$ and \f$ \pi/2 \f$ for larger d: a width equal
+/// to the depth already gives the largest value. The singularities of t(s) itself lie about twice
+/// as far from the real s axis as a singularity whose depth is the width of the cluster.
+/// @param  grading    clusters and strength
 /// @param  parameter  p, radians
 /// @param  depth      d, radians, > 0; may be infinite
 /// @return            rate, radians; d itself without clusters
@@ -110,15 +114,15 @@ double graded_position(const Grading& grading, double parameter);
 /// @par Accuracy      1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
 double graded_depth(const Grading& grading, double parameter, double depth);
 
-/// Computes graded_depth() for gradings that differ in their strength only, for the cost of one.
+/// Computes graded_depth() for gradings that differ only in their strength, at the cost of one.
 ///
-/// @param  clusters   of all gradings
-/// @param  strengths  of the gradings
+/// @param  clusters   clusters of all gradings
+/// @param  strengths  strength of each grading
 /// @param  parameter  p, radians
 /// @param  depth      d, radians, > 0; may be infinite
 /// @return            rate for each strength, radians
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Cost          two elliptic integrals a cluster
+/// @par Cost          two elliptic integrals per cluster
 std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
                                   const std::vector<double>& strengths, double parameter,
                                   double depth);

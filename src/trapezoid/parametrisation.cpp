@@ -1,3 +1,5 @@
+// Evaluates points and derivatives of the shapes: from the formula of an analytic shape, and from
+// the trigonometric interpolant of a NodalCurve.
 #include "trapezoid/parametrisation.hpp"
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace {
 
 using Jet = TrigonometricPolynomial::Jet;
 
-// The curve r(t) e^{it} from the radius and its derivatives.
+// Evaluates the curve r(t) e^{it} and its derivatives from those of the radius.
 Jet polar_curve(double t, double r, double dr, double ddr) {
   const Complex direction = std::polar(1.0, t);
   return {r * direction, (dr + imaginary * r) * direction,
@@ -33,7 +35,8 @@ Jet point(const Star& star, double t) {
                      -wave * k * k * std::cos(k * t));
 }
 
-// x = rho(t) (a cos t, b sin t) with rho = g^{-1/p}, g = cos^p t + sin^p t.
+// x = rho(t) (a cos t, b sin t) with rho = g^{-1/p}, g = cos^p t + sin^p t, hence
+// rho' = -rho g' / (p g).
 Jet point(const Superellipse& shape, double t) {
   const int p = shape.power;
   const double c = std::cos(t), s = std::sin(t);
@@ -59,6 +62,7 @@ Parametrisation parametrise(const NodalCurve& shape) {
   return TrigonometricPolynomial(counter_clockwise(shape));
 }
 
+// Returns the area (1 / 2) sum_j x_{j-1} cross x_j of a polygon, > 0 if counter-clockwise.
 double shoelace_area(const ComplexVector& polygon) {
   double twice_area = cross(polygon[polygon.size() - 1], polygon[0]);
   for (Index j = 1; j < polygon.size(); ++j) {

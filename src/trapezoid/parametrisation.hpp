@@ -10,21 +10,22 @@ namespace stokesbook {
 /// @addtogroup trapezoid
 /// @{
 
-/// A curve as a function of its parameter, of period \f$ 2\pi \f$: x(t), x'(t) and x''(t), length.
+/// A closed curve as a function of its parameter t, of period \f$ 2\pi \f$. The function returns
+/// x(t), x'(t) and x''(t), length.
 using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
 
-/// Parametrises a shape in its own frame, counter-clockwise; a NodalCurve by its trigonometric
-/// interpolant.
+/// Parametrises a shape counter-clockwise, in the frame of the shape.
 ///
-/// @param  shape  in its own frame
-/// @return        evaluates points and derivatives, exact to rounding
-/// @par Cost      O(1) a point; for a NodalCurve with p points O(p)
+/// The parametrisation of a NodalCurve is its trigonometric interpolant.
+/// @param  shape  closed curve in its own frame
+/// @return        function that evaluates points and derivatives, exact to rounding
+/// @par Cost      O(1) per point; for a NodalCurve with p points O(p)
 Parametrisation parametrisation(const Shape& shape);
 
 /// Orders the points of a NodalCurve counter-clockwise.
 ///
-/// @param  shape  points in either sense
-/// @return        its points, length
+/// @param  shape  points in either direction
+/// @return        points in counter-clockwise order, length
 ComplexVector counter_clockwise(const NodalCurve& shape);
 
 /// @}

@@ -10,11 +10,11 @@ namespace stokesbook {
 /// @addtogroup trapezoid
 /// @{
 
-/// A point or vector of the plane, \f$ v = v_1 + i v_2 \f$; a product with \f$ e^{i\theta} \f$
-/// turns it counter-clockwise by \f$ \theta \f$.
+/// A point or vector of the plane, \f$ v = v_1 + i v_2 \f$. Multiplication by
+/// \f$ e^{i\theta} \f$ turns the vector counter-clockwise by \f$ \theta \f$.
 using Complex = std::complex<double>;
 
-/// Plane vectors, one entry a node, in node order (2 contiguous doubles each).
+/// Plane vectors, one entry per node, in node order (2 contiguous doubles each).
 using ComplexVector = Eigen::VectorXcd;
 
 /// Imaginary unit.
@@ -33,7 +33,7 @@ inline double dot(Complex a, Complex b) {
 ///
 /// @param  a  plane vector; the arm, for a torque
 /// @param  b  plane vector; the force, for a torque
-/// @return    number, product of their units; > 0 where b turns counter-clockwise about a's origin
+/// @return    number, product of their units; > 0 if b points counter-clockwise of a
 inline double cross(Complex a, Complex b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
@@ -46,7 +46,7 @@ inline Complex perp(Complex a) {
   return {-a.imag(), a.real()};
 }
 
-/// Where the frame of a curve or of a component is.
+/// Position and orientation of the frame of a curve or a component.
 struct Pose {
   Complex position;          ///< of the frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise

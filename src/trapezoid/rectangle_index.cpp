@@ -1,4 +1,4 @@
-// Finds rectangles that meet each other, by the R-tree of Boost.Geometry.
+// Finds the rectangles that intersect a given one, by the R-tree of Boost.Geometry.
 #include "trapezoid/rectangle_index.hpp"
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // those that Boost 1.74 reads itself
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost 1.74 itself includes deprecated headers
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #if __has_include(<boost/geometry/strategies/cartesian.hpp>)
-#include <boost/geometry/strategies/cartesian.hpp>  // which newer versions do not read themselves
+#include <boost/geometry/strategies/cartesian.hpp>  // newer versions require this header
 #endif
 #include <boost/iterator/function_output_iterator.hpp>
 

@@ -13,39 +13,39 @@ namespace stokesbook {
 
 /// A rectangle with sides along the axes.
 struct Rectangle {
-  Complex lower;  ///< corner of the least x and y, length
-  Complex upper;  ///< corner of the largest x and y, length
+  Complex lower;  ///< corner with the smallest x and y, length
+  Complex upper;  ///< corner with the largest x and y, length
 };
 
-/// Returns the square about a circle.
+/// Returns the bounding square of a circle.
 ///
-/// @param  centre  of the circle, length
-/// @param  radius  of the circle, length; may be infinite
-/// @return         the least rectangle that holds the circle
+/// @param  centre  centre of the circle, length
+/// @param  radius  radius of the circle, length; may be infinite
+/// @return         smallest rectangle that contains the circle
 Rectangle square_about(Complex centre, double radius);
 
 /// Moves the sides of a rectangle outward.
 ///
-/// @param  rectangle  any
-/// @param  distance   of the new sides from the old ones, length; may be infinite
+/// @param  rectangle  any rectangle
+/// @param  distance   distance of the new sides from the old ones, length; may be infinite
 /// @return            the wider rectangle
 Rectangle widened(const Rectangle& rectangle, double distance);
 
-/// Returns the least rectangle that holds some points.
+/// Returns the smallest rectangle that contains the given points.
 ///
-/// @param  points  at least one, length
-/// @return         their bounding rectangle
+/// @param  points  at least one point, length
+/// @return         bounding rectangle of the points
 Rectangle bounding_rectangle(const Eigen::Ref<const ComplexVector>& points);
 
-/// Finds which of many rectangles meet one: the broad phase of searches for neighbours, by an
-/// R-tree.
+/// Finds the rectangles, among many, that intersect a given one, by an R-tree. This step is the
+/// broad phase of a search for neighbours.
 ///
-/// Safe to ask from several threads at once.
+/// Several threads may call meeting() at the same time.
 class RectangleIndex {
  public:
   /// Packs rectangles into a tree.
   ///
-  /// @param  rectangles  n of them, known by their places from 0 on
+  /// @param  rectangles  n rectangles; the number of a rectangle is its position, from 0 on
   /// @throws std::invalid_argument when a corner is not finite
   /// @par Cost           O(n log n)
   explicit RectangleIndex(const std::vector<Rectangle>& rectangles = {});
@@ -53,22 +53,22 @@ class RectangleIndex {
   /// Frees the tree.
   ~RectangleIndex();
 
-  /// Adds a rectangle, which is known by the number of those that were there before.
+  /// Adds a rectangle. The number of the new rectangle is the number of rectangles before it.
   ///
-  /// @param  rectangle  the next one
+  /// @param  rectangle  rectangle to add
   /// @throws std::invalid_argument when a corner is not finite
   /// @par Cost          O(log n)
   void insert(const Rectangle& rectangle);
 
-  /// Finds the rectangles that meet one, borders included.
+  /// Finds the rectangles that intersect a given one; a common border point suffices.
   ///
-  /// @param  rectangle  any; corners may be infinite
-  /// @return            their numbers, ascending
-  /// @par Cost          O(log n + m log m) for m that meet it, when rectangles overlap few others
+  /// @param  rectangle  any rectangle; corners may be infinite
+  /// @return            numbers of the rectangles found, ascending
+  /// @par Cost          O(log n + m log m) for m rectangles found, if each one overlaps few others
   std::vector<std::size_t> meeting(const Rectangle& rectangle) const;
 
  private:
-  // Hidden, because Boost.Geometry compiles slowly: one source reads it.
+  // The tree is hidden, because Boost.Geometry compiles slowly: one source file includes it.
   /// @cond
   struct Tree;
   /// @endcond

@@ -1,3 +1,5 @@
+// Samples shapes at equidistant or graded nodes, with derivatives by the chain rule through the map
+// t(s) of (01.11).
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +14,7 @@ using Eigen::Index;
 
 namespace {
 
+// x(t(s)), dx/ds = x' t' and d2x/ds2 = x'' t'^2 + x' t'', t' and t'' being derivatives in s.
 Curve sample_at(const std::vector<GradedParameter>& parameters, const Shape& shape, Side side) {
   const Parametrisation point = parametrisation(shape);
   const auto n = static_cast<Index>(parameters.size());
@@ -26,7 +29,7 @@ Curve sample_at(const std::vector<GradedParameter>& parameters, const Shape& sha
   return curve;
 }
 
-// At equidistant parameters, by fast transforms.
+// Samples a NodalCurve at equidistant parameters, by fast Fourier transforms.
 Curve sample_equidistantly(const NodalCurve& shape, Index n, Side side) {
   const ComplexVector x = resample(counter_clockwise(shape), n);
   const ComplexVector dx = differentiate(x);

@@ -44,13 +44,13 @@ struct Superellipse {
   bool operator==(const Superellipse&) const = default;
 };
 
-/// Closed curve through given points, equidistant in the parameter, joined by Fourier
-/// interpolation. The origin must lie inside: external forces act there.
+/// Closed curve through given points by Fourier interpolation; the points are equidistant in the
+/// parameter. The origin must lie inside the curve, because external forces act there.
 struct NodalCurve {
-  ComplexVector points;  ///< in order along the curve, either sense; at least 4
-  std::string file;      ///< where the points came from, for messages; may be empty
+  ComplexVector points;  ///< in order along the curve, in either direction; at least 4
+  std::string file;      ///< file of the points, for messages; may be empty
 
-  /// Compares the points, not where they came from.
+  /// Compares the points, and ignores the names of the files.
   /// @param  other  another curve
   /// @return        true when the points are the same in the same order
   bool operator==(const NodalCurve& other) const {
