@@ -5,14 +5,14 @@
 
 namespace stokesbook {
 
-/// What this program was built from, for `--version` and the record of a run.
+/// The origin of this program, for `--version` and the record of a run.
 struct BuildInfo {
-  std::string_view version;  ///< of the project, "0.1.0"
+  std::string_view version;  ///< version of the project, "0.1.0"
   std::string_view
-      git_hash;  ///< commit, with "-dirty" where the sources differ from it; or "unknown"
+      git_hash;  ///< commit, with "-dirty" if the sources differ from the commit; or "unknown"
   std::string_view compiler;    ///< name and version, "GNU 12.2.0"
   std::string_view build_type;  ///< "Release"
-  std::string_view flags;       ///< of the compiler, warnings left out
+  std::string_view flags;       ///< flags of the compiler, without those for warnings
 };
 
 /// Returns the information compiled into this program.

@@ -1,3 +1,4 @@
+// Reads the name of the processor from Linux's /proc/cpuinfo.
 #include <fstream>
 
 #include "cli/build_info.hpp"

@@ -1,5 +1,5 @@
-// The program stokes: reads the command line, runs what it asks for, and turns errors into messages
-// and exit codes.
+// Runs the program stokes: reads the command line, runs the requested command, and turns errors
+// into messages and exit codes.
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -32,7 +32,7 @@ std::string version_text() {
   return text;
 }
 
-// Where a system starts no more, OpenMP ends the program.
+// The upper bound exists because OpenMP ends the program if the system cannot start the threads.
 const CLI::Range number_of_threads(1, 1024);
 
 void add_scene_options(CLI::App& command, RunOptions& options) {
@@ -71,8 +71,8 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
-// Where standard input, output or error is closed, the next file that is opened takes its number,
-// and gets what is meant for people.
+// Opens /dev/null for each standard stream that is closed. Otherwise, the next file that is opened
+// would take the number of the stream, and output for the user would be written into this file.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) == -1) open("/dev/null", O_RDWR);
@@ -81,7 +81,7 @@ void open_standard_streams() {
 
 int run_program(int argc, char** argv) {
   open_standard_streams();
-  // A limit on file sizes then shows as an error of the write, like a full disk.
+  // Without the signal, a write beyond the limit on file sizes fails like one on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{"Rigid bodies and walls in two-dimensional Stokes flow"};
   app.set_version_flag("--version", version_text());
@@ -106,7 +106,7 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help, or the version
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help or --version
     std::cerr << for_terminal(error.what()) << "\nRun with --help for more information.\n";
     return exit_bad_usage;
   }

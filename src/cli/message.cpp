@@ -1,4 +1,5 @@
-// Makes messages safe to print: what a scene or an argument holds is quoted in them.
+// Makes messages safe to print, since messages quote text from scenes and arguments: escapes
+// control characters and invalid UTF-8, and shortens long texts.
 #include "cli/message.hpp"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace {
 
 constexpr std::size_t longest = 2000, kept_of_start = 1200, kept_of_end = 700;
 
-// How many bytes the character of UTF-8 at the start of text has; 0 where there is none, or one that
-// a terminal obeys.
+// Returns the number of bytes of the UTF-8 character at the start of a text; 0 for invalid bytes,
+// and for control characters, which a terminal would obey.
 std::size_t shown_bytes(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);

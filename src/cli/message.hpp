@@ -5,12 +5,12 @@
 
 namespace stokesbook {
 
-/// Makes text of a file or an argument fit to be shown on a terminal.
+/// Makes text from a file or an argument safe to be shown on a terminal.
 ///
-/// Control characters would be obeyed there, and a value may be as long as a file.
+/// A terminal would obey control characters, and a value may be as long as a file.
 /// @param  text  of any length, with any bytes
-/// @return       the same on one line, with control characters and bytes that are no UTF-8 as
-///               `\x1b`; of more than 2000 bytes the first 1200 and the last 700
+/// @return       the text on one line, with control characters and bytes that are not UTF-8 in the
+///               form `\x1b`; a text of more than 2000 bytes is cut to its first 1200 and last 700
 std::string for_terminal(std::string_view text);
 
 }  // namespace stokesbook

@@ -1,3 +1,4 @@
+// Prints the progress of a run with an estimate of the remaining time.
 #include "cli/progress.hpp"
 
 #include <cstdio>
@@ -24,6 +25,7 @@ void Progress::step(const StepInfo& info) {
   if (quiet_ || (!last && duration<double>(now - last_print_).count() < pause)) return;
   last_print_ = now;
   const double elapsed = duration<double>(now - start_).count();
+  // The remaining time at the mean speed so far.
   const double left = elapsed * (t_final_ - info.t) / (info.t - t_start_);
   std::printf(
       "%st = %.4g of %.4g, dt %.3g, gap %.3g, %d contacts, %d GMRES iterations, %.3g s left%s",

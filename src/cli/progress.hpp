@@ -6,15 +6,16 @@
 
 namespace stokesbook {
 
-/// Tells how a run is doing: one line rewritten on a terminal, a line every few seconds elsewhere.
+/// Shows the progress of a run: one line that is rewritten on a terminal, and a line every few
+/// seconds elsewhere.
 class Progress {
  public:
-  /// @param  t_start  time at which this process takes up the run
-  /// @param  t_final  time at which it ends
-  /// @param  quiet    whether to say nothing
+  /// @param  t_start  time at which this process starts or resumes the run
+  /// @param  t_final  end of the run
+  /// @param  quiet    true: nothing is printed
   Progress(double t_start, double t_final, bool quiet);
 
-  /// Takes note of a step.
+  /// Shows a step, unless the last output is too recent.
   void step(const StepInfo& info);
 
   /// Ends the line.

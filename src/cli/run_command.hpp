@@ -10,27 +10,27 @@ namespace stokesbook {
 /// @{
 inline constexpr int exit_done = 0;
 inline constexpr int exit_bad_usage = 1;  ///< command line or scene
-inline constexpr int exit_refused = 2;  ///< the numerics declined; what was computed so far is kept
+inline constexpr int exit_refused = 2;    ///< the solver refused; earlier results are kept
 inline constexpr int exit_io = 3;
 inline constexpr int exit_internal = 4;  ///< a defect of the program
 /// @}
 
-/// What the command line asks of `stokes run` and `stokes solve`.
+/// Options of `stokes run` and `stokes solve`.
 struct RunOptions {
   std::filesystem::path scene;
-  std::filesystem::path out;  ///< empty: out/ and the name of the scene
+  std::filesystem::path out;  ///< empty: the name of the scene, in out/
   std::vector<std::string> overrides;
   int threads = 0;    ///< 0: all processors
-  bool once = false;  ///< stokes solve
+  bool once = false;  ///< true for stokes solve
   bool dry_run = false;
   bool resume = false;
   bool overwrite = false;
   bool quiet = false;
 };
 
-/// Runs a scene and records it; returns the exit code.
+/// Runs a scene, writes its files, and returns the exit code.
 ///
-/// @throws SceneError, NumericsRefused, RecordError
+/// @throws SceneError, SolverError, RecordError
 int run_scene(const RunOptions& options);
 
 }  // namespace stokesbook

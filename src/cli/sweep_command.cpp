@@ -1,4 +1,4 @@
-// Runs a sweep: its tasks as processes of their own, side by side, and collects their table.
+// Runs a sweep: starts its tasks as parallel processes, and collects a table of their results.
 #include "cli/sweep_command.hpp"
 
 #include <algorithm>
@@ -31,9 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_tries = 3;  // of a task whose worker is killed
+constexpr int most_tries = 3;  // attempts at a task whose worker is killed
 
-/// Runs one task here, unless it is done, from its last checkpoint.
+/// Runs one task in this process, from its last checkpoint, unless the task is done.
 int run_task(const Sweep& sweep, const SweepOptions& options) {
   if (*options.task >= task_count(sweep)) {
     throw SceneError(options.file.string() + ": has " + std::to_string(task_count(sweep)) +
@@ -61,7 +61,8 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   }
 }
 
-/// Words of the command that runs a task of this sweep, wherever it is called, but its number.
+/// Returns the words of the command for a task, without its number. All paths are absolute, so that
+/// the command works in every folder.
 std::vector<std::string> task_command(const SweepOptions& options) {
   std::error_code unknown;
   const fs::path here = fs::read_symlink("/proc/self/exe", unknown);
@@ -87,7 +88,7 @@ void print_plan(const Sweep& sweep, const SweepOptions& options) {
               batch_commands({task, collect, output, task_count(sweep), options.threads}).c_str());
 }
 
-/// The workers of this machine and the tasks that wait for one.
+/// The workers of this machine, and the tasks that wait for a worker.
 class LocalSweep {
  public:
   LocalSweep(const Sweep& sweep, const SweepOptions& options)
@@ -97,7 +98,7 @@ class LocalSweep {
     }
   }
 
-  /// Runs all that wait; returns how many of them failed.
+  /// Runs all waiting tasks, and returns the number of tasks that failed.
   std::size_t run() {
     const int jobs =
         options_.jobs > 0 ? options_.jobs : std::max(1, omp_get_num_procs() / options_.threads);
@@ -117,7 +118,8 @@ class LocalSweep {
     std::fflush(stdout);
   }
 
-  /// Prefers tasks that no other sweep works on: a worker would wait for those.
+  /// Starts a worker for the next task. Tasks on which another sweep works come last, since their
+  /// workers would have to wait.
   void start_next() {
     const auto is_free = [&](std::size_t k) {
       const TaskFolder folder(options_.out, k);
@@ -167,7 +169,7 @@ class LocalSweep {
   std::vector<std::string> command_;
   std::deque<std::size_t> waiting_;
   Workers workers_;
-  std::map<std::size_t, int> kills_;  // by task
+  std::map<std::size_t, int> kills_;  // number of kills, by task
   std::size_t failed_ = 0;
 };
 

@@ -6,23 +6,23 @@
 
 namespace stokesbook {
 
-/// What the command line asks of `stokes sweep`.
+/// Options of `stokes sweep`.
 struct SweepOptions {
-  std::filesystem::path program;  ///< name that this program was called by
+  std::filesystem::path program;  ///< name by which this program was called
   std::filesystem::path file;
-  std::filesystem::path out;        ///< empty: out/ and the name of the sweep
-  std::optional<std::size_t> task;  ///< this one only
+  std::filesystem::path out;        ///< empty: the name of the sweep, in out/
+  std::optional<std::size_t> task;  ///< the only task to run
   int jobs = 0;                     ///< tasks at a time; 0: all processors
-  int threads = 1;                  ///< of each task
+  int threads = 1;                  ///< threads of each task
   bool plan = false;
   bool collect = false;
   bool quiet = false;
 };
 
-/// Runs the tasks of a sweep that are not done and collects their results, or one part of that;
-/// returns the exit code, exit_refused if a task failed.
+/// Runs the tasks of a sweep that are not done and collects their results, or does only the part of
+/// this that an option selects. Returns the exit code, which is exit_refused if a task failed.
 ///
-/// @throws SceneError, NumericsRefused, RecordError
+/// @throws SceneError, SolverError, RecordError
 int run_sweep(const SweepOptions& options);
 
 }  // namespace stokesbook

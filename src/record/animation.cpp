@@ -1,3 +1,4 @@
+// Writes an animation: the page with the player first, then one block of JSON for each frame.
 #include "record/animation.hpp"
 
 #include <cmath>
@@ -38,7 +39,7 @@ std::string array(const auto&... entries) {
   return text;
 }
 
-/// Returns the JSON array of what a function makes of each item.
+/// Returns a JSON array of the texts that a function makes of the items.
 std::string list(const auto& items, auto to_text) {
   std::string text = "[";
   for (const auto& item : items) {
@@ -48,7 +49,8 @@ std::string list(const auto& items, auto to_text) {
   return text + ']';
 }
 
-/// Returns a block of data in a page. JSON may write any text so that no tag ends the block.
+/// Returns a block of data in a page. Each < is replaced by its JSON escape, so that no text can
+/// contain the tag that ends the block.
 std::string data_block(const std::string& kind, std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
     json.replace(at, 1, "\\u003c");
@@ -56,7 +58,7 @@ std::string data_block(const std::string& kind, std::string json) {
   return "<script type=\"application/json\" class=\"" + kind + "\">" + json + "</script>\n";
 }
 
-/// Texts of which each gets a number, the same for the same text.
+/// Numbers texts in order of appearance; equal texts have the same number.
 class Distinct {
  public:
   std::string number_of(const std::string& text) {

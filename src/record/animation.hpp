@@ -10,12 +10,12 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Begins the page of an animation, which plays by itself in a browser, from a file and without
+/// Writes the head of an animation, a page that plays in a browser, from a file and without a
 /// network.
 ///
-/// The page is this text and an animation_frame() for each written time. It may end after any byte:
-/// a frame that is not whole is not shown.
-/// @param  title   of the page, any text
+/// The page consists of this text and one animation_frame() for each written time. The page may end
+/// after any byte: the player ignores an incomplete frame.
+/// @param  title   title of the page, any text
 /// @param  bodies  outlines in the order of Frame::bodies
 /// @param  walls   outlines in the order of Frame::walls
 /// @return         HTML: the player, then title and outlines as JSON; equal outlines are written
@@ -25,13 +25,14 @@ std::string animation_head(const std::string& title, const std::vector<Outline>&
 
 /// Writes a frame of an animation.
 ///
-/// Times have twelve significant digits and all other numbers six, enough to be looked at: the
-/// tables have the exact ones.
-/// @param  frame  its fields are left out
+/// Times have twelve significant digits and all other numbers six, which is enough for a display;
+/// the tables have the exact numbers.
+/// @param  frame  the configuration at a written time; its field is not written
 /// @return        HTML, one line: `[t, bodies, walls, contacts]` as JSON. A body is `[x, y, theta,
 ///                ux, uy, omega, fx, fy, torque]`, a wall `[x, y, theta, fx, fy, torque]`, a
-///                contact `[a, b, x, y, force, gap]`, where -1 is the first wall, -2 the next
-/// @throws std::invalid_argument when a number is not finite, which JSON does not know
+///                contact `[a, b, x, y, force, gap]`, where a and b are numbers of bodies, or -1
+///                for the first wall, -2 for the next
+/// @throws std::invalid_argument when a number is not finite, since JSON cannot represent it
 std::string animation_frame(const Frame& frame);
 
 /// @}

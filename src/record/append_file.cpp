@@ -1,4 +1,4 @@
-// Appends whole records to a file, and cuts back what was not whole.
+// Appends records to a file by POSIX calls, and cuts off incomplete records.
 #include "record/append_file.hpp"
 
 #include <cerrno>

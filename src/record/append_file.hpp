@@ -11,33 +11,33 @@ namespace stokesbook {
 
 /// A file that grows by records and can be cut back to an earlier length.
 ///
-/// A kill in the middle of a record leaves what went into the pages of the file before the next; see
-/// GrowingFile where that matters.
+/// A program that is killed while it appends a record may leave a part of the record in the file;
+/// GrowingFile avoids this.
 class AppendFile {
  public:
   /// Makes a new, empty file.
   ///
-  /// @param  path  where
-  /// @return       the file, open
-  /// @throws RecordError when it exists or cannot be made
+  /// @param  path  path of the file
+  /// @return       the open file
+  /// @throws RecordError when the file exists or cannot be made
   static AppendFile create(const std::filesystem::path& path);
 
-  /// Opens an existing file and drops what follows its first `size` bytes.
+  /// Opens an existing file and cuts it back to its first `size` bytes.
   ///
-  /// @param  path  where
+  /// @param  path  path of the file
   /// @param  size  length to keep, bytes
   /// @return       the file, open at its new end
-  /// @throws RecordError when it is missing, shorter, a symbolic link or no regular file, or cannot
-  /// be cut back
+  /// @throws RecordError when the file is missing, shorter, a symbolic link or not a regular file,
+  ///         or cannot be cut back
   static AppendFile reopen(const std::filesystem::path& path, std::uintmax_t size);
 
-  /// Takes over an open file.
-  /// @param  other  left without one
+  /// Takes over the open file of another object.
+  /// @param  other  the other object, which is left without a file
   AppendFile(AppendFile&& other) noexcept;
 
-  /// Takes over an open file in exchange for its own.
-  /// @param  other  left with that, which it closes in the end
-  /// @return        this one
+  /// Exchanges the open files of two objects.
+  /// @param  other  the other object, which closes the file that it receives when it is destroyed
+  /// @return        this object
   AppendFile& operator=(AppendFile&& other) noexcept;
 
   /// Closes the file.
@@ -45,27 +45,27 @@ class AppendFile {
 
   /// Appends a record.
   ///
-  /// @param  record  its bytes, with the end of line if it is one
-  /// @throws RecordError when not all of it could be written; what was written of it is cut off
+  /// @param  record  bytes of the record, including the end of its line
+  /// @throws RecordError when the record cannot be written completely; its written part is cut off
   void append(std::string_view record);
 
-  /// Returns once the disk has everything.
+  /// Waits until all records are on the disk.
   ///
-  /// @throws RecordError when the disk does not take it
+  /// @throws RecordError when the disk refuses the data
   void sync();
 
-  /// Tells whether there is a file.
-  /// @return false once another object has taken it over
+  /// Returns whether the object has an open file.
+  /// @return false after another object has taken the file over
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// Returns the length.
-  /// @return bytes, whole records only
+  /// Returns the length of the file.
+  /// @return bytes of all complete records
   std::uintmax_t size() const { return size_; }
 
  private:
   AppendFile(const std::filesystem::path& path, int flags);
 
-  /// Drops what follows the last whole record; returns whether that worked.
+  /// Cuts off everything after the last complete record, and returns whether this succeeded.
   bool cut_back();
 
   std::filesystem::path path_;

@@ -1,3 +1,5 @@
+// Replaces files atomically: a file is written under a partial name, then renamed; where a power
+// cut matters, the disk confirms the file before the renaming and its name after it.
 #include "record/atomic_file.hpp"
 
 #include <cerrno>

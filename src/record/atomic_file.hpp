@@ -9,57 +9,58 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// What a file that has just been written is safe from; a power cut costs some milliseconds.
+/// The event that a new file must survive. Safety from a power cut costs some milliseconds.
 enum class SafeFrom {
-  kill,      ///< the program may stop at any moment
-  power_cut  ///< the machine too: waits for the disk
+  kill,      ///< the program is killed at any moment
+  power_cut  ///< the machine stops too; the function waits for the disk
 };
 
-/// Replaces a file by a new one holding text: at every moment the path holds the old file or the
-/// new one, whole.
+/// Replaces a file by a new one with the given text. At every moment the path names the complete
+/// old file or the complete new one.
 ///
-/// The text passes through `<path>.partial`, which a kill may leave behind.
-/// @param  path    of the file, new or old
-/// @param  text    all that it is to hold
-/// @param  danger  what it is to be safe from when this returns
-/// @throws RecordError when the disk does not take it; the old file then stays
+/// The text is written to `<path>.partial` first; a killed program may leave this file behind.
+/// @param  path    path of the file, which need not exist
+/// @param  text    complete contents of the new file
+/// @param  danger  event that the new file survives as soon as the function has returned
+/// @throws RecordError when the new file cannot be written; the old file then stays
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger);
 
-/// Names the file that is written before it takes the place of another.
+/// Returns the path under which a file is written before it gets its final name.
 ///
-/// @param  path  of that other
+/// @param  path  final path of the file
 /// @return       `<path>.partial`
 std::filesystem::path partial_of(const std::filesystem::path& path);
 
-/// Finds the file in whose place another was to come, or to be after a kill.
+/// Returns the final path of a file that a killed program may have left under a partial name.
 ///
-/// @param  path  of any file
-/// @return       the path without `.partial` at its end, however often that is there
+/// @param  path  path of any file
+/// @return       the path without `.partial` at its end, even if the ending is repeated
 std::filesystem::path without_partial(std::filesystem::path path);
 
-/// Gives a file another name; at every moment that name is of one of the two, whole.
+/// Renames a file. At every moment the new name belongs to the complete file that had it before, or
+/// to the renamed one.
 ///
 /// @param  from  the file
-/// @param  to    its new name, which another may have had
-/// @throws RecordError when that does not work; both files then stay
+/// @param  to    its new name; a file with this name is replaced
+/// @throws RecordError when the file cannot be renamed; both files then stay
 void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Makes a file that was written safe from a power cut.
+/// Makes a written file safe from a power cut.
 ///
-/// @param  path  of the file
-/// @throws RecordError when the disk does not take it
+/// @param  path  path of the file
+/// @throws RecordError when the disk refuses the data
 void sync_file(const std::filesystem::path& path);
 
-/// Makes the names of a directory's files safe from a power cut, on file systems that can.
+/// Makes the names of a directory's files safe from a power cut, on file systems that support this.
 ///
-/// @param  directory  whose names; nothing happens where it cannot be opened
+/// @param  directory  the directory; nothing happens if it cannot be opened
 void sync_names(const std::filesystem::path& directory);
 
-/// Returns what a file holds.
+/// Returns the contents of a file.
 ///
-/// @param  path  of the file
+/// @param  path  path of the file
 /// @return       its bytes
-/// @throws RecordError when it cannot be read
+/// @throws RecordError when the file cannot be read
 std::string read_text(const std::filesystem::path& path);
 
 /// @}

@@ -1,3 +1,5 @@
+// Writes and reads the file `checkpoint` of a run: names, counts and hexadecimal floats as words of
+// a text, with a checksum at the end.
 #include "record/checkpoint.hpp"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace stokesbook {
 
 namespace {
 
-// The number rises with every change of what a checkpoint holds, its history included.
+// The version number must rise with every change of the contents, including those of the history.
 const std::string magic = "stokesbook checkpoint 3\n";
 
 std::string checksum_line(std::string_view body) {
@@ -36,7 +38,7 @@ void append_numbers(std::string& text, const std::string& name, const Eigen::Vec
   append_numbers(text, name, std::span(numbers.data(), size));
 }
 
-/// Takes a text apart into words and numbers.
+/// Reads words and numbers from a text, one after another.
 class WordReader {
  public:
   explicit WordReader(std::string_view text) : rest_(text) {}
@@ -63,7 +65,7 @@ class WordReader {
     return value;
   }
 
-  /// Reads a count and that many numbers.
+  /// Reads a count n, then n numbers.
   std::vector<double> numbers() {
     std::vector<double> values;
     for (auto left = integer<std::size_t>(); left > 0; --left) values.push_back(number());
@@ -75,7 +77,7 @@ class WordReader {
     return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   }
 
-  /// Passes over a word that the format puts here.
+  /// Skips a word that the format prescribes here; any other word is an error.
   void expect(const std::string& expected) {
     const std::string found = word();
     if (found != expected) {
@@ -132,6 +134,7 @@ void check_history_names(const Checkpoint& checkpoint) {
 }  // namespace
 
 std::string fingerprint(std::string_view text) {
+  // FNV-1a: hash <- (hash xor byte) * prime mod 2^64.
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   std::array<char, 16> digits;

@@ -14,44 +14,45 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// What a solver needs to go on exactly where it stopped.
+/// The data that a solver requires to continue exactly where it stopped.
 struct Checkpoint {
-  double t = 0.0;         ///< time reached, or the beginning of a step that is to be repeated
-  long long step = 0;     ///< steps done
-  Eigen::VectorXd state;  ///< what the solver advances, in its own order
-  /// What the time stepper remembers, by name (one word each): earlier rates, the next step's
-  /// length, the last time on record.
+  double t = 0.0;         ///< time reached; beginning of the step if a step is to be repeated
+  long long step = 0;     ///< number of completed steps
+  Eigen::VectorXd state;  ///< unknowns that the solver advances, in its own order
+  /// Data from earlier times that the next steps require, by name (one word each), such as earlier
+  /// rates, the length of the next step and the last written time.
   std::map<std::string, Eigen::VectorXd> history;
 };
 
-/// A checkpoint, and what the run directory held at that moment.
+/// A checkpoint, and the extent of the run directory's files at that moment.
 struct SavedRun {
   std::string scene;                                  ///< fingerprint of the scene
-  std::string program;                                ///< fingerprint of the program that saved it
-  std::map<std::string, std::uintmax_t> table_sizes;  ///< bytes, by file name
-  std::vector<double> frame_times;                    ///< one a written frame
-  Checkpoint checkpoint;                              ///< what the solver goes on from
+  std::string program;                                ///< fingerprint of the saving program
+  std::map<std::string, std::uintmax_t> table_sizes;  ///< bytes of each growing file, by name
+  std::vector<double> frame_times;                    ///< times of the written frames
+  Checkpoint checkpoint;                              ///< data from which the solver continues
 };
 
-/// Returns 16 hexadecimal digits that differ when texts differ, but for a chance of 2^-64.
+/// Returns the 64-bit FNV-1a hash of a text.
 ///
-/// The 64-bit FNV-1a hash; it finds accidents, not forgeries.
+/// Two different texts have the same hash with a probability of about 2^-64. The hash detects
+/// accidental changes, but not forgeries.
 /// @param  text  any bytes
-/// @return       its hash
+/// @return       16 hexadecimal digits
 std::string fingerprint(std::string_view text);
 
-/// Writes a saved run as text whose numbers are hexadecimal floats, hence exact, and whose last
-/// line is the fingerprint of all before it.
+/// Writes a saved run as text. Numbers are hexadecimal floats, hence exact; the last line is the
+/// fingerprint of all text before it.
 ///
-/// @param  saved  names of tables and of the history are one word each
+/// @param  saved  the run; names of tables and of the history are one word each
 /// @return        text of the file `checkpoint`
 /// @throws std::invalid_argument when a name of the history is not one word
 std::string to_text(const SavedRun& saved);
 
-/// Reads what to_text() wrote, bit for bit.
+/// Reads a saved run from the text of to_text(); all numbers are restored bit for bit.
 ///
-/// @param  path  of the file `checkpoint`
-/// @return       what was saved
+/// @param  path  path of the file `checkpoint`
+/// @return       the saved run
 /// @throws RecordError when the file is missing, of another kind, damaged or cut short
 SavedRun read_saved_run(const std::filesystem::path& path);
 

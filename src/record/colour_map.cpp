@@ -1,4 +1,4 @@
-// Interpolates the colours of pictures.
+// Interpolates a colour map linearly between its samples.
 #include "record/colour_map.hpp"
 
 #include <algorithm>

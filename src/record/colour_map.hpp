@@ -8,13 +8,14 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Colours for numbers from 0 to 1.
+/// A colour map: colours for numbers from 0 to 1.
 struct ColourMap {
   const char* name;                           ///< one word
   std::array<std::array<int, 3>, 9> samples;  ///< equidistant: red, green and blue, 0 to 255
 };
 
-/// Colours of equal perceptual distance, dark to light (S. van der Walt and N. Smith, CC0).
+/// The map viridis, dark to light with equal perceptual distances
+/// (S. van der Walt and N. Smith, CC0).
 inline constexpr ColourMap viridis{"viridis",
                                    {{{0x44, 0x01, 0x54},
                                      {0x47, 0x2d, 0x7b},
@@ -26,7 +27,7 @@ inline constexpr ColourMap viridis{"viridis",
                                      {0xad, 0xdc, 0x30},
                                      {0xfd, 0xe7, 0x25}}}};
 
-/// Colours for numbers with a sign: blue below and red above a grey 0, which is at 0.5
+/// A map for numbers with a sign: blue below zero, red above; zero is grey and lies at 0.5
 /// (K. Moreland, Diverging Color Maps for Scientific Visualization, 2009).
 inline constexpr ColourMap cool_to_warm{"cool-to-warm",
                                         {{{0x3b, 0x4c, 0xc0},
@@ -39,10 +40,10 @@ inline constexpr ColourMap cool_to_warm{"cool-to-warm",
                                           {0xde, 0x60, 0x4d},
                                           {0xb4, 0x04, 0x26}}}};
 
-/// Returns the colour of a fraction, linear between the samples of a map.
+/// Returns the colour of a fraction, by linear interpolation between the samples of a map.
 ///
-/// @param  map       colours
-/// @param  fraction  0 to 1; beyond, the colours of the ends
+/// @param  map       the colour map
+/// @param  fraction  0 to 1; any number outside has the colour of the nearer end
 /// @return           `#rrggbb`
 std::string colour(const ColourMap& map, double fraction);
 

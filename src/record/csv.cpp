@@ -1,4 +1,4 @@
-// Writes the rows of the tables of a run.
+// Writes the rows of a run's tables as CSV, with numbers that restore the values exactly.
 #include "record/csv.hpp"
 
 #include "record/number_text.hpp"
@@ -8,7 +8,7 @@ namespace stokesbook {
 namespace {
 
 void append_entry(std::string& text, auto number) {
-  append_number(text, number + 0);  // 0 for -0
+  append_number(text, number + 0);  // -0 becomes 0
 }
 
 void append_entry(std::string& text, ContactParty party) {

@@ -10,7 +10,7 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// @name The tables of a run: a header line, then rows whose numbers restore the values exactly
+/// @name Headers of the tables of a run, whose numbers restore the values exactly
 /// @{
 
 /// Header of `trajectory.csv`.
@@ -32,31 +32,32 @@ inline constexpr std::string_view steps_header =
 /// Writes the bodies of a frame.
 ///
 /// @param  frame  configuration at a written time
-/// @return        one line a body, as trajectory_header says
+/// @return        one line for each body, with the columns of trajectory_header
 std::string trajectory_rows(const Frame& frame);
 
 /// Writes the walls of a frame.
 ///
 /// @param  frame  configuration at a written time
-/// @return        one line a wall, as walls_header says
+/// @return        one line for each wall, with the columns of walls_header
 std::string wall_rows(const Frame& frame);
 
 /// Writes the rheology of a frame.
 ///
-/// @param  frame  with its rheology
-/// @return        one line, as rheology_header says; `nan` for what is not defined
+/// @param  frame  configuration with its rheology
+/// @return        one line with the columns of rheology_header; undefined values are `nan`
 std::string rheology_row(const Frame& frame);
 
 /// Writes the contacts of a frame.
 ///
 /// @param  frame  configuration at a written time
-/// @return        one line a contact, as contacts_header says; parties are `body:3` or `wall:0`
+/// @return        one line for each contact, with the columns of contacts_header; a and b are
+///                `body:3` or `wall:0`
 std::string contact_rows(const Frame& frame);
 
 /// Writes a step.
 ///
-/// @param  step  what it did
-/// @return       one line, as steps_header says
+/// @param  step  results of the step
+/// @return       one line with the columns of steps_header
 std::string step_row(const StepInfo& step);
 
 /// @}

@@ -1,3 +1,4 @@
+// Lists the points of a grid row by row.
 #include "record/field.hpp"
 
 namespace stokesbook {

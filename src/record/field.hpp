@@ -12,30 +12,30 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Points of the plane in rows and columns, with square cells between them.
+/// A grid of points in rows and columns, with square cells.
 struct FieldGrid {
   Complex corner;            ///< the lower left point, length
-  double spacing = 1.0;      ///< of neighbours along both sides, > 0, length
+  double spacing = 1.0;      ///< distance of neighbours in both directions, > 0, length
   Eigen::Index columns = 0,  ///< points along x
       rows = 0;              ///< points along y
 
-  /// Lists the points.
+  /// Returns the points of the grid.
   /// @return columns x rows points, x running fastest, length
   ComplexVector points() const;
 
-  /// Returns the position of a point in the list.
+  /// Returns the index of a point in the list points().
   /// @param  column  from 0, left to right
   /// @param  row     from 0, upwards
   /// @return         its index
   Eigen::Index index(Eigen::Index column, Eigen::Index row) const { return row * columns + column; }
 };
 
-/// Quantities of the flow at the points of a grid; those that were not asked for are empty.
+/// Quantities of the flow at the points of a grid. Quantities that were not requested are empty.
 ///
-/// Where there is no fluid, inside bodies and outside an enclosing wall, they are not a number.
+/// At points outside the fluid (inside bodies, outside an enclosing wall) values are not a number.
 struct Field {
-  FieldGrid grid;                      ///< where
-  std::vector<std::uint8_t> in_fluid;  ///< one a point: 1 in the fluid, else 0
+  FieldGrid grid;                      ///< the points
+  std::vector<std::uint8_t> in_fluid;  ///< for each point: 1 in the fluid, else 0
   ComplexVector velocity;              ///< length / time
   Eigen::VectorXd pressure;            ///< force / length^2
   Eigen::VectorXd vorticity;           ///< d_1 u_2 - d_2 u_1, 1 / time
@@ -43,14 +43,14 @@ struct Field {
   Eigen::VectorXd dissipation;         ///< 2 mu e : e, force / (length time)
 };
 
-/// A scalar of a field with its name in files.
+/// A scalar quantity of a field, with its name in files.
 struct FieldScalar {
   std::string_view name;           ///< one word
-  Eigen::VectorXd Field::*values;  ///< which member
-  bool has_sign;                   ///< whether it may be negative
+  Eigen::VectorXd Field::*values;  ///< member of Field with the values
+  bool has_sign;                   ///< whether values may be negative
 };
 
-/// All scalars that a field may hold.
+/// All scalar quantities that a field may have.
 inline constexpr std::array<FieldScalar, 4> field_scalars{
     {{"pressure", &Field::pressure, true},
      {"vorticity", &Field::vorticity, true},

@@ -1,4 +1,4 @@
-// Draws fields of the flow: a map of colours, streamlines, and bodies on top.
+// Draws fields of the flow as SVG: a colour map, streamlines, and walls and bodies on top.
 #include "record/field_picture.hpp"
 
 #include <algorithm>
@@ -24,10 +24,10 @@ std::string file_name(std::string_view quantity) {
   return "fields_" + std::string(quantity) + ".svg";
 }
 
-/// A grid laid out: its squares become unit squares, and these become pixels.
+/// The layout of a grid: a square of the grid is one unit wide, and a unit is `scale` pixels.
 struct Layout {
   const FieldGrid& grid;
-  double scale;   ///< pixels a unit
+  double scale;   ///< pixels per unit
   Complex drawn;  ///< width and height of the drawing, pixels
 
   Layout(const FieldGrid& points, double width) : grid(points) {
@@ -36,22 +36,23 @@ struct Layout {
     drawn = scale * size;
   }
 
-  /// Place of a point in units, counted from the top left corner.
+  /// Returns the place of a point in units from the top left corner, y downwards.
   Complex unit(Complex point) const {
     const Complex cells = (point - grid.corner) / grid.spacing;
     return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
   }
 };
 
-/// How values are shown: those that may have either sign about a neutral colour for zero.
+/// Colours of magnitudes, or of values with a sign, for which zero has a neutral colour.
 struct Colouring {
   const ColourMap& map;
-  std::string_view streamlines;  ///< a colour that is seen before all of the map's
+  std::string_view streamlines;  ///< colour of the lines, visible on all colours of the map
 };
 
 constexpr Colouring of_magnitudes{viridis, "#fff"}, of_signed_values{cool_to_warm, "#000"};
 
-/// The values that get the first and the last colour.
+/// Returns the values of the first and the last colour: the range of the values without the
+/// smallest and the largest hundredth, made symmetric for values with a sign.
 ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
   std::vector<double> sorted;
   for (const double value : values) {
@@ -66,7 +67,7 @@ ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
   return {-largest, largest};
 }
 
-/// Mean of the neighbours that have a value; not a number where there are none.
+/// Returns the mean of the neighbours that have a value; not a number if no neighbour has a value.
 double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, Index column,
                           Index row) {
   double sum = 0.0, count = 0.0;
@@ -81,7 +82,7 @@ double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, 
   return sum / count;
 }
 
-/// Gives values to the points beside the fluid, so that colours reach the curves drawn over them.
+/// Gives values to the points outside the fluid that are next to it, so that colours reach curves.
 Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
   Eigen::VectorXd result = values;
   for (Index row = 0; row < grid.rows; ++row) {
@@ -93,10 +94,10 @@ Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) 
   return result;
 }
 
-/// Colours as lines one unit thick: a dash for all neighbours in a row that share a colour.
+/// Draws the colours as lines one unit thick, with one dash for all neighbours of equal colour.
 std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values, const ColourMap& map,
                      const ValueRange& range) {
-  constexpr int levels = 65;  // odd, so that zero has a colour of its own
+  constexpr int levels = 65;  // odd, so that zero has the middle colour
   const auto level_of = [&](double value) {
     if (std::isnan(value)) return -1;
     const double spread = range.high - range.low;
@@ -132,7 +133,7 @@ std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>
   std::string heads;
   for (const Streamline& line : lines) {
     const auto count = static_cast<Index>(line.points.size());
-    // Every other point, about one a square, is smooth enough.
+    // Every second point of a line, about one for each square, gives a smooth curve.
     ComplexVector points((count + 1) / 2);
     for (Index i = 0; i < points.size(); ++i) {
       points[i] = layout.unit(line.points[static_cast<std::size_t>(2 * i)]);
@@ -151,13 +152,14 @@ std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>
          svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
 }
 
-/// A curve in its place, as path data.
+/// Returns the path data of an outline in its place.
 std::string path_data(const Layout& layout, const Outline& outline, const auto& state) {
   const ComplexVector points = placed(outline, state.position, state.orientation);
   return svg::polygon(points.unaryExpr([&](Complex point) { return layout.unit(point); }));
 }
 
-/// Draws enclosing walls as lines, and all else opaque: colours reach under it.
+/// Draws enclosing walls as lines, and bodies and inner walls opaque, since colours extend below
+/// their curves.
 std::string draw_curves(const Layout& layout, const Frame& frame,
                         const std::vector<Outline>& bodies, const std::vector<Outline>& walls) {
   const auto draw = [&](const Outline& outline, const auto& state) {
@@ -171,14 +173,14 @@ std::string draw_curves(const Layout& layout, const Frame& frame,
   return text + "</g>\n";
 }
 
-/// Cuts what is drawn off at the enclosing walls.
+/// Clips a drawing at the enclosing walls.
 std::string clipped(const Layout& layout, const Frame& frame, const std::vector<Outline>& walls,
                     const std::string& drawing) {
   std::string text = drawing;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!walls[k].encloses) continue;
     const std::string data = path_data(layout, walls[k], frame.walls[k]);
-    // Pictures on one page share names, so the same name must mean the same curve.
+    // All pictures of a page share their names, so each name is made from the curve itself.
     const std::string name = "stokesbook-" + fingerprint(data);
     text = "<clipPath id=\"" + name + "\"><path d=\"" + data +
            "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + text + "</g>\n";
@@ -186,7 +188,7 @@ std::string clipped(const Layout& layout, const Frame& frame, const std::vector<
   return text;
 }
 
-/// Opens a window through which squares are seen, and nothing beyond them.
+/// Opens an inner picture that shows the squares of the grid and cuts off everything outside.
 std::string open_window(const Layout& layout) {
   const FieldGrid& grid = layout.grid;
   return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header) +

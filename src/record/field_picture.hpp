@@ -11,13 +11,14 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// Draws every quantity of a frame's field as SVG: a colour map in which velocities show as speed,
-/// streamlines where the field has velocities, walls and bodies on top.
+/// Draws every quantity of a frame's field as SVG: a colour map (of the speed, for velocities),
+/// streamlines if the field has velocities, and walls and bodies on top.
 ///
-/// A point of the grid colours the square about it, in one of 65 colours; points outside the fluid
-/// stay blank. The colours span the values but for the hundredth that is least and the hundredth
-/// that is largest: next to bodies, and most of all between them, values may peak. Quantities that have a
-/// sign are blue below and red above zero, which is grey in the middle of the bar.
+/// Each point of the grid colours the square around it with one of 65 colours. Points outside the
+/// fluid have no colour, except next to the fluid, where they take the mean of their neighbours.
+/// The colours do not resolve the smallest and the largest hundredth of the values, since values
+/// may peak next to bodies and between them. For quantities with a sign the range of the colours is
+/// symmetric: blue below zero, red above, and grey at zero.
 /// @param  frame    the configuration with its field
 /// @param  bodies   outlines in the order of frame.bodies
 /// @param  walls    outlines in the order of frame.walls
@@ -30,10 +31,10 @@ std::map<std::string, std::string> draw_fields(const Frame& frame,
                                                const std::vector<Outline>& walls,
                                                const PictureOptions& options);
 
-/// Tells whether a file is one that draw_fields() names.
+/// Returns whether a file name is one of those that draw_fields() returns.
 ///
-/// @param  name  of any file
-/// @return       true for `fields_pressure.svg` and its like
+/// @param  name  name of any file
+/// @return       true for `fields_velocity.svg`, `fields_pressure.svg`, and so on
 bool is_field_picture(const std::string& name);
 
 /// @}

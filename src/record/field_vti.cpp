@@ -1,4 +1,4 @@
-// Writes fields of the flow for ParaView.
+// Writes a field of the flow for ParaView: VTK ImageData as XML, with arrays in base64.
 #include "record/field_vti.hpp"
 
 #include <bit>
@@ -11,6 +11,7 @@ namespace stokesbook {
 
 namespace {
 
+/// Encodes bytes in base64: 3 bytes become 4 letters of 6 bits each.
 std::string base64(const std::string& bytes) {
   constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -33,7 +34,7 @@ std::string base64(const std::string& bytes) {
 template <class T>
 std::string data_array(const std::string& type, std::string_view name, int components,
                        std::span<const T> values) {
-  // As VTK wants it: the number of bytes, then the bytes.
+  // VTK requires the number of bytes before the bytes.
   const std::uint64_t size = values.size_bytes();
   std::string bytes(sizeof(size) + size, '\0');
   std::memcpy(bytes.data(), &size, sizeof(size));
@@ -47,7 +48,7 @@ std::span<const double> numbers(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-/// Plane vectors become space vectors.
+/// Writes plane vectors as space vectors whose third component is 0.
 std::string vectors(std::string_view name, const ComplexVector& values) {
   Eigen::Matrix3Xd spatial = Eigen::Matrix3Xd::Zero(3, values.size());
   spatial.row(0) = values.real();
@@ -55,7 +56,7 @@ std::string vectors(std::string_view name, const ComplexVector& values) {
   return data_array("Float64", name, 3, numbers(spatial.reshaped()));
 }
 
-/// Returns the attributes that say where the points are.
+/// Returns the attributes of the grid: extent, origin and spacing.
 std::string image_attributes(const FieldGrid& grid) {
   std::string text = "WholeExtent=\"0 " + std::to_string(grid.columns - 1) + " 0 " +
                      std::to_string(grid.rows - 1) + " 0 0\" Origin=\"";

@@ -1,3 +1,4 @@
+// Locks a folder with flock(), without waiting for another process.
 #include "record/folder_lock.hpp"
 
 #include <cerrno>

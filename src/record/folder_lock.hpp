@@ -7,21 +7,21 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A lock on a folder that one object has at a time. The kernel takes it back when the process ends,
-/// however it ends.
+/// A lock on a folder, which only one object can have at a time. The kernel releases the lock when
+/// the process ends, even if it is killed.
 class FolderLock {
  public:
-  /// Takes the lock. Where the file system locks no folders, nobody is kept out.
+  /// Takes the lock. On file systems that cannot lock folders, the lock has no effect.
   ///
-  /// @param  folder  to be locked; nothing happens where it cannot be opened
-  /// @throws RecordError when another has the lock
+  /// @param  folder  the folder; nothing happens if it cannot be opened
+  /// @throws RecordError when another object has the lock
   explicit FolderLock(const std::filesystem::path& folder);
 
-  /// Takes over a lock.
-  /// @param  other  left without one
+  /// Takes over the lock of another object.
+  /// @param  other  the other object, which is left without a lock
   FolderLock(FolderLock&& other) noexcept;
 
-  /// Gives the lock back.
+  /// Releases the lock.
   ~FolderLock();
 
  private:

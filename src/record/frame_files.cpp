@@ -1,3 +1,4 @@
+// Names the files of single frames, and writes the ParaView collections that list them.
 #include "record/frame_files.hpp"
 
 #include <algorithm>

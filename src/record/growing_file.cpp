@@ -1,3 +1,4 @@
+// Grows a file by complete records, with two copies that take turns under the name of the file.
 #include "record/growing_file.hpp"
 
 #include <cerrno>
@@ -14,12 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names a file that is about to be the partial one.
+/// Returns the path of the copy that will be the partial one next.
 fs::path next_partial_of(const fs::path& path) {
   return partial_of(partial_of(path));
 }
 
-/// Gives a file a second name, or copies it where the file system has one name a file.
+/// Gives a file a second name, or copies the file if the file system has no hard links.
 void keep(const fs::path& path, const fs::path& second) {
   std::error_code error;
   fs::create_hard_link(path, second, error);
@@ -27,7 +28,7 @@ void keep(const fs::path& path, const fs::path& second) {
   if (error) throw RecordError(second, "copying " + path.filename().string(), error);
 }
 
-/// Cuts a file back and starts another beside it, in place of those that a kill has left.
+/// Cuts a file back, removes partial copies that a kill has left, and starts a new partial copy.
 AppendFile start_beside(const fs::path& path, std::uintmax_t size) {
   AppendFile::reopen(path, size);
   for (const fs::path& left : {partial_of(path), next_partial_of(path)}) {
@@ -52,7 +53,7 @@ GrowingFile::~GrowingFile() {
       partial_.sync();
       rename_file(partial_of(path_), path_);
     }
-  } catch (const RecordError&) {  // what was published stays
+  } catch (const RecordError&) {  // published records stay
   }
   std::error_code none;
   fs::remove(partial_of(path_), none);

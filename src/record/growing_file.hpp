@@ -11,46 +11,46 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A file that grows by whole records: whoever opens its path never finds a part of one, even after
-/// a kill.
+/// A file that grows by complete records: a program that opens its path never finds an incomplete
+/// record, even after a kill.
 ///
-/// Two files take turns. Records go to `<path>.partial`; publish() gives it the name of the file
-/// and then goes on with the one that had it, with the records that this one lacks. Each record is
-/// thus written twice, whatever the length of the file.
+/// There are two copies, which take turns. Records are appended to the copy `<path>.partial`;
+/// publish() renames this copy to `<path>`, renames the older copy to `<path>.partial`, and appends
+/// the missing records to it. Each record is thus written twice, whatever the length of the file.
 class GrowingFile {
  public:
-  /// Opens an existing file and drops what follows its first `size` bytes.
+  /// Opens an existing file and cuts it back to its first `size` bytes.
   ///
-  /// @param  path  where
+  /// @param  path  path of the file
   /// @param  size  length to keep, bytes
-  /// @throws RecordError when it is missing, shorter, or cannot be written
+  /// @throws RecordError when the file is missing or shorter, or cannot be written
   GrowingFile(const std::filesystem::path& path, std::uintmax_t size);
 
-  /// Takes over an open file.
-  /// @param  other  left without one
+  /// Takes over the open file of another object.
+  /// @param  other  the other object, which is left without a file
   GrowingFile(GrowingFile&& other) noexcept = default;
 
-  /// Publishes the records of which the disk takes all, and closes the file.
+  /// Publishes the remaining records, unless the disk refuses them, and closes the file.
   ~GrowingFile();
 
-  /// Appends a record that publish() will show.
+  /// Appends a record, which readers of the path see after publish().
   ///
-  /// @param  record  its bytes, with the end of line if it is one
-  /// @throws RecordError when not all of it could be written
+  /// @param  record  bytes of the record, including the end of its line
+  /// @throws RecordError when the record cannot be written completely
   void append(std::string_view record) { partial_.append(record); }
 
-  /// Shows all records; when it returns, the disk has them.
+  /// Moves all records to the file at the path, and waits until they are on the disk.
   ///
-  /// The name of the file is safe from a power cut after sync_names() only.
-  /// @throws RecordError when the disk does not take it; nothing is to be appended then
+  /// The name of the file is safe from a power cut only after sync_names().
+  /// @throws RecordError when the disk refuses the data; no record may be appended after that
   void publish();
 
   /// Returns the length.
-  /// @return bytes, with records that are not published
+  /// @return bytes, including records that are not published yet
   std::uintmax_t size() const { return partial_.size(); }
 
  private:
-  /// Appends what the published file has beyond the end of the other.
+  /// Appends to the partial copy the records that only the published file has.
   void catch_up();
 
   std::filesystem::path path_;

@@ -1,3 +1,4 @@
+// Writes numbers as text by std::to_chars, which does not depend on the locale.
 #include "record/number_text.hpp"
 
 #include <array>
@@ -20,7 +21,7 @@ void append_number(std::string& text, double x) {
 }
 
 std::string short_number(double x, int digits) {
-  return general(x + 0.0, digits);  // 0 for -0
+  return general(x + 0.0, digits);  // -0 becomes 0
 }
 
 }  // namespace stokesbook

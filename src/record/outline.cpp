@@ -1,3 +1,4 @@
+// Places outlines in the laboratory frame, and checks that outlines and frames match.
 #include "record/outline.hpp"
 
 #include <stdexcept>

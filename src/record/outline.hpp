@@ -9,10 +9,10 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A closed curve in its own frame, as it is drawn.
+/// A closed curve in its own frame, for pictures.
 struct Outline {
   ComplexVector
-      points;  ///< in order along the curve, the last not a repetition of the first, length
+      points;  ///< in order along the curve, without a repetition of the first point, length
   bool encloses = false;  ///< true: the fluid lies inside (outer wall)
 };
 
@@ -24,13 +24,14 @@ struct Outline {
 /// @return              points in the outline's order, length
 ComplexVector placed(const Outline& outline, Complex position, double orientation);
 
-/// Checks that every body and wall of a frame has its outline, and every contact its parties.
+/// Checks that every body and wall of a frame has its outline, and that the components of every
+/// contact exist.
 ///
 /// @param  frame   states of bodies and walls
 /// @param  bodies  outlines in the order of frame.bodies
 /// @param  walls   outlines in the order of frame.walls
-/// @throws std::invalid_argument when the numbers differ, or a contact is of a body or wall that
-///         the frame has not
+/// @throws std::invalid_argument when the numbers differ, or a contact names a body or wall that is
+///         not in the frame
 void require_outlines(const Frame& frame, const std::vector<Outline>& bodies,
                       const std::vector<Outline>& walls);
 

@@ -1,4 +1,4 @@
-// Draws a configuration: walls, bodies by speed, and contacts.
+// Draws a configuration as SVG: walls, bodies coloured by speed, velocities and contact forces.
 #include "record/picture.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace {
 
 using namespace picture_parts;
 
-/// Bodies let some ground through, and the colour bar with them: arrows must show on dark colours.
+/// Bodies and colour bar are slightly transparent, so that arrows are visible on dark colours.
 const std::string veil = "fill-opacity=\"0.85\"";
 
-/// The smallest upright rectangle about points.
+/// The bounding box of points.
 struct Box {
   Complex low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Complex high = -low;
@@ -33,14 +33,14 @@ struct Box {
   }
 };
 
-/// A configuration laid out: what is where in the scene, and how the scene becomes pixels.
+/// The layout of a configuration: its curves and arrows, and the map from the plane to pixels.
 struct Layout {
   std::vector<ComplexVector> bodies;
   std::vector<ComplexVector> walls;
   std::vector<Complex> arrow_tips;
   double top_speed = 0.0;
   Box box;
-  double scale = 1.0;  ///< pixels a length
+  double scale = 1.0;  ///< pixels per length
   Complex drawn;       ///< width and height of the drawing, pixels
 
   Complex pixel(Complex point) const {
@@ -49,14 +49,14 @@ struct Layout {
     return Complex(margin, header + lowered) + scale * std::conj(point - top_left);
   }
   double height() const { return std::max(drawn.imag(), bar_height); }
-  /// Speed as a fraction of the top speed.
+  /// Returns the speed as a fraction of the top speed.
   double brightness(const BodyState& body) const {
     return top_speed > 0.0 ? std::abs(body.velocity) / top_speed : 0.0;
   }
 };
 
-/// The longest arrow shows beside its body and in the whole picture, but stays clear of the
-/// neighbours.
+/// Returns the length of the longest arrow: twice the mean radius of the bodies, and at least 3 %
+/// of the picture's diagonal. The arrow is thus visible beside its body and in the whole picture.
 double longest_arrow(const std::vector<Outline>& bodies, const Box& box) {
   double radii = 0.0;
   for (const Outline& body : bodies) radii += body.points.cwiseAbs().maxCoeff();
@@ -64,7 +64,7 @@ double longest_arrow(const std::vector<Outline>& bodies, const Box& box) {
                   0.03 * std::abs(box.high - box.low));
 }
 
-/// Returns the tips of the arrows of velocity, for which the largest speed must not be zero.
+/// Returns the tips of the velocity arrows; the largest speed must not be zero.
 std::vector<Complex> arrow_tips(const Frame& frame, double top_speed, double longest) {
   std::vector<Complex> tips;
   for (const BodyState& body : frame.bodies) {
@@ -119,14 +119,14 @@ std::string draw_bodies(const Layout& layout, const Frame& frame) {
   return text + "</g>\n";
 }
 
-/// Returns the distance from the centre to the curve along direction 1, to the nearest of its
-/// points.
+/// Returns the distance from the centre to the curve along the first axis, taken at the point that
+/// is nearest in direction.
 double reach(const Outline& outline) {
   return std::abs(*std::ranges::min_element(
       outline.points, {}, [](Complex point) { return std::abs(std::arg(point)); }));
 }
 
-/// Marks direction 1 inside each body, dark on light colours and light on dark ones.
+/// Marks the first axis inside each body, dark on light colours and light on dark colours.
 std::string draw_ticks(const Layout& layout, const Frame& frame,
                        const std::vector<Outline>& bodies) {
   std::string on_light;
@@ -156,8 +156,8 @@ std::string draw_arrows(const Layout& layout, const Frame& frame) {
   return svg::path(data, "fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\"");
 }
 
-/// Draws forces of contact as lines from bodies through the points where they act; the largest is
-/// the widest.
+/// Draws contact forces as lines from the bodies to the points where the forces act. The width is
+/// proportional to the force, but at least half a pixel.
 std::string draw_contacts(const Layout& layout, const Frame& frame) {
   if (frame.contacts.empty()) return "";
   constexpr double widest = 5.0;

@@ -10,17 +10,18 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// How a picture looks.
+/// Options of a picture.
 struct PictureOptions {
-  std::string title;     ///< above the picture and for screen readers; may be empty
-  double width = 760.0;  ///< of the whole picture, pixels
+  std::string title;     ///< shown above the picture, read by screen readers; may be empty
+  double width = 760.0;  ///< width of the whole picture, pixels
 };
 
-/// Draws a configuration as SVG, to be shown on its own or inside a page, on light or dark ground.
+/// Draws a configuration as SVG, for display alone or inside a page, on a light or dark background.
 ///
-/// Bodies are filled by speed |U| (viridis, with a colour bar); a tick on each marks its direction
-/// 1, arrows its velocity. Forces of contact are lines to where they act, the wider the larger.
-/// Walls are outlines; y points upwards.
+/// Bodies are coloured by their speed |U| (viridis, with a colour bar). A tick on each body marks
+/// the first axis of its frame, and an arrow shows its velocity. Contact forces are lines from the
+/// bodies to the points where the forces act; the width grows with the force. Walls are outlines; y
+/// points upwards.
 /// @param  frame    the configuration and its velocities
 /// @param  bodies   outlines in the order of frame.bodies
 /// @param  walls    outlines in the order of frame.walls

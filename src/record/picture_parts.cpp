@@ -1,4 +1,4 @@
-// Draws what all pictures of a run have: the title, the time and the bar of colours.
+// Draws the common parts of the pictures of a run: title, time and colour bar.
 #include "record/picture_parts.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange&
                      const std::string& label, const std::string& style) {
   constexpr double bar_width = 12.0;
   const double left = margin + drawn_width + 26.0;
-  // Pictures on one page share names, so the same name must mean the same colours.
+  // All pictures of a page share their names, so each name is that of one colour map.
   const std::string name = "stokesbook-" + std::string(map.name);
   std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
   for (std::size_t k = 0; k < map.samples.size(); ++k) {

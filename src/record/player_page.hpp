@@ -7,8 +7,8 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// The page that plays a run, without its data: the files of `src/record/player` in one text, made
-/// by the build.
+/// The page that plays a run, without data. The build joins the files of `src/record/player` into
+/// this text.
 extern const std::string_view player_page;
 
 /// @}

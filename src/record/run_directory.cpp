@@ -1,4 +1,5 @@
-// Keeps the folder of a run: which files it has, how they grow, and how a run goes on from them.
+// Manages the files of a run: makes or removes them, adds frames and steps, and reopens a run at
+// its last checkpoint.
 #include "record/run_directory.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ constexpr const char* info_name = "run.json";
 constexpr const char* scene_name = "scene.toml";
 constexpr std::array frame_files{body_files, contact_files, field_files};
 
-/// Returns how the files that grow begin, by name; but for steps.csv, which every run has.
+/// Returns the headers of the growing files by name, except for steps.csv, which every run has.
 std::map<std::string, std::string> headers(const RunContents& contents) {
   std::map<std::string, std::string> result;
   if (contents.csv) result[trajectory_name] = trajectory_header;
@@ -46,7 +47,7 @@ std::map<std::string, std::string> headers(const RunContents& contents) {
   return result;
 }
 
-/// Returns the number of the frame that a file is about, or nothing for other files.
+/// Returns the frame number in a file name, and no value for files that belong to no single frame.
 std::optional<std::size_t> frame_of(const std::string& name) {
   for (const FrameFiles& files : frame_files) {
     if (const std::optional<std::size_t> frame = files.frame_of(name)) return frame;
@@ -75,7 +76,7 @@ std::vector<fs::path> file_names(const fs::path& directory) {
   return names;
 }
 
-/// Removes the files whose name is picked, with what a kill may have left of their successors.
+/// Removes the files whose names `pick` accepts, and their partial versions that a kill has left.
 template <class Pick>
 void remove_files(const fs::path& directory, Pick pick) {
   for (const fs::path& name : file_names(directory)) {
@@ -96,8 +97,8 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
                                    " or another directory");
 }
 
-/// Refuses a checkpoint with names of other files than those that the run writes: each is opened
-/// and cut back, wherever the name leads.
+/// Refuses a checkpoint that names other files than the run writes: every file that it names will
+/// be opened and cut back, and a wrong name may be the path of a foreign file.
 void require_own_tables(const fs::path& directory, const SavedRun& saved,
                         const RunContents& contents) {
   std::map<std::string, std::string> own = headers(contents);
@@ -107,8 +108,8 @@ void require_own_tables(const fs::path& directory, const SavedRun& saved,
   throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
 }
 
-/// Removes the files of a run. A kill leaves no checkpoint that tells of files that are gone, and
-/// steps.csv, by which it is known as a run, as long as there are others.
+/// Removes the files of a run, the checkpoint first and steps.csv last. After a kill in between, no
+/// checkpoint refers to missing files, and steps.csv still marks the directory as that of a run.
 void remove_run(const fs::path& directory) {
   const auto is = [](const char* other) {
     return [=](const std::string& name) { return name == other; };
@@ -160,7 +161,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
     directory.tables_.try_emplace(name, path / name, size);
   }
   directory.frame_times_ = std::move(saved.frame_times);
-  // The collection is cut first, so that it never names a missing file.
+  // Collections are shortened first, so that they never name a missing file.
   directory.write_collections();
   remove_files(path, [&](const std::string& name) {
     const std::optional<std::size_t> frame = frame_of(name);

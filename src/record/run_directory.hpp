@@ -18,26 +18,26 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// What a run is about and which files it writes beside steps.csv and checkpoint.
+/// The contents of a run, and the files that it writes in addition to steps.csv and checkpoint.
 struct RunContents {
-  std::string title;            ///< of the picture
-  std::string scene;            ///< resolved scene text: a run resumes with the same only
+  std::string title;            ///< title of pictures and animation
+  std::string scene;            ///< resolved scene text; a run resumes only with the same text
   std::vector<Outline> bodies;  ///< in the order of Frame::bodies
   std::vector<Outline> walls;   ///< in the order of Frame::walls
   bool csv = true;        ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
-  bool vtk = false;       ///< bodies.pvd and one .vtp a frame
+  bool vtk = false;       ///< bodies.pvd and one .vtp for each frame
   bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields
   bool html = false;      ///< animation.html
-  bool fields = false;    ///< fields.pvd and one .vti a frame
-  bool contacts = false;  ///< with csv contacts.csv, and with vtk contacts.pvd and one .vtp a frame
-  std::string program{};  ///< fingerprint of the program that writes
+  bool fields = false;    ///< fields.pvd and one .vti for each frame
+  bool contacts = false;  ///< with csv: contacts.csv; with vtk: contacts.pvd, a .vtp for each frame
+  std::string program{};  ///< fingerprint of the program that writes the run
 };
 
-/// What happens to a run that a directory holds already.
+/// Treatment of an earlier run in the same directory.
 enum class ExistingRun {
-  refuse,    ///< it stays, and create() throws
-  restart,   ///< its files are removed if it has begun steps.csv, which every run begins with
-  overwrite  ///< its files are removed
+  refuse,    ///< the files of the run stay, and create() throws
+  restart,   ///< the files are removed if they include steps.csv, which every run writes first
+  overwrite  ///< the files are removed
 };
 
 struct ResumedRun;
@@ -45,85 +45,87 @@ struct ResumedRun;
 /// The files of one run, written so that a kill at any moment leaves files that can be read and a
 /// run that can be resumed.
 ///
-/// Tables and the animation grow when save() is called, and when the run is closed; all other files
-/// are replaced as a whole. save() brings all of them to the disk, and then replaces the checkpoint,
-/// which holds their lengths and the times of the frames; resume() cuts both back, so that what
-/// follows is written as if nothing had happened. One object at a time writes a directory.
+/// Tables and the animation grow when save() is called and when the run is closed; all other files
+/// are replaced as a whole. save() waits until all files are on the disk, and then replaces the
+/// checkpoint, which contains the lengths of the growing files and the times of the frames.
+/// resume() cuts files and frames back to the checkpoint, so that the continued run writes the same
+/// files as a run without interruption. Only one object at a time can write a directory.
 class RunDirectory {
  public:
-  /// Makes the directory, if need be, and the files that grow with their headers.
+  /// Makes the directory, if necessary, and the growing files with their headers.
   ///
-  /// Files are removed that a run writes and no others. An old scene.toml stays until write_text()
-  /// replaces it: the new run may have been started from it.
-  /// @param  path      of the directory
-  /// @param  contents  what the run is about
-  /// @param  existing  what to do with a run that is there already
+  /// Only files with names of a run's files are removed. An old scene.toml stays until write_text()
+  /// replaces it, because the new run may have been started from it.
+  /// @param  path      path of the directory
+  /// @param  contents  contents of the run
+  /// @param  existing  treatment of an earlier run
   /// @return           the directory, without frames and steps
-  /// @throws RecordError when the directory cannot be written, is being written by another run, or
-  ///         holds files with the names of a run's that are not to be removed
+  /// @throws RecordError when the directory cannot be written, when another run is writing it, or
+  ///         when it has files of an earlier run that must not be removed
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
-  /// Goes back to the last checkpoint: tables and frames written after it are dropped.
+  /// Opens a run at its last checkpoint, and removes rows and frames that were written later.
   ///
-  /// @param  path      of the directory
-  /// @param  contents  as create() had them
-  /// @return           the directory and the checkpoint to go on from
-  /// @throws RecordError when there is no whole checkpoint, it is of another scene, a table is
-  ///         missing or shorter than it says, or another run writes the directory
+  /// @param  path      path of the directory
+  /// @param  contents  the same as for create()
+  /// @return           the directory, and the checkpoint from which the solver continues
+  /// @throws RecordError when there is no complete checkpoint, when the checkpoint is of another
+  ///         scene or lists other files, when a table is missing or shorter than in the checkpoint,
+  ///         or when another run is writing the directory
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
-  /// Adds a written time to all files asked for; tables and the animation show it after save().
+  /// Adds a frame to all files of the run. Tables and the animation contain the frame after save().
   ///
   /// @param  frame  the configuration at that time
-  /// @throws std::invalid_argument when the frame has other bodies or walls than the contents, a
-  ///         contact of others, contacts or a field although the run writes none, or no field
-  ///         although it does
-  /// @throws RecordError when the disk does not take it; what was written before stays valid
+  /// @throws std::invalid_argument when the numbers of bodies or walls differ from the contents,
+  ///         when a contact names a component that does not exist, when the frame has contacts or a
+  ///         field that the run does not write, or when it lacks a field that the run writes
+  /// @throws RecordError when a file cannot be written; earlier data stay valid
   void write_frame(const Frame& frame);
 
-  /// Adds a row to steps.csv, which shows it after save().
+  /// Adds a row to steps.csv. The file contains the row after save().
   ///
-  /// @param  step  what it did
-  /// @throws RecordError when the disk does not take it
+  /// @param  step  results of the step
+  /// @throws RecordError when the row cannot be written
   void write_step(const StepInfo& step);
 
-  /// Shows all that was written so far, and makes it and the checkpoint permanent.
+  /// Adds everything written so far to the files, waits for the disk, and stores the checkpoint.
   ///
-  /// @param  checkpoint  what the solver can go on from
+  /// @param  checkpoint  data from which the solver can continue
   /// @throws std::invalid_argument when a name of the history is not one word
-  /// @throws RecordError when the disk does not take it; the last checkpoint then stays
+  /// @throws RecordError when the disk refuses the data; the last checkpoint then stays
   /// @par Cost  a wait for the disk, some milliseconds, for each table and each other file written
   ///            since the last call
   void save(const Checkpoint& checkpoint);
 
-  /// Replaces a file by text, as a whole and at once safe from a power cut.
+  /// Replaces a file by a text, atomically and safe from a power cut.
   ///
-  /// @param  name  of the file in the directory
-  /// @param  text  all that it is to hold
-  /// @throws RecordError when the disk does not take it
+  /// @param  name  name of the file in the directory
+  /// @param  text  complete contents of the new file
+  /// @throws RecordError when the file cannot be written
   void write_text(const std::string& name, std::string_view text) const;
 
-  /// Counts the frames written so far.
-  /// @return their number, those before a resumption included
+  /// Returns the number of frames written so far.
+  /// @return number, including the frames before a resume
   std::size_t frame_count() const { return frame_times_.size(); }
 
  private:
   RunDirectory(FolderLock lock, const std::filesystem::path& path, RunContents contents);
 
-  /// Begins a file that grows.
+  /// Starts a growing file with its header.
   void begin(const std::string& name, std::string_view head);
 
-  /// Adds rows to a table, if this run has it.
+  /// Adds rows to a table, if the run writes this table.
   void append(const std::string& table, std::string_view rows);
 
-  /// Brings the collections of the files of all frames up to date.
+  /// Updates the collections, which list the files of all frames.
   void write_collections();
 
   /// Draws the latest frame.
   void write_pictures(const Frame& frame);
 
-  /// Replaces a file of a frame, safe from a power cut after the next save() only.
+  /// Replaces a file of a frame; the file is safe from a power cut only after the next save().
   void replace(const std::string& name, std::string_view text);
 
   FolderLock lock_;
@@ -137,8 +139,8 @@ class RunDirectory {
 /// A run opened at its last checkpoint.
 struct ResumedRun {
   RunDirectory directory;       ///< cut back to the checkpoint
-  Checkpoint checkpoint;        ///< what the solver goes on from
-  bool by_this_program = true;  ///< whether the program that saved it is that of the contents
+  Checkpoint checkpoint;        ///< data from which the solver continues
+  bool by_this_program = true;  ///< whether the saving program is that of the contents
 };
 
 /// @}

@@ -1,4 +1,4 @@
-// Writes run.json, and reads from it how a run ended.
+// Writes the file `run.json` of a run, and reads the exit status from it.
 #include "record/run_info.hpp"
 
 #include <system_error>
@@ -58,7 +58,8 @@ std::string to_json(const RunInfo& info) {
   if (const auto& uniform = info.uniform_velocity) {
     json["uniform_velocity"] = {uniform->real(), uniform->imag()};
   }
-  // A path in a message need not be UTF-8; losing a letter of it beats losing the file.
+  // A path in a message may have bytes that are not UTF-8. The library replaces these bytes; it
+  // would throw otherwise, and the file would be lost.
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 

@@ -14,64 +14,64 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// What a run has cost. Counts and seconds of a resumed run, but for its steps, are those of its last
-/// start; all else is of the whole run.
+/// Totals of a run. For a resumed run, counts and seconds begin at the last start, except the
+/// number of steps; the number of steps, the imbalances and the energy are those of the whole run.
 struct RunTotals {
-  long long steps = 0;                    ///< of time
-  long long rejected_steps = 0;           ///< tries that were longer than the step that was taken
-  long long solves = 0;                   ///< of the linear system
-  long long gmres_iterations = 0;         ///< of all solves
+  long long steps = 0;                    ///< time steps
+  long long rejected_steps = 0;           ///< attempts with a longer step than the accepted one
+  long long solves = 0;                   ///< solves of the linear system
+  long long gmres_iterations = 0;         ///< GMRES iterations of all solves
   long long matvecs = 0;                  ///< applications of the operator
-  long long ncp_iterations = 0;           ///< of all contact solves
-  long long contact_solves = 0;           ///< of the linear system, for forces of contact
-  double contact_seconds = 0.0;           ///< wall time that contact took
+  long long ncp_iterations = 0;           ///< iterations of the contact solver
+  long long contact_solves = 0;           ///< solves of the linear system for contact forces
+  double contact_seconds = 0.0;           ///< wall time of the contact solver
   long long halved_by_contact = 0;        ///< rejected steps whose contact was not resolved
-  double largest_force_imbalance = 0.0;   ///< net contact force over the largest, of any step
-  double largest_torque_imbalance = 0.0;  ///< net torque over the largest force and its distance
-  double energy_injected = 0.0;           ///< work of contact on the bodies, force
+  double largest_force_imbalance = 0.0;   ///< largest StepInfo::force_imbalance
+  double largest_torque_imbalance = 0.0;  ///< largest StepInfo::torque_imbalance
+  double energy_injected = 0.0;           ///< sum of StepInfo::energy_injected, force
 };
 
-/// How finely a run was resolved, and how well.
+/// Numbers of nodes and error estimates of a run.
 struct RunResolution {
-  std::vector<int> first_nodes;      ///< of each component at its first solve: bodies, then walls
-  std::vector<int> most_nodes;       ///< largest of all its solves
-  double velocity_error = 0.0;       ///< largest estimate of all its solves
-  double configuration_error = 0.0;  ///< of the errors of its steps, estimated and added up, the
-                                     ///< largest: of positions in radii, and of angles
-  std::map<std::string, double, std::less<>> field_errors{};  ///< by quantity, the largest estimate
-                                                              ///< of all frames
+  std::vector<int> first_nodes;      ///< of each component at the first solve: bodies, then walls
+  std::vector<int> most_nodes;       ///< of each component, largest number in all solves
+  double velocity_error = 0.0;       ///< largest estimate of all solves, relative
+  double configuration_error = 0.0;  ///< largest component of the sum of all estimated step errors:
+                                     ///< positions in radii, angles in radians
+  std::map<std::string, double, std::less<>> field_errors{};  ///< largest of all frames,
+                                                              ///< by quantity
 };
 
-/// Where a run came from, what it decided and how it ended.
+/// Origin, plan, results and end of a run, for `run.json`.
 struct RunInfo {
   std::string version;            ///< of the program
-  std::string git_hash;           ///< commit that was built
+  std::string git_hash;           ///< commit of the sources
   std::string compiler;           ///< name and version
   std::string flags;              ///< of the compiler
-  std::string machine;            ///< where it ran
+  std::string machine;            ///< name of the processor
   int threads = 1;                ///< in parallel regions
-  std::vector<std::string> plan;  ///< one decision with its reason a line
-  bool has_contact = false;       ///< whether contact is resolved: its totals are written then
-  RunTotals totals;               ///< what it has cost
-  RunResolution resolution;       ///< how well it was resolved
-  std::optional<Complex> uniform_velocity;  ///< of the fluid at infinity at the end, where it is
-                                            ///< solved for, length / time
-  double wall_seconds = 0.0;                ///< how long it took since the last start
+  std::vector<std::string> plan;  ///< one line for each decision and its reason
+  bool has_contact = false;       ///< whether contact is resolved; if so, its totals are written
+  RunTotals totals;               ///< cost of the run
+  RunResolution resolution;       ///< nodes and error estimates
+  std::optional<Complex> uniform_velocity;  ///< of the fluid at infinity at the last frame, if it
+                                            ///< is solved for, length / time
+  double wall_seconds = 0.0;                ///< wall time since the last start
   long long peak_memory = 0;                ///< largest resident set since the last start, bytes
   std::optional<int> exit_status;           ///< of the program; none while it runs
-  std::string message;                      ///< how the run ended, for people
+  std::string message;                      ///< description of how the run ended
 };
 
 /// Returns the text of `run.json`, keys in the order of the struct.
 ///
 /// @param  info  of one run
-/// @return       a JSON object in UTF-8; bytes that are not are replaced
+/// @return       a JSON object in UTF-8; bytes that are not valid UTF-8 are replaced
 std::string to_json(const RunInfo& info);
 
-/// Reads how a run ended from its `run.json`.
+/// Reads the exit status of a run from its `run.json`.
 ///
 /// @param  run  directory of the run
-/// @return      its exit status; none where the run has not ended
+/// @return      the exit status; none if the run has not ended or not begun
 /// @throws RecordError when the file cannot be read or is damaged
 std::optional<int> exit_status_of(const std::filesystem::path& run);
 

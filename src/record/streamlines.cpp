@@ -1,4 +1,5 @@
-// Follows lines of flow on a grid so that they cover it evenly.
+// Covers a field with evenly spaced streamlines (Jobard and Lefer 1997). Each line follows the
+// direction of the flow by the explicit midpoint rule.
 #include "record/streamlines.hpp"
 
 #include <algorithm>
@@ -13,13 +14,13 @@ using Eigen::Index;
 
 namespace {
 
-/// The direction of the flow between the points of a grid. Lengths are cells.
+/// The direction of the flow, interpolated between the points of a grid. Lengths are in cells.
 class Directions {
  public:
   explicit Directions(const Field& field) : field_(field) {}
 
-  /// Returns the unit vector along the velocity; none at rest, outside the grid and beside
-  /// boundaries.
+  /// Returns the unit vector along the velocity; none where the velocity is zero, outside the grid,
+  /// and in cells with a corner outside the fluid.
   std::optional<Complex> operator()(Complex x) const {
     const double column = std::floor(x.real()), row = std::floor(x.imag());
     const FieldGrid& grid = field_.grid;
@@ -30,6 +31,7 @@ class Directions {
     const double right = x.real() - column, up = x.imag() - row;
     const Index i = grid.index(static_cast<Index>(column), static_cast<Index>(row));
     const ComplexVector& u = field_.velocity;
+    // Bilinear interpolation between the corners of the cell.
     const Complex below = (1.0 - right) * u[i] + right * u[i + 1];
     const Complex above = (1.0 - right) * u[i + grid.columns] + right * u[i + grid.columns + 1];
     const Complex velocity = (1.0 - up) * below + up * above;
@@ -42,7 +44,7 @@ class Directions {
   const Field& field_;
 };
 
-/// Points of lines, found by their place.
+/// The points of all lines, sorted into square buckets whose side is the separation.
 class Neighbourhood {
  public:
   Neighbourhood(const FieldGrid& grid, double separation)
@@ -55,7 +57,8 @@ class Neighbourhood {
     for (const Complex point : line) points_[bucket(column(point), row(point))].push_back(point);
   }
 
-  /// Tells whether a point is at least a distance, at most the separation, from all lines.
+  /// Returns whether a point is at least a distance away from all lines; the distance must not
+  /// exceed the separation.
   bool is_free(Complex point, double distance) const {
     for (Index j = std::max<Index>(0, row(point) - 1); j <= std::min(rows_ - 1, row(point) + 1);
          ++j) {
@@ -73,7 +76,7 @@ class Neighbourhood {
   Index buckets(Index points) const {
     return 1 + static_cast<Index>(static_cast<double>(points) / separation_);
   }
-  // The last step of a line may leave the grid.
+  // The last point of a line may lie outside the grid.
   Index place(double coordinate, Index count) const {
     return std::clamp<Index>(static_cast<Index>(coordinate / separation_), 0, count - 1);
   }
@@ -86,7 +89,7 @@ class Neighbourhood {
   std::vector<std::vector<Complex>> points_;
 };
 
-/// Follows the flow one way. Lengths are cells.
+/// Follows the flow in one direction. Lengths are in cells.
 class Tracer {
  public:
   Tracer(const Field& field, const Neighbourhood& neighbours, double separation)
@@ -101,17 +104,19 @@ class Tracer {
     double turned = 0.0, distance = 0.0;
     Complex last_direction{};
     while (line.points.size() < most_points_) {
+      // Midpoint rule for the direction d, step h and sign s: x <- x + s h d(x + s h/2 d(x)).
       const Complex x = line.points.back();
       const std::optional<Complex> half = direction_(x);
       if (!half) break;
       const std::optional<Complex> whole = direction_(x + 0.5 * sign * step * *half);
       if (!whole) break;
       const Complex next = x + sign * step * *whole;
-      // A line that turns back within a step is at a point of rest.
+      // A line that reverses its direction within one step has reached a stagnation point.
       if (dot(*whole, last_direction) < 0.0) break;
       if (line.points.size() > 1) turned += std::arg(*whole * std::conj(last_direction));
       last_direction = *whole;
-      // Round once, a line closes where it passes its start.
+      // A line closes when it has turned once around and passes its start: it was near, and the
+      // distance grows again.
       const double next_distance = std::abs(next - start);
       line.closed = std::abs(turned) > 1.9 * std::numbers::pi && distance < nearest_ &&
                     next_distance > distance;
@@ -130,6 +135,7 @@ class Tracer {
   std::size_t most_points_;
 };
 
+/// Follows the flow from a point in both directions, and joins the two parts.
 Streamline through(Complex start, const Tracer& trace) {
   Streamline line = trace(start, 1.0);
   if (line.closed) return line;

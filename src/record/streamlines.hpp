@@ -9,23 +9,24 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A line along the velocity.
+/// A streamline: a line along the velocity.
 struct Streamline {
-  std::vector<Complex> points;  ///< in order, length; about two a cell of the grid
+  std::vector<Complex> points;  ///< in order, length; about two for each cell of the grid
   bool closed = false;          ///< whether the last point joins the first
 };
 
 /// Covers a field evenly with streamlines.
 ///
-/// A line starts wherever a point is a separation away from all lines before, and goes both ways
-/// until it closes, comes within half a separation of another line, or leaves the grid or the
-/// fluid. Between the points of the grid velocities are bilinear; a cell with a corner outside the
-/// fluid has none. Lines shorter than the separation are left out.
+/// A line starts at each grid point that is at least a separation away from all earlier lines. The
+/// line is followed in both directions until it closes, comes within half a separation of another
+/// line, or leaves the grid or the fluid. Velocities are interpolated bilinearly between the points
+/// of the grid; a cell with a corner outside the fluid has no velocity. Lines shorter than the
+/// separation are left out.
 /// @param  field       with its velocity
-/// @param  separation  of lines, > 0, length
+/// @param  separation  distance of neighbouring lines, > 0, length
 /// @return             lines in the direction of the flow
 /// @throws std::invalid_argument when the field has no velocity
-/// @par Not for        any but pictures: lines drift by the error of the interpolation
+/// @par Not for        anything but pictures: lines drift by the error of the interpolation
 /// @sa source: Jobard and Lefer, Visualization in Scientific Computing '97, 43
 std::vector<Streamline> streamlines(const Field& field, double separation);
 

@@ -1,3 +1,4 @@
+// Writes pieces of SVG text: numbers, paths, labels, and the head of a picture.
 #include "record/svg.hpp"
 
 #include <array>
@@ -12,7 +13,7 @@ std::string pair(Complex point) {
   return number(point.real()) + ' ' + number(point.imag());
 }
 
-/// Control characters have no place in XML, not even escaped.
+/// Escapes text for XML. Control characters become blanks, since XML does not allow them at all.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -27,7 +28,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The colour is a class's, so that a page which shows the picture inline can set its own.
+/// The style sets the colour of a class, so that a page with the picture inline can override it.
 constexpr const char* page_style =
     "<style>.stokesbook-picture{color:#1f2328;font:13px system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){.stokesbook-picture{color:#d5dbe1}}</style>\n";

@@ -4,16 +4,16 @@
 
 #include "trapezoid/plane.hpp"
 
-/// Pieces of SVG text. Points are pixels, which count downwards.
+/// Functions that write pieces of SVG text. Points are in pixels, with y downwards.
 namespace stokesbook::svg {
 
 /// @addtogroup record
 /// @{
 
-/// Writes a number to two decimals, without trailing zeros.
+/// Writes a number rounded to two decimals, without trailing zeros.
 ///
-/// @param  x  finite
-/// @return    its text; never "-0"
+/// @param  x  a finite number
+/// @return    its text, never "-0"
 std::string number(double x);
 
 /// Writes a number as an attribute.
@@ -46,21 +46,21 @@ std::string polygon(const ComplexVector& points);
 ///
 /// @param  data   path data
 /// @param  style  its other attributes
-/// @return        the element; empty for no data
+/// @return        the element; empty if there are no data
 std::string path(const std::string& data, const std::string& style);
 
 /// Makes a text element.
 ///
-/// @param  start  of the text's line, unless the style anchors it otherwise, pixels
-/// @param  text   any; it is escaped
+/// @param  start  start of the text, or another anchor that the style sets, pixels
+/// @param  text   any text, which is escaped
 /// @param  style  its other attributes
 /// @return        the element
 std::string label(Complex start, const std::string& text, const std::string& style = {});
 
-/// Opens a picture whose `currentColor` fits light and dark ground.
+/// Opens a picture whose `currentColor` suits light and dark backgrounds.
 ///
 /// @param  size   width and height, pixels
-/// @param  title  for screen readers; it is escaped
+/// @param  title  title for screen readers, which is escaped
 /// @return        the opening tag with title and style; `</svg>` closes it
 std::string open(Complex size, const std::string& title);
 

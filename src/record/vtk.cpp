@@ -1,3 +1,4 @@
+// Writes configurations and contacts for ParaView: VTK PolyData as XML, with arrays in ASCII.
 #include "record/vtk.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace stokesbook {
 
 namespace {
 
-/// How the points of a cell are joined.
+/// The way in which the points of a cell are joined.
 enum class Joined { in_line, in_loop, in_polygon };
 
 struct Cell {
@@ -17,12 +18,12 @@ struct Cell {
   ComplexVector points;
 };
 
-/// A wall or body.
+/// The cell of a wall or body.
 struct Component : Cell, BodyState {
   long id;
 };
 
-/// A contact: from the centre of a by the contact point to the centre of b.
+/// The cell of a contact: a line from the centre of a through the contact point to the centre of b.
 struct Link : Cell {
   long a, b;
   Complex normal;
@@ -38,7 +39,7 @@ long id_of(const ContactParty& party) {
   return party.is_wall ? -1 - number : number;
 }
 
-/// Lists walls and bodies as VTK orders cells: lines before polygons.
+/// Lists walls and bodies in VTK's order of cells, lines before polygons.
 std::vector<Component> list_components(const Frame& frame, const std::vector<Outline>& bodies,
                                        const std::vector<Outline>& walls) {
   std::vector<Component> components;
@@ -61,7 +62,7 @@ std::vector<Component> list_components(const Frame& frame, const std::vector<Out
 std::vector<Link> list_links(const Frame& frame) {
   std::vector<Link> links;
   for (const ContactForce& contact : frame.contacts) {
-    // A line to the centre of a wall would cross what the wall holds.
+    // A line to the centre of a wall would cross other bodies; it ends at the contact instead.
     const auto end = [&](const ContactParty& party) {
       return party.is_wall ? contact.point : frame.bodies[party.number].position;
     };
@@ -87,7 +88,7 @@ void append_line(std::string& text, auto value) {
   text += '\n';
 }
 
-/// A plane vector becomes a space vector.
+/// Appends a plane vector as a space vector whose third component is 0.
 void append_line(std::string& text, Complex value) {
   append_number(text, value.real());
   text += ' ';
@@ -95,7 +96,7 @@ void append_line(std::string& text, Complex value) {
   text += " 0\n";
 }
 
-/// Lists a member of all cells.
+/// Writes one member of all cells as a data array.
 template <class Kind, class Base, class Value>
 std::string cell_data(const std::string& name, const std::vector<Kind>& cells,
                       Value Base::*member) {
@@ -114,7 +115,7 @@ std::string points(const std::vector<Kind>& cells) {
   return data_array("Float64", "points", 3, values);
 }
 
-/// Lists the points of the cells that are lines, or of the others.
+/// Writes the point numbers of all lines, or of all polygons, as VTK's connectivity and offsets.
 template <class Kind>
 std::string topology(const std::vector<Kind>& cells, bool lines) {
   std::string connectivity;

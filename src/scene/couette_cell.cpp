@@ -1,4 +1,5 @@
-// Recognises scenes whose inner wall measures a viscosity (chapter 12).
+// Recognises Couette cells, in which the torque on the inner wall measures an effective viscosity
+// (chapter 12).
 #include "scene/couette_cell.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace stokesbook {
 
 namespace {
 
-// Returns the angular velocity of a wall that is fixed or rotates, and nothing for other walls.
+// Returns the angular velocity of a fixed or rotating wall, and no value for other walls.
 std::optional<double> rotation(const Wall& wall) {
   if (std::holds_alternative<FixedWall>(wall.motion)) return 0.0;
   const auto* rotating = std::get_if<RotatingWall>(&wall.motion);

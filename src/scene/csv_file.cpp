@@ -1,3 +1,4 @@
+// Reads a CSV file that a key of the scene names, relative to the folder of the scene.
 #include "scene/csv_file.hpp"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Reads tables of numbers from CSV files of a scene.
+// Parses the text of a CSV file into a table of numbers: one header line, then rows of numbers.
 #include "scene/csv_table.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ double parse_number(std::string_view field, std::string_view column, const std::
   const char* const end = digits.data() + digits.size();
   const auto [stop, status] = std::from_chars(digits.data(), end, value);
   if (status == std::errc::result_out_of_range) {
-    value = std::strtod(std::string(digits).c_str(), nullptr);  // 0, or infinite
+    value = std::strtod(std::string(digits).c_str(), nullptr);  // 0 or infinity
   }
   if (status == std::errc::invalid_argument || stop != end ||
       !(std::abs(value) <= largest_number)) {
@@ -71,7 +71,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write it
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write this mark
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   CsvTable table;
   std::size_t line_number = 0;

@@ -7,33 +7,33 @@
 
 namespace stokesbook::scene_text {
 
-/// One line of numbers.
+/// A row of a CSV table.
 struct CsvRow {
-  std::string where;           ///< "bodies.csv:7"
-  std::vector<double> values;  ///< finite, as many as there are columns
+  std::string where;           ///< file and line for messages, "bodies.csv:7"
+  std::vector<double> values;  ///< finite numbers, one for each column
 };
 
-/// Numbers in named columns.
+/// A CSV table: numbers in named columns.
 struct CsvTable {
   std::string header;        ///< without blanks, "x,y,theta"
   std::vector<CsvRow> rows;  ///< in file order
 };
 
-/// Splits a text.
+/// Splits a text at every separator.
 ///
-/// @param  text       any
-/// @param  separator  that parts end with, all but the last
-/// @return            views of the text
+/// @param  text       any text
+/// @param  separator  the character between two parts
+/// @return            the parts, one more than the text has separators; views of the text
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Parses comma-separated numbers below a header line. Blank lines and comments (`#` to the end of
-/// the line) do not count; lines end in LF or CRLF.
+/// the line) are skipped; lines end in LF or CRLF.
 ///
-/// @param  text       of the file
-/// @param  file_name  what messages call it
-/// @param  headers    those that are right
+/// @param  text       contents of the file
+/// @param  file_name  name of the file in messages
+/// @param  headers    accepted header lines
 /// @return            the table, with at least one row
-/// @throws SceneError naming file, line, and the column and value if they are at fault
+/// @throws SceneError that names the file, the line, and the column and value if these are wrong
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers);
 

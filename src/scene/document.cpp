@@ -1,4 +1,4 @@
-// Parses TOML into nodes that know where they stand, so that messages can name the place.
+// Parses TOML with the library toml++ into nodes that keep their place in the file for messages.
 #include "scene/document.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ Table convert_entries(const toml::table& source, const std::string& path, const 
 }
 
 std::string shown(const Array& elements) {
-  constexpr std::size_t longest = 60;  // more would hide the message
+  constexpr std::size_t longest = 60;  // longer values would hide the message
   std::string text;
   for (const Node& element : elements) {
     if (!text.empty()) text += ", ";
@@ -84,8 +84,8 @@ Node convert(const toml::node& source, const std::string& path, const Locate& lo
   return node;
 }
 
-/// Refuses keys of very many parts: TOML's parser calls itself once for each part, and would
-/// exhaust its stack. Counts the dots between characters that end a key.
+/// Refuses keys of more than most_key_parts parts: the parser calls itself once for each part, and
+/// would exhaust its stack. The parts are counted as dots between characters that end a key.
 void bound_keys(std::string_view text, const Locate& locate) {
   constexpr std::string_view ends = "\n,=[]{}";
   int dots = 0;

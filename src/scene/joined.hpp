@@ -5,11 +5,11 @@
 
 namespace stokesbook::scene_text {
 
-/// Writes words one after another.
+/// Joins words into one text.
 ///
 /// @param  words      a range of texts
-/// @param  separator  between two of them
-/// @return            "euler, heun"
+/// @param  separator  text between two words
+/// @return            the words in order, "euler, heun"
 std::string joined(const auto& words, std::string_view separator = ", ") {
   std::string text;
   bool first = true;

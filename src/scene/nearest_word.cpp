@@ -1,3 +1,4 @@
+// Finds the valid word that is nearest to a misspelt one, by Levenshtein's edit distance.
 #include "scene/nearest_word.hpp"
 
 #include <algorithm>
@@ -9,7 +10,9 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-/// Levenshtein's distance, one row of the table at a time.
+/// Computes Levenshtein's distance. With d(i, j) for the first i letters of a and j of b,
+/// d(i + 1, j + 1) = min(d(i, j) + [a_i != b_j], d(i, j + 1) + 1, d(i + 1, j) + 1);
+/// only one row of the table d is kept.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

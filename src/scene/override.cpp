@@ -1,4 +1,4 @@
-// Sets values of a scene from the command line.
+// Sets one value of a scene document, as the command line's `--set time.dt=0.01` requests.
 #include "scene/override.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Node& element(Node& parent, std::string_view index, const std::string& where) {
   return elements[k];
 }
 
-/// Of a path that is written as messages write it, bodies[0].n_nodes.
+/// Rewrites a path in the style of messages, bodies[0].n_nodes, as bodies.0.n_nodes.
 std::string with_dots(std::string_view path) {
   std::string dotted(path);
   std::ranges::replace(dotted, '[', '.');
@@ -52,8 +52,9 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Whether a value is a word that would be text in quotation marks, as fmm in solver.summation=fmm:
-/// letters, digits, _ and -, with a letter first. Those words that are TOML values are none.
+/// Returns whether a value is a word that lacks quotation marks, such as fmm in
+/// solver.summation=fmm. Such a word has letters, digits, _ and -, begins with a letter, and is not
+/// a TOML value itself.
 bool is_word(std::string_view text) {
   constexpr std::string_view values[] = {"true", "false", "inf", "nan"};
   const auto is_of_word = [](char c) {
@@ -68,7 +69,7 @@ bool is_word(std::string_view text) {
 Node with_override(Node document, std::string_view setting) {
   const std::size_t equals = setting.find('=');
   std::string_view path = setting.substr(0, equals);
-  path = path.substr(0, path.find_last_not_of(' ') + 1);  // as in time.dt = 0.01
+  path = path.substr(0, path.find_last_not_of(' ') + 1);  // removes the blank in time.dt = 0.01
   const std::string where = "--set " + std::string(path);
   if (path.empty() || equals == std::string_view::npos) {
     throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");

@@ -1,3 +1,4 @@
+// Reads a scene file: parses its text, sets the values of the command line, and reads all sections.
 #include "scene/parse.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Reads the sections [[bodies]] of a scene file.
 #include "scene/sections.hpp"
 
 namespace stokesbook::scene_text {

@@ -1,3 +1,4 @@
+// Reads the sections [[body_lists]] of a scene file: each row of a CSV file becomes a body.
 #include <string>
 
 #include "scene/csv_file.hpp"

@@ -1,3 +1,4 @@
+// Reads the section [contact] of a scene file, and checks that bodies and time steps allow contact.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 const std::string separation = "a number > 0: a length, or node spacings as in \"0.05h\"";
 
-// The number before the h of node spacings; not a number for other texts.
+// Returns the number of node spacings in a text such as "0.05h"; not a number for other texts.
 double spacings_in(const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();

@@ -1,3 +1,4 @@
+// Reads the sections [[fill]] of a scene file; place_fills() places their bodies later.
 #include <string>
 
 #include "scene/sections.hpp"
@@ -10,7 +11,7 @@ constexpr Requirement<double> fraction{"a number > 0 and < 1",
                                        [](const double& x) { return x > 0.0 && x < 1.0; }};
 constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return x >= 0.0; }};
 
-/// Returns the box, or nothing for all of the fluid.
+/// Returns the box, or no value if the region is the whole fluid.
 std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
   const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
   const std::string expected =

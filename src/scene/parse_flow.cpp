@@ -1,3 +1,4 @@
+// Reads the section [flow] of a scene file; each kind of flow has its own reader.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,7 +19,7 @@ constexpr Requirement<std::vector<double>> ascending_times{
       return ascending && (times.empty() || times.front() > 0.0);
     }};
 
-/// The keys that go with every kind of flow, and with this one.
+/// Checks the keys of [flow]: the keys of every kind of flow, and the keys `own` of one kind.
 TableReader flow_table(const Node& node, std::initializer_list<std::string_view> own) {
   std::vector<std::string_view> known{"kind", "gauge_length", "reverse_at"};
   known.insert(known.begin() + 1, own);
@@ -43,6 +44,7 @@ BackgroundFlow read_linear(const Node& node) {
   constexpr double rounding = 1e-12;
   const TableReader table = flow_table(node, {"gradient"});
   const LinearFlow flow{table.require("gradient", any_gradient)};
+  // The flow is incompressible: div(G x) = tr G = 0, up to rounding.
   const double trace = flow.gradient.trace();
   if (std::abs(trace) > rounding * flow.gradient.cwiseAbs().maxCoeff()) {
     std::ostringstream problem;

@@ -1,4 +1,4 @@
-// Reads how a scene is solved, how it moves, and what it writes.
+// Reads the sections [solver], [time] and [output] of a scene file.
 #include <string>
 
 #include "scene/joined.hpp"
@@ -47,7 +47,8 @@ std::optional<EffortBounds> read_effort(const TableReader& time) {
   return effort;
 }
 
-// Time plus a step differs from time, and steps or frames are not too many.
+// Refuses a length below 1e-12 t_final: t plus the length must differ from t in floating point, and
+// the number of steps or frames must not be too large.
 void refuse_endless(const TableReader& table, std::string_view key, const Node& t_final) {
   constexpr double shortest = 1e-12;
   const std::optional<double> length = table.get(key, positive_number);
@@ -55,7 +56,7 @@ void refuse_endless(const TableReader& table, std::string_view key, const Node& 
   fail(*table.find(key), "must be at least 1e-12 time.t_final, which is " + t_final.text);
 }
 
-// dt_min <= dt <= dt_max, as far as they are given.
+// Checks dt_min <= dt <= dt_max for the keys that are given.
 void check_limits(const TableReader& table, const TimeSettings& time) {
   const auto ordered = [&](std::optional<double> low, std::optional<double> high,
                            std::string_view key, const std::string& problem) {
@@ -107,6 +108,7 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   } else {
     if (time.method == SteppingMethod::heun && contact) {
       time.tolerance = table.get("tolerance", step_tolerance);
+      // Contact with neither method, tolerance nor effort given: Heun's method adapts its steps.
       const bool by_default = !method && table.find("effort") == nullptr;
       if (by_default && !time.tolerance) time.tolerance = default_contact_step_tolerance;
     } else {

@@ -1,4 +1,4 @@
-// Reads the shapes of a scene file: each kind of shape has a reader of its own.
+// Reads the shapes of a scene file; each kind of shape has its own reader.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,8 +20,8 @@ constexpr Requirement<Complex> semi_axes{
 constexpr Requirement<double> star_amplitude{
     "a number > -1 and < 1, so that the curve does not meet itself",
     [](const double& amplitude) { return std::abs(amplitude) < 1.0; }};
-// At the largest power, corners are rounded over a thousandth of the sides. No number of nodes that
-// the solver takes resolves more.
+// At the largest power, the rounding of a corner takes about a thousandth of a side. No number of
+// nodes that the solver accepts resolves sharper corners.
 constexpr Requirement<int> even_power{
     "an even integer from 2 to 1000, for which the curve is analytic",
     [](const int& p) { return p >= 2 && p <= 1000 && p % 2 == 0; }};

@@ -1,3 +1,4 @@
+// Reads the sections [[walls]] of a scene file; each kind of motion has its own reader.
 #include "scene/sections.hpp"
 
 namespace stokesbook::scene_text {

@@ -1,3 +1,5 @@
+// Checks that a polygon is a simple closed curve around the origin: no repeated points, no reversal
+// of direction, no two edges that meet (all pairs are tested), and winding number 1 or -1.
 #include "scene/polygon.hpp"
 
 #include <algorithm>
@@ -23,12 +25,13 @@ bool overlap(double a0, double a1, double b0, double b1) {
   return std::max(a0, a1) >= std::min(b0, b1) && std::max(b0, b1) >= std::min(a0, a1);
 }
 
-/// Whether the ends of b lie on both sides of the line through a, or on it.
+/// Returns whether the ends of b lie on opposite sides of the line through a, or on this line.
 bool straddles(const Edge& a, const Edge& b) {
   return cross(a.step(), b.from - a.from) * cross(a.step(), b.to - a.from) <= 0.0;
 }
 
-/// The boxes decide for edges on one line, where each straddles the other.
+/// Returns whether two edges have a common point. If both lie on one line, each straddles the
+/// other, and only the comparison of their bounding boxes decides.
 bool meet(const Edge& a, const Edge& b) {
   return overlap(a.from.real(), a.to.real(), b.from.real(), b.to.real()) &&
          overlap(a.from.imag(), a.to.imag(), b.from.imag(), b.to.imag()) && straddles(a, b) &&
@@ -64,6 +67,8 @@ std::optional<PolygonFault> find_crossing(const ComplexVector& points) {
   return std::nullopt;
 }
 
+/// Returns whether the winding number about the origin is 1 or -1. The angles from each point to
+/// the next, seen from the origin, add up to 2 pi or -2 pi, or to 0 if the origin lies outside.
 bool goes_around_origin(const ComplexVector& points) {
   double angle = 0.0;
   for (Eigen::Index k = 0; k < points.size(); ++k) {
@@ -73,7 +78,7 @@ bool goes_around_origin(const ComplexVector& points) {
     if (sine == 0.0 && cosine <= 0.0) return false;  // the edge meets the origin
     angle += std::atan2(sine, cosine);
   }
-  return std::abs(angle) > std::numbers::pi;  // 2 pi or 0, but for rounding
+  return std::abs(angle) > std::numbers::pi;  // 2 pi or 0, up to rounding
 }
 
 }  // namespace

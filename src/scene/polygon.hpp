@@ -7,17 +7,17 @@
 
 namespace stokesbook::scene_text {
 
-/// Why points do not go once around the origin.
+/// The reason why points do not form the closed curve of a body.
 struct PolygonFault {
-  std::optional<Eigen::Index> point;  ///< where, if it is at one point
-  std::string problem;                ///< what is wrong, for messages
+  std::optional<Eigen::Index> point;  ///< index of the wrong point, if there is one
+  std::string problem;                ///< description of the fault, for messages
 };
 
-/// Looks for what keeps points from being the closed curve of a body: at least 8 points, distinct
-/// from their neighbours, joined by straight edges that do not meet, around the origin.
+/// Checks that points form the closed curve of a body: at least 8 points, distinct from their
+/// neighbours, joined by straight edges that do not meet and that go around the origin.
 ///
 /// @param  points  in order along the curve, either sense
-/// @return         the first fault; none: they are a closed curve
+/// @return         the first fault; none if the points form a closed curve
 /// @par Cost       quadratic in the number of points
 std::optional<PolygonFault> find_fault(const ComplexVector& points);
 

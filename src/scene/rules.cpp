@@ -1,4 +1,4 @@
-// Converts nodes of a document into values, and says what is wrong with those that are not.
+// Converts nodes of a TOML document into values, and throws a SceneError for invalid ones.
 #include "scene/rules.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-constexpr std::int64_t fewest_nodes = 8;        // fewer resolve no curve
-constexpr std::int64_t most_nodes = 1'000'000;  // no memory holds what more take
+constexpr std::int64_t fewest_nodes = 8;        // fewer nodes resolve no curve
+constexpr std::int64_t most_nodes = 1'000'000;  // more nodes do not fit into memory
 
 std::string type_of(const Node& node) {
   if (const auto* array = std::get_if<Array>(&node.value)) {

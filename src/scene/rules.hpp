@@ -17,34 +17,35 @@
 
 namespace stokesbook::scene_text {
 
-/// Throws the SceneError `where: path = value: problem`, where the value stands.
+/// Throws the SceneError `where: path = value: problem` with the place of the value.
 ///
 /// @param  node     the value
-/// @param  problem  what is wrong with it
+/// @param  problem  what is wrong with the value
 /// @throws SceneError always
 [[noreturn]] void fail(const Node& node, const std::string& problem);
 
-/// Throws the same where the key stands, for a key that should not be there at all.
+/// Throws the same error with the place of the key, for a key that is not allowed.
 ///
 /// @param  node     the value of the key
 /// @param  problem  what is wrong with the key
 /// @throws SceneError always
 [[noreturn]] void fail_at_key(const Node& node, const std::string& problem);
 
-/// Throws the SceneError "must be `expected`, not a string", or whatever the type of the value is.
+/// Throws the SceneError "must be `expected`, not a string", with the actual type of the value.
 ///
 /// @param  node      the value
 /// @param  expected  completes "must be ..."
 /// @throws SceneError always
 [[noreturn]] void fail_type(const Node& node, std::string_view expected);
 
-/// Returns a value as T, one of those below. Integers will do for double, which must be finite; a
-/// Complex is [x, y], a matrix is a list of its rows.
+/// Converts a value to the type T, which must be one of the specialisations. An integer is accepted
+/// as a double, which must be finite; a Complex is [x, y], a matrix is the list of its rows.
 ///
 /// @param  node      the value
 /// @param  expected  completes "must be ..."
 /// @return           the value
-/// @throws SceneError when the value has another type, saying which
+/// @throws SceneError when the value has another type, which the message names, or a number is not
+///         finite or too small or large
 template <class T>
 T value_as(const Node& node, std::string_view expected);
 
@@ -73,37 +74,37 @@ std::vector<double> value_as(const Node& node, std::string_view expected);
 ///
 /// @param  node      the value
 /// @param  expected  completes "must be ..."
-/// @return           its elements, part of the node
-/// @throws SceneError when the value is no array
+/// @return           the elements, which the node owns
+/// @throws SceneError when the value is not an array
 const Array& elements_of(const Node& node, std::string_view expected);
 
 /// @name Size of numbers
-/// A solver squares and multiplies what a scene gives; of numbers beyond these the products are zero
-/// or infinite.
+/// The solver squares and multiplies the numbers of a scene. Beyond these bounds the products would
+/// underflow to zero or overflow to infinity.
 /// @{
-inline constexpr double smallest_number = 1e-100;  ///< but for zero
-inline constexpr double largest_number = 1e100;    ///< in magnitude
+inline constexpr double smallest_number = 1e-100;  ///< least magnitude, except for zero
+inline constexpr double largest_number = 1e100;    ///< largest magnitude
 /// @}
 
 /// @name Rules
-/// What a value must be, said once: `read(node, rule)` converts and checks it or throws a
-/// SceneError, `describe(rule)` completes "must be ...".
+/// A rule states once which values are valid: `read(node, rule)` converts and checks a value or
+/// throws a SceneError, and `describe(rule)` returns text that completes "must be ...".
 /// @{
 
-/// A value of type T for which a condition holds.
+/// A rule for values of type T: a condition must hold.
 template <class T>
 struct Requirement {
   std::string_view expected;  ///< completes "must be ..."
-  /// Tells whether a value is right; unless given, all are.
+  /// Returns whether a value is valid; by default, all values are.
   bool (*holds)(const T&) = [](const T&) { return true; };
 };
 
 /// Reads a value that meets a requirement.
 ///
 /// @param  node  the value
-/// @param  rule  what it must be
+/// @param  rule  the requirement
 /// @return       the value as T
-/// @throws SceneError when it has another type or the condition does not hold
+/// @throws SceneError when the value has another type or the condition does not hold
 template <class T>
 T read(const Node& node, const Requirement<T>& rule) {
   T value = value_as<T>(node, rule.expected);
@@ -111,7 +112,7 @@ T read(const Node& node, const Requirement<T>& rule) {
   return value;
 }
 
-/// Says what a requirement asks.
+/// Describes a requirement.
 ///
 /// @param  rule  the requirement
 /// @return       text that completes "must be ..."
@@ -120,10 +121,10 @@ std::string describe(const Requirement<T>& rule) {
   return std::string(rule.expected);
 }
 
-/// Lists the words.
+/// Lists the names of words.
 ///
-/// @param  words  all that may stand in one place
-/// @return        "outer, inner"
+/// @param  words  the words that a key accepts
+/// @return        the names in order, "outer, inner"
 template <class T, std::size_t N>
 std::string list_of(const Words<T, N>& words) {
   std::vector<std::string_view> names;
@@ -131,21 +132,21 @@ std::string list_of(const Words<T, N>& words) {
   return joined(names);
 }
 
-/// Says which words may stand in a place.
+/// Describes the words that a key accepts.
 ///
-/// @param  words  all of them
+/// @param  words  the words
 /// @return        text that completes "must be ..."
 template <class T, std::size_t N>
 std::string describe(const Words<T, N>& words) {
   return "one of " + list_of(words);
 }
 
-/// Reads a word that stands for a T.
+/// Reads a word that stands for a value of type T.
 ///
 /// @param  node   the value
-/// @param  words  all that may stand in its place
-/// @return        its meaning
-/// @throws SceneError when it is another word
+/// @param  words  the words that the key accepts
+/// @return        the meaning of the word
+/// @throws SceneError when the word is unknown
 template <class T, std::size_t N>
 T read(const Node& node, const Words<T, N>& words) {
   const std::string expected = describe(words);
@@ -156,12 +157,13 @@ T read(const Node& node, const Words<T, N>& words) {
   fail(node, "must be " + expected);
 }
 
-/// Reads a list of one or more words, none of them twice.
+/// Reads a list of one or more distinct words.
 ///
 /// @param  node   the value
-/// @param  words  all that may stand in the list
-/// @return        their meanings, in order
-/// @throws SceneError when it is no list, is empty, or holds another word or one twice
+/// @param  words  the words that the list accepts
+/// @return        the meanings of the words, in order
+/// @throws SceneError when the value is not a list, the list is empty, or a word is unknown or
+///         repeated
 template <class T, std::size_t N>
 std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
   const std::string expected = "a list of one or more of " + list_of(words);
@@ -175,10 +177,10 @@ std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
   return meanings;
 }
 
-/// Number of collocation nodes of a curve.
+/// The type of the rule for numbers of collocation nodes of a curve.
 struct NodeCount {};
 
-/// The only rule of its kind.
+/// The rule for numbers of collocation nodes of a curve.
 inline constexpr NodeCount node_count;
 
 /// Reads a number of collocation nodes.
@@ -186,17 +188,17 @@ inline constexpr NodeCount node_count;
 /// @param  node  the value
 /// @param  rule  #node_count
 /// @return       number of nodes, or automatic_nodes
-/// @throws SceneError when it is neither an even integer from 8 to 1000000, the nearest of which the
-///         message names, nor "auto"
+/// @throws SceneError when the value is neither "auto" nor an even integer from 8 to 1000000; the
+///         message names the nearest valid number
 int read(const Node& node, NodeCount rule);
 
-/// Says what a number of nodes must be.
+/// Describes the valid numbers of nodes.
 ///
 /// @param  rule  #node_count
 /// @return       text that completes "must be ..."
 std::string describe(NodeCount rule);
 
-/// A Boolean.
+/// A truth value.
 inline constexpr Requirement<bool> any_flag{"true or false"};
 
 /// A finite number.
@@ -209,7 +211,7 @@ inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
     "two rows of two numbers [[a, b], [c, d]]"};
 
-/// Corners of a box that is not empty, with sides that are numbers.
+/// Corners of a box whose sides are positive and finite.
 inline constexpr Requirement<std::array<double, 4>> any_box{
     "[xmin, ymin, xmax, ymax] with finite sides, xmin < xmax and ymin < ymax",
     [](const std::array<double, 4>& box) {

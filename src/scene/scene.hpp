@@ -20,13 +20,13 @@ namespace stokesbook {
 /// @name Background flows, in units of the user; x = (x, y)
 /// @{
 
-/// u = 0
+/// Fluid at rest: u = 0
 struct QuiescentFlow {
   /// @return true when all members are equal
   bool operator==(const QuiescentFlow&) const = default;
 };
 
-/// u = velocity
+/// Uniform flow: u = velocity
 struct UniformFlow {
   Complex velocity{};  ///< length / time
 
@@ -34,7 +34,7 @@ struct UniformFlow {
   bool operator==(const UniformFlow&) const = default;
 };
 
-/// u = (rate y, 0)
+/// Simple shear: u = (rate y, 0)
 struct ShearFlow {
   double rate = 0.0;  ///< 1 / time
 
@@ -42,7 +42,7 @@ struct ShearFlow {
   bool operator==(const ShearFlow&) const = default;
 };
 
-/// u = rate (x, -y)
+/// Planar extension: u = rate (x, -y)
 struct ExtensionalFlow {
   double rate = 0.0;  ///< 1 / time
 
@@ -50,7 +50,7 @@ struct ExtensionalFlow {
   bool operator==(const ExtensionalFlow&) const = default;
 };
 
-/// u = rate (cos x sin y, -sin x cos y), lengths in the user's unit
+/// Taylor-Green vortices: u = rate (cos x sin y, -sin x cos y), with x and y in the user's unit
 struct TaylorGreenFlow {
   double rate = 0.0;  ///< largest velocity, length / time
 
@@ -58,7 +58,7 @@ struct TaylorGreenFlow {
   bool operator==(const TaylorGreenFlow&) const = default;
 };
 
-/// u = gradient x, with a trace-free gradient
+/// Linear flow: u = gradient x, where the gradient has trace zero
 struct LinearFlow {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
 
@@ -74,7 +74,7 @@ using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, Exten
 /// @name Motions of a wall
 /// @{
 
-/// u = 0 on the wall
+/// Wall at rest: u = 0 on the wall
 struct FixedWall {
   /// @return true when all members are equal
   bool operator==(const FixedWall&) const = default;
@@ -88,7 +88,7 @@ struct RotatingWall {
   bool operator==(const RotatingWall&) const = default;
 };
 
-/// u = velocity on the wall
+/// Translation: u = velocity on the wall
 struct TranslatingWall {
   Complex velocity{};  ///< length / time
 
@@ -96,7 +96,7 @@ struct TranslatingWall {
   bool operator==(const TranslatingWall&) const = default;
 };
 
-/// u = gradient x on the wall, x in the laboratory frame; the curve itself stays
+/// Linear velocity: u = gradient x on the wall, x in the laboratory frame; the curve does not move
 struct LinearWall {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
 
@@ -104,7 +104,7 @@ struct LinearWall {
   bool operator==(const LinearWall&) const = default;
 };
 
-/// Normal velocity `speed` into the fluid, on circles; the curve itself stays
+/// Normal velocity `speed` into the fluid, on circles only; the curve does not move
 struct RadialWall {
   double speed = 0.0;  ///< length / time
 
@@ -122,14 +122,14 @@ enum class WallRole {
   inner   ///< lies in the fluid
 };
 
-/// Stands for a number of collocation nodes that the solver chooses, `n_nodes = "auto"`.
+/// Value of `n_nodes`, `"auto"` in scene files, for which the solver chooses the number of nodes.
 inline constexpr int automatic_nodes = 0;
 
-/// Curve with a given velocity.
+/// A closed curve on which the velocity of the fluid is given.
 struct Wall {
-  WallRole role = WallRole::inner;  ///< where the fluid lies
+  WallRole role = WallRole::inner;  ///< the side on which the fluid lies
   Shape shape{};                    ///< in its own frame
-  Complex position{};               ///< of the frame's origin, length
+  Complex position{};               ///< position of the frame's origin, length
   double orientation = 0.0;         ///< radians, counter-clockwise
   int n_nodes = automatic_nodes;    ///< collocation nodes, even, >= 8, or automatic
   WallMotion motion{};              ///< velocity on the curve
@@ -138,27 +138,27 @@ struct Wall {
   bool operator==(const Wall&) const = default;
 };
 
-/// Rigid body: free under a load, or held at a given velocity.
+/// A rigid body: free under a given load, or held at a given velocity.
 struct Body {
   Shape shape{};             ///< in its own frame
-  Complex position{};        ///< of the frame's origin, length
+  Complex position{};        ///< position of the frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise
   Complex force{};           ///< external load, force / length
   double torque = 0.0;       ///< external load about position, counter-clockwise, force
-  bool held = false;         ///< true: velocity and omega prescribed, force and torque come out
-  Complex velocity{};        ///< of a held body, length / time
-  double omega = 0.0;        ///< of a held body, counter-clockwise, 1 / time
+  bool held = false;         ///< true: velocity and omega are given, force and torque are results
+  Complex velocity{};        ///< velocity of a held body, length / time
+  double omega = 0.0;        ///< rotation of a held body, counter-clockwise, 1 / time
   int n_nodes = automatic_nodes;  ///< collocation nodes, even, >= 8, or automatic
 
   /// @return true when all members are equal
   bool operator==(const Body&) const = default;
 };
 
-/// Random, non-overlapping, reproducible placement of equal bodies.
+/// A request for equal bodies at random places without overlap, reproducible by the seed.
 struct Fill {
-  Shape shape{};                               ///< of each body, in its own frame
-  std::optional<double> area_fraction{};       ///< of the region, > 0 and < 1; or count is given
-  std::optional<int> count{};                  ///< bodies, >= 1; or area_fraction is given
+  Shape shape{};                          ///< shape of each body, in its own frame
+  std::optional<double> area_fraction{};  ///< of the region's area, in (0, 1); none: count is given
+  std::optional<int> count{};             ///< number of bodies, >= 1; none: area_fraction is given
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
   int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
@@ -167,38 +167,38 @@ struct Fill {
   bool operator==(const Fill&) const = default;
 };
 
-/// How the sums over all nodes are evaluated.
+/// Method that evaluates the sums over all nodes.
 enum class Summation {
   automatic,  ///< the plan decides
-  direct,     ///< every pair of nodes
+  direct,     ///< all pairs of nodes
   fmm         ///< the fast multipole method
 };
 
-/// How integrals are corrected where a target is near a curve.
+/// Method that corrects the integrals at targets near a curve.
 enum class NearSingular {
   automatic,      ///< the plan decides
   cauchy,         ///< spectral Cauchy scheme, see CauchyCurve
   interpolation,  ///< the scheme of the literature, see InterpolationCurve
-  off             ///< not at all: gaps that need it are refused
+  off             ///< no correction: gaps that require one are refused
 };
 
 /// Preconditioner of GMRES.
 enum class PreconditionerKind {
   automatic,       ///< the plan decides
-  none,            ///< none
-  block_diagonal,  ///< every component alone, see BlockDiagonalPreconditioner
-  clusters,        ///< every component among its neighbours, see ClusterPreconditioner
-  direct           ///< the whole system, factorised, see DirectPreconditioner
+  none,            ///< no preconditioner
+  block_diagonal,  ///< the block of each component, see BlockDiagonalPreconditioner
+  clusters,        ///< each component with its neighbours, see ClusterPreconditioner
+  direct           ///< the factorised matrix of the system, see DirectPreconditioner
 };
 
-/// How components see each other at one instant.
+/// Coupling of the components at one instant.
 enum class Coupling {
-  global,  ///< all at once, as they are
-  local    ///< each sees the others' densities of the instant before, see
+  global,  ///< one system for the densities of all components
+  local    ///< each density is solved for with the other densities of the instant before, see
            ///< SuspensionSolver::solve_lagged(); for comparison
 };
 
-/// What a run writes.
+/// A kind of file that a run writes.
 enum class OutputFormat {
   csv,  ///< tables of bodies and walls
   vtk,  ///< polygons with data, for ParaView
@@ -215,13 +215,13 @@ enum class FieldQuantity {
   dissipation    ///< 2 mu e : e, force / (length time)
 };
 
-/// How one instant is solved.
+/// Settings for the solve at one instant.
 struct SolverSettings {
-  double tolerance = 1e-8;  ///< accuracy asked of velocities, see Solution::velocity_scale
+  double tolerance = 1e-8;  ///< error allowed in velocities, relative to Solution::velocity_scale
   std::optional<double> gmres_tol{};           ///< relative residual; none: follows from tolerance
-  int gmres_max_iterations = 500;              ///< the solve is refused if they do not do
-  Summation summation = Summation::automatic;  ///< of the double layer
-  NearSingular near_singular = NearSingular::automatic;               ///< corrections
+  int gmres_max_iterations = 500;              ///< a solve that needs more is refused
+  Summation summation = Summation::automatic;  ///< of the double-layer sums
+  NearSingular near_singular = NearSingular::automatic;               ///< corrections near curves
   PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< of GMRES
   Coupling coupling = Coupling::global;                               ///< of components
 
@@ -229,60 +229,63 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 };
 
-/// Steps that grow and shrink with the effort of their solves, the heuristic of the literature.
+/// Bounds on the GMRES iterations of a step, by which the step length is adapted: the heuristic of
+/// the literature.
 struct EffortBounds {
-  int few = 0;   ///< dt doubles after a step of fewer GMRES iterations
-  int many = 0;  ///< dt halves after a step of more, > few
+  int few = 0;   ///< dt doubles after a step with fewer iterations
+  int many = 0;  ///< dt halves after a step with more iterations; > few
 
   /// @return true when all members are equal
   bool operator==(const EffortBounds&) const = default;
 };
 
-/// The error to which steps are adapted where none is given.
+/// Default of TimeSettings::tolerance for embedded methods.
 inline constexpr double default_step_tolerance = 1e-6;
 
-/// The same in scenes with contact: by Heun's method, and past the jumps of contact.
+/// Default of TimeSettings::tolerance for Heun's method in scenes with contact, where velocities
+/// jump when contacts begin or end.
 inline constexpr double default_contact_step_tolerance = 1e-3;
 
-/// How a run advances in time.
+/// Settings for the time steps of a run.
 struct TimeSettings {
-  double t_final = 0.0;        ///< end of the run, > 0; it starts at 0
-  std::optional<double> dt{};  ///< longest step, > 0, time; of methods that adapt steps the first,
-                               ///< none: chosen
-  SteppingMethod method = SteppingMethod::dormand_prince54;  ///< that advances the bodies
-  /// Error of positions in units of the largest body's radius, and of angles, radians, to which
-  /// steps are adapted; none: the default for methods that adapt them, and steps stay as they are
-  /// for Heun's, which adapts them in scenes with contact.
+  double t_final = 0.0;        ///< end of the run, > 0; the run starts at 0
+  std::optional<double> dt{};  ///< longest step, > 0, time; the first step if steps are adapted;
+                               ///< none: chosen by the method
+  SteppingMethod method = SteppingMethod::dormand_prince54;  ///< method that advances the bodies
+  /// Error to which steps are adapted: the error of positions, in units of the largest body's
+  /// radius, and of angles, in radians. If none is given, embedded methods use
+  /// default_step_tolerance, and Heun's method, which adapts steps in scenes with contact only,
+  /// takes fixed steps.
   std::optional<double> tolerance{};
-  std::optional<double> dt_min{};        ///< least step, > 0; none: a millionth of the least of
-                                         ///< t_final, dt and dt_max
-  std::optional<double> dt_max{};        ///< longest step of methods that adapt, and by effort
-  std::optional<EffortBounds> effort{};  ///< of methods of fixed steps; none: dt stays
+  std::optional<double> dt_min{};        ///< shortest step, > 0; none: a millionth of the
+                                         ///< smallest of t_final, dt and dt_max
+  std::optional<double> dt_max{};        ///< longest step where steps are adapted
+  std::optional<EffortBounds> effort{};  ///< for methods of fixed steps; none: dt is not adapted
 
   /// @return true when all members are equal
   bool operator==(const TimeSettings&) const = default;
 };
 
-/// Tells whether steps are adapted to their error.
+/// Returns whether steps are adapted to their error.
 ///
 /// @param  time  settings
-/// @return       whether the method is an embedded one, or there is a tolerance for Heun's
+/// @return       true for embedded methods, and for Heun's method with a tolerance
 constexpr bool adapts_steps(const TimeSettings& time) {
   return is_embedded(time.method) || time.tolerance.has_value();
 }
 
-/// How components are kept apart.
+/// Settings for the forces that keep components apart.
 struct ContactSettings {
-  double minimum_separation = 0.0;  ///< of all pairs, > 0: a length, or node spacings
+  double minimum_separation = 0.0;  ///< least gap of all pairs, > 0: a length, or node spacings
   bool in_spacings =
-      false;  ///< minimum_separation is in units of the bodies' mean node spacing, "0.05h"
-  bool allow_close = false;  ///< starts with narrower gaps are taken, and these kept from narrowing
+      false;  ///< true: minimum_separation is in units of the bodies' mean node spacing, "0.05h"
+  bool allow_close = false;  ///< true: narrower gaps are accepted at the start and do not narrow
 
   /// @return true when all members are equal
   bool operator==(const ContactSettings&) const = default;
 };
 
-/// Which fields are written, and where; field_grid() says which points these are.
+/// Fields that a run writes, on the grid that field_grid() makes.
 struct FieldSettings {
   std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, length
   int resolution = 200;         ///< points along the longer side, 2 to 2000
@@ -293,7 +296,7 @@ struct FieldSettings {
   bool operator==(const FieldSettings&) const = default;
 };
 
-/// What a run writes, and when.
+/// Settings for the files of a run.
 struct OutputSettings {
   std::optional<double> dt_write{};  ///< time between frames; none: every step
   std::vector<OutputFormat> formats = {OutputFormat::csv};  ///< distinct, at least one
@@ -303,27 +306,27 @@ struct OutputSettings {
   bool operator==(const OutputSettings&) const = default;
 };
 
-/// A scene: all that a solver requires.
+/// A scene: everything that a solver requires.
 struct Scene {
-  std::string title{};                   ///< for people
-  std::uint64_t seed = 0;                ///< of all randomness
+  std::string title{};                   ///< title of pictures and animation
+  std::uint64_t seed = 0;                ///< seed of all random numbers
   double viscosity = 1.0;                ///< mu, > 0, force time / length^2
-  BackgroundFlow flow{};                 ///< quiescent where a wall encloses the fluid
-  std::optional<double> gauge_length{};  ///< Stokeslets are -log(r / gauge_length), length
+  BackgroundFlow flow{};                 ///< quiescent if a wall encloses the fluid
+  std::optional<double> gauge_length{};  ///< length in the Stokeslets' -log(r / gauge_length)
   std::vector<double> reverse_at{};      ///< ascending times > 0 at which all driving changes sign
   std::vector<Wall> walls{};             ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
-  SolverSettings solver{};     ///< how one instant is solved
+  SolverSettings solver{};     ///< for the solve at one instant
   std::optional<TimeSettings> time{};        ///< none: one solve at t = 0
   std::optional<ContactSettings> contact{};  ///< none: an overlap stops the run
-  OutputSettings output{};                   ///< what is written
+  OutputSettings output{};                   ///< for the files of the run
 
   /// @return true when all members are equal
   bool operator==(const Scene&) const = default;
 };
 
-/// Everything that a scene file contains, checked, with defaults filled in. place_fills() makes a
-/// scene of it.
+/// The contents of a scene file, checked, with defaults filled in. place_fills() turns a SceneFile
+/// into a Scene.
 struct SceneFile {
   Scene scene{};              ///< without the bodies of the fills
   std::vector<Fill> fills{};  ///< in file order

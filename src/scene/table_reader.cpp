@@ -1,3 +1,4 @@
+// Reads the keys of a TOML table. Unknown keys are errors, with a suggestion of the key meant.
 #include "scene/table_reader.hpp"
 
 #include <algorithm>

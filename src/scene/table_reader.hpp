@@ -12,38 +12,38 @@
 
 namespace stokesbook::scene_text {
 
-/// A table of the document, all of whose keys are known.
+/// A reader for the keys of one table of the document.
 class TableReader {
  public:
-  /// Takes a first look at a table whose keys depend on its kind: any key will do.
+  /// Opens a table without a check of its keys, for tables whose keys depend on their kind.
   ///
   /// @param  node  the table, which must outlive the reader
-  /// @throws SceneError when the node is no table
+  /// @throws SceneError when the node is not a table
   explicit TableReader(const Node& node);
 
-  /// Takes a table and checks its keys.
+  /// Opens a table and checks its keys.
   ///
   /// @param  node   the table, which must outlive the reader
-  /// @param  known  keys that may stand in it
-  /// @throws SceneError when the node is no table, or at the first key that is not among `known`,
-  ///         with the known key that may have been meant
+  /// @param  known  keys that the table may have
+  /// @throws SceneError when the node is not a table, or at the first unknown key; the message
+  ///         suggests the known key that was probably meant
   TableReader(const Node& node, std::span<const std::string_view> known);
 
-  /// Takes a table and checks its keys.
+  /// Opens a table and checks its keys.
   ///
   /// @param  node   the table, which must outlive the reader
-  /// @param  known  keys that may stand in it
-  /// @throws SceneError as with a span of keys
+  /// @param  known  keys that the table may have
+  /// @throws SceneError as the constructor with a span of keys does
   TableReader(const Node& node, std::initializer_list<std::string_view> known)
       : TableReader(node, std::span(known.begin(), known.size())) {}
 
   /// Looks for a key.
   ///
   /// @param  key  its name
-  /// @return      its value, or null
+  /// @return      its value; null if the key is missing
   const Node* find(std::string_view key) const;
 
-  /// Returns the value of a key.
+  /// Returns the value of a required key.
   ///
   /// @param  key       its name
   /// @param  expected  completes "must be ..."
@@ -54,8 +54,8 @@ class TableReader {
   /// Reads the value of a key that may be missing.
   ///
   /// @param  key   its name
-  /// @param  rule  what its value must be
-  /// @return       what the rule reads; none when the key is missing
+  /// @param  rule  rule for its value
+  /// @return       the value that the rule reads; none if the key is missing
   /// @throws SceneError when the value is wrong
   template <class Rule>
   auto get(std::string_view key, const Rule& rule) const {
@@ -63,29 +63,29 @@ class TableReader {
     return value ? std::optional(read(*value, rule)) : std::nullopt;
   }
 
-  /// Reads the value of a key.
+  /// Reads the value of a required key.
   ///
   /// @param  key   its name
-  /// @param  rule  what its value must be
-  /// @return       what the rule reads
-  /// @throws SceneError when the key is missing or its value wrong
+  /// @param  rule  rule for its value
+  /// @return       the value that the rule reads
+  /// @throws SceneError when the key is missing or its value is wrong
   template <class Rule>
   auto require(std::string_view key, const Rule& rule) const {
     return read(at(key, describe(rule)), rule);
   }
 
-  /// Refuses keys that are known, but may not stand here.
+  /// Refuses known keys that other keys of the table exclude.
   ///
   /// @param  keys     their names
-  /// @param  problem  why they may not
-  /// @throws SceneError when one of the keys is there
+  /// @param  problem  the reason, for the message
+  /// @throws SceneError when the table has one of the keys
   void refuse(std::initializer_list<std::string_view> keys, const std::string& problem) const;
 
   /// Returns the tables `[[key]]`.
   ///
   /// @param  key  their name
-  /// @return      the elements of the array; none when the key is missing
-  /// @throws SceneError when the value is no array
+  /// @return      the elements of the array; none if the key is missing
+  /// @throws SceneError when the value is not an array
   std::span<const Node> tables(std::string_view key) const;
 
  private:

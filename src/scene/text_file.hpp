@@ -6,9 +6,9 @@
 
 namespace stokesbook::scene_text {
 
-/// Returns what is in a file.
+/// Returns the contents of a file.
 ///
-/// @param  path  of the file
+/// @param  path  path of the file
 /// @return       its bytes; none when it cannot be read
 std::optional<std::string> text_of(const std::filesystem::path& path);
 

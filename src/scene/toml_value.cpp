@@ -1,3 +1,4 @@
+// Writes values in TOML's syntax; numbers are written so that reading restores them exactly.
 #include "scene/toml_value.hpp"
 
 #include <array>
@@ -75,8 +76,8 @@ std::string toml_value(double number) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   const std::string text(digits.data(), end);
-  // Digits alone would be an integer, and TOML's have but 64 bits; inf and nan are floats as they
-  // are.
+  // Digits alone would be an integer in TOML, with 64 bits only. A point, an exponent, inf and nan
+  // make the text a float.
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
@@ -94,7 +95,7 @@ std::string toml_value(std::string_view text) {
     const auto code = static_cast<unsigned char>(letter);
     if (letter == '"' || letter == '\\') {
       quoted += {'\\', letter};
-    } else if (code < 0x20 || code == 0x7f) {  // control characters must not stand for themselves
+    } else if (code < 0x20 || code == 0x7f) {  // TOML requires control characters to be escaped
       std::array<char, 8> escape{};
       std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(code));
       quoted += escape.data();

@@ -9,12 +9,12 @@
 
 #include "scene/scene.hpp"
 
-/// Values in TOML's syntax.
+/// Functions that write values in TOML's syntax.
 namespace stokesbook::scene_text {
 
-/// Writes a number as the shortest float that gives it back exactly.
+/// Writes a number as the shortest float that restores it exactly.
 ///
-/// @param  number  any, infinite or not a number too
+/// @param  number  any number; infinities and not a number are allowed
 /// @return         `1.0`
 std::string toml_value(double number);
 
@@ -32,7 +32,7 @@ std::string toml_value(const Eigen::Matrix2d& matrix);
 
 /// Writes text in double quotes.
 ///
-/// @param  text  any; quotes, backslashes and control characters are escaped
+/// @param  text  any text; quotes, backslashes and control characters are escaped
 /// @return       `"text"`
 std::string toml_value(std::string_view text);
 
@@ -50,19 +50,19 @@ std::string toml_value(std::integral auto value) {
 
 /// Writes a shape, `{ kind = "circle", radius = 1.0 }`.
 ///
-/// @param  shape  any; points of nodal curves are written out
+/// @param  shape  any shape; the points of nodal curves are written out
 /// @return        an inline table
 std::string toml_value(const Shape& shape);
 
 /// Writes a motion, `{ kind = "rotating", omega = 1.0 }`.
 ///
-/// @param  motion  any
+/// @param  motion  any motion
 /// @return         an inline table
 std::string toml_value(const WallMotion& motion);
 
 /// Writes numbers as [a, b, ...].
 ///
-/// @param  numbers  any
+/// @param  numbers  any numbers
 /// @return          a list of floats
 std::string toml_value(std::span<const double> numbers);
 
@@ -74,37 +74,37 @@ std::string toml_value(const ComplexVector& points);
 
 /// Writes formats as ["csv", ...].
 ///
-/// @param  formats  any
+/// @param  formats  any formats
 /// @return          a list of words
 std::string toml_value(const std::vector<OutputFormat>& formats);
 
 /// Writes quantities as ["velocity", ...].
 ///
-/// @param  quantities  any
+/// @param  quantities  any quantities
 /// @return             a list of words
 std::string toml_value(const std::vector<FieldQuantity>& quantities);
 
-/// The text `key = value`.
+/// An entry of a table, the text `key = value`.
 struct Entry {
   /// Writes an entry.
-  /// @param  key    its name, bare
+  /// @param  key    its name, which needs no quotation marks
   /// @param  value  anything that toml_value() writes
   template <class T>
   Entry(std::string_view key, const T& value)
       : text(std::string(key) + " = " + toml_value(value)) {}
 
-  std::string text;  ///< without end of line
+  std::string text;  ///< text without an end of line
 };
 
-/// Writes entries one a line.
+/// Writes entries, one on each line.
 ///
-/// @param  entries  in order
-/// @return          lines, each with its end
+/// @param  entries  entries in order
+/// @return          lines, each with an end of line
 std::string lines(std::initializer_list<Entry> entries);
 
 /// Writes entries as an inline table.
 ///
-/// @param  entries  in order
+/// @param  entries  entries in order
 /// @return          `{ key = value, ... }`
 std::string inline_table(std::initializer_list<Entry> entries);
 

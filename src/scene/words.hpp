@@ -9,21 +9,21 @@
 /// The words of the scene file that stand for enumerators.
 namespace stokesbook::scene_text {
 
-/// A word of the scene file.
+/// A word of the scene file and its meaning.
 template <class T>
 struct Word {
-  std::string_view name;  ///< as it is written
-  T meaning;              ///< what it stands for
+  std::string_view name;  ///< the word as it is written
+  T meaning;              ///< the value that the word stands for
 };
 
-/// All the words that may stand in one place.
+/// All words that a key accepts.
 template <class T, std::size_t N>
 using Words = std::array<Word<T>, N>;
 
 /// Returns the word for an enumerator.
 ///
 /// @param  meaning  the enumerator, which must have a word
-/// @param  words    all that may stand in one place
+/// @param  words    all words that the key accepts
 /// @return          its name
 template <class T, std::size_t N>
 std::string_view name_of(T meaning, const Words<T, N>& words) {

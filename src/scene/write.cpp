@@ -1,3 +1,4 @@
+// Writes a scene file as TOML, section by section. Defaults are written like given values.
 #include "scene/write.hpp"
 
 #include <algorithm>

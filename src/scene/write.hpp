@@ -12,8 +12,8 @@ namespace stokesbook {
 /// Writes a scene file that needs no other file: `parse_scene(to_toml(file), ...)` equals `file`,
 /// bit for bit. Points of nodal curves are written out.
 ///
-/// @param  file  valid, as parse_scene() returns it
-/// @return       its text
+/// @param  file  a valid scene file, as parse_scene() returns it
+/// @return       the text of the file
 std::string to_toml(const SceneFile& file);
 
 /// @}

@@ -1,3 +1,5 @@
+// Checks claims against measurements: orders and rates by least squares in the logarithms, levels
+// by the median, bounds by the largest error.
 #include "study/check.hpp"
 
 #include <algorithm>
@@ -16,6 +18,7 @@ struct StraightLine {
   double slope, intercept;
 };
 
+/// Fits a line: slope = sum_i (x_i - mean x) (y_i - mean y) / sum_i (x_i - mean x)^2.
 StraightLine least_squares(const std::vector<double>& x, const std::vector<double>& y) {
   double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
   const double n = static_cast<double>(x.size());
@@ -35,7 +38,7 @@ std::string about(double measured, double claimed, double band) {
          short_number(band) + " claimed";
 }
 
-/// Checks one law against the points of the window; the visitor of the variant.
+/// Checks one law against the points of the window. The class is the visitor of the variant Law.
 class LawCheck {
  public:
   LawCheck(const Window& window, std::span<const Measurement> measurements)
@@ -106,7 +109,7 @@ class LawCheck {
   static double logarithm(double x) { return std::log(x); }
   static double identity(double x) { return x; }
 
-  /// Selects the points to check; false, with the verdict set, where none is possible.
+  /// Selects the points to check. Returns false, with the verdict set, if no check is possible.
   bool use(double least_error) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < measurements_.size(); ++i) {
@@ -141,6 +144,7 @@ class LawCheck {
     return errors;
   }
 
+  /// Fits log(quantity) - power * log(x) = log(C) + slope * abscissa(x).
   StraightLine fit(double Measurement::*quantity, double (*abscissa)(double), double power) const {
     std::vector<double> x, y;
     for (const Measurement& point : used_points()) {
@@ -168,6 +172,7 @@ class LawCheck {
   Verdict verdict_;
 };
 
+/// Computes -log(e_i / e_{i-1}) / step(x_{i-1}, x_i).
 template <class Step>
 std::vector<double> local_slopes(std::span<const Measurement> points, const Step& step) {
   std::vector<double> slopes(points.size(), unmeasured);

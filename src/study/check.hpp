@@ -12,48 +12,49 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// How a claim fared. Too few points to tell is no success.
+/// The outcome of a check. A check with too few points is not a success.
 enum class Outcome {
   holds,        ///< the measured number lies in the band
-  fails,        ///< it does not
+  fails,        ///< the measured number lies outside, or an error is not finite
   inconclusive  ///< fewer than three points in the window
 };
 
-/// Names an outcome.
+/// Returns the name of an outcome.
 ///
-/// @param  outcome  of a check
+/// @param  outcome  outcome of a check
 /// @return          "holds", "fails" or "inconclusive"
 std::string to_string(Outcome outcome);
 
-/// A claim held against measurements.
+/// The result of a check of a claim against measurements.
 struct Verdict {
   Outcome outcome = Outcome::inconclusive;  ///< whether the claim holds
-  double measured = unmeasured;  ///< order, rate, level or largest error, as the law has it
-  double constant = unmeasured;  ///< C of the fitted law, where one was fitted
-  std::string explanation;       ///< a line for people
-  std::vector<bool> used;        ///< for each measurement: whether the check rests on it
+  double measured = unmeasured;  ///< order, rate, level or largest error, depending on the law
+  double constant = unmeasured;  ///< C of the fitted law, if a law was fitted
+  std::string explanation;       ///< the measured and the claimed number in one line of text
+  std::vector<bool> used;        ///< for each measurement: whether the check used it
 };
 
-/// Holds a claim against measurements.
+/// Checks a claim against measurements.
 ///
-/// A fit of order or rate is a least-squares line through the logarithms of the points that lie in
-/// the window and at least ten times above its floor.
+/// Orders and rates are slopes of the least-squares line through the logarithms of the errors. The
+/// fit uses only points in the window whose errors are at least ten times the floor of the window.
 /// @param  claim         law and window
 /// @param  measurements  ascending in x
-/// @return               never Outcome::holds with fewer than three points, nor with an error that
-///                       is not finite
+/// @return               the verdict; its outcome is never Outcome::holds with fewer than three
+///                       points, or with an error that is not finite
 Verdict check(const Claim& claim, std::span<const Measurement> measurements);
 
 /// Computes the order between successive points, \f$ -\log(e_i/e_{i-1})/\log(x_i/x_{i-1}) \f$.
 ///
 /// @param  measurements  ascending in x
-/// @return  as many as measurements; the first, and those next to a zero, are unmeasured
+/// @return  one order for each measurement; not a number for the first, and where one of the two
+///          errors is zero
 std::vector<double> local_orders(std::span<const Measurement> measurements);
 
 /// Computes the rate between successive points, \f$ -\log(e_i/e_{i-1})/(x_i-x_{i-1}) \f$.
 ///
 /// @param  measurements  ascending in x
-/// @return  as local_orders()
+/// @return  rates, in the form of local_orders()
 std::vector<double> local_rates(std::span<const Measurement> measurements);
 
 /// @}

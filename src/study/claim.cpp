@@ -7,7 +7,7 @@ namespace stokesbook::study {
 
 namespace {
 
-/// A factor x^p of a formula: none for p = 0.
+/// Returns the text of a factor x^p; empty for p = 0.
 std::string power(const std::string& x, double p) {
   if (p == 0.0) return "";
   return ' ' + x + (p == 1.0 ? "" : '^' + short_number(p));

@@ -1,3 +1,4 @@
+// Draws the figures of an experiment: errors against the varied quantity, and errors against costs.
 #include "study/figures.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace stokesbook::study {
 
 namespace {
 
-/// The fitted points of lowest and highest x.
+/// The used points with the smallest and the largest x.
 struct FittedRange {
   Measurement first, last;
 };
@@ -27,13 +28,13 @@ FittedRange fitted_range(const LineResult& result) {
   return range;
 }
 
-/// The law that a line is claimed to follow, through its first fitted point.
+/// Makes the guides of a line from its claimed law, through the first used point (x_0, e_0).
 struct GuideOfLaw {
   std::size_t line;
   FittedRange range;
 
   std::vector<Guide> operator()(const Algebraic& law) const {
-    // Over the middle half of the window, below the points.
+    // The guide e_0 (x / x_0)^{-p} spans the middle half of the used points.
     const double x0 = range.first.x * std::pow(range.last.x / range.first.x, 0.25);
     const double x1 = range.first.x * std::pow(range.last.x / range.first.x, 0.75);
     const auto y = [&](double x) {
@@ -47,6 +48,7 @@ struct GuideOfLaw {
   }
 
   std::vector<Guide> operator()(const Geometric& law) const {
+    // The guide e_0 (x / x_0)^q exp(-alpha (x - x_0)) spans all used points.
     const double gained = law.rate * (range.last.x - range.first.x);
     const double power = std::pow(range.last.x / range.first.x, law.power);
     return {{.line = line,

@@ -1,3 +1,4 @@
+// Writes text and numbers as HTML.
 #include "study/html.hpp"
 
 #include <cmath>

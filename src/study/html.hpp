@@ -10,13 +10,13 @@ namespace stokesbook::study {
 /// Replaces the characters that HTML reserves.
 ///
 /// @param  text  any text
-/// @return       the same as HTML shows it
+/// @return       HTML that shows the text
 std::string escaped(const std::string& text);
 
-/// Writes a number of three digits for a page, powers of ten as such: 1.3·10⁻¹². Whole numbers
-/// below a million keep all of theirs.
+/// Writes a number with three digits for a page, with powers of ten as in 1.3·10⁻¹². Whole numbers
+/// below a million keep all their digits.
 ///
-/// @param  x  a number; NaN is a dash
+/// @param  x  a number; NaN becomes a dash
 /// @return    HTML
 std::string html_number(double x);
 

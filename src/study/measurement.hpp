@@ -7,12 +7,12 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// What was not measured.
+/// The value of a quantity that was not measured.
 inline constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// One row of an experiment: how fine, how wrong, how dear.
+/// A measurement of an experiment: the varied quantity, the error, and the costs.
 struct Measurement {
-  double x = 0.0;                  ///< what is varied: nodes, distance, tolerance
+  double x = 0.0;                  ///< the varied quantity: nodes, distance, tolerance
   double error = 0.0;              ///< in the norm and unit that the experiment names, >= 0
   double unknowns = unmeasured;    ///< size of the system or number of samples
   double operations = unmeasured;  ///< counted: kernel evaluations, matrix-vector products

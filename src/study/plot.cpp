@@ -1,3 +1,4 @@
+// Draws a plot as SVG: axes with numbers, lines with markers, slope triangles, floors and a legend.
 #include "study/plot.hpp"
 
 #include <algorithm>
@@ -21,11 +22,11 @@ constexpr double drawn_width = width - left - right;
 constexpr double drawn_height = 280.0;
 constexpr double legend_row = 19.0;
 constexpr double marker = 3.6;         ///< half the size of a point
-constexpr std::size_t label_row = 60;  ///< letters that go above the plot side by side
+constexpr std::size_t label_row = 60;  ///< letters that fit into one row above the plot
 /// @}
 
-/// Colours of the lines, told apart by colour-blind readers too (Okabe and Ito 2008, darkened for
-/// the light page); markers differ as well.
+/// Colours of the lines, which colour-blind readers can distinguish (Okabe and Ito 2008, darkened
+/// for the light page). The markers of the lines differ too.
 constexpr std::array light{"#0072b2", "#c2410c", "#00805f", "#a03c78", "#7a6200", "#3f5d75"};
 constexpr std::array dark{"#56b4e9", "#f59e4b", "#2fc796", "#e08fc0", "#e3cf4a", "#a9bfd0"};
 
@@ -44,23 +45,23 @@ std::string class_of(std::size_t line) {
   return "class=\"line-" + std::to_string(line % light.size()) + '"';
 }
 
-/// One axis: numbers to fractions of its length.
+/// An axis, which maps numbers to fractions of its length.
 struct Axis {
   bool logarithmic;
-  double low = 0.0, high = 0.0;  ///< in the axis's own scale, logarithms to base 10
+  double low = 0.0, high = 0.0;  ///< ends; logarithms to base 10 on a logarithmic axis
 
   double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
   double fraction(double value) const { return (scaled(value) - low) / (high - low); }
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0.0); }
 };
 
-/// A number to write along an axis.
+/// A number that is written along an axis.
 struct Tick {
   double value;
   std::string text;
 };
 
-/// A power of ten as text, 10⁻⁴.
+/// Returns a power of ten as text, 10⁻⁴.
 std::string power_of_ten(int exponent) {
   constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
@@ -70,6 +71,7 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
+/// Chooses the numbers along an axis: at most about seven, unless a logarithmic axis is short.
 std::vector<Tick> ticks(const Axis& axis) {
   constexpr double most = 7.0;
   std::vector<Tick> values;
@@ -85,7 +87,7 @@ std::vector<Tick> ticks(const Axis& axis) {
     }
     return values;
   }
-  if (axis.logarithmic && range < 2.2) {  // powers of two: node counts are
+  if (axis.logarithmic && range < 2.2) {  // powers of two, like node counts
     for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
          e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
       values.push_back({std::exp2(e), short_number(std::exp2(e), 7)});
@@ -111,7 +113,7 @@ std::vector<Tick> ticks(const Axis& axis) {
   return values;
 }
 
-/// A plot laid out: axes, and how numbers become pixels.
+/// The layout of a plot: its axes, and the map from numbers to pixels.
 struct Layout {
   Axis x, y;
 
@@ -129,7 +131,7 @@ Axis spanning(const std::vector<double>& values, bool logarithmic) {
   return axis;
 }
 
-/// Nothing where no point can be shown.
+/// Returns axes that contain all points and floors; no value if no point can be shown.
 std::optional<Layout> lay_out(const Plot& plot) {
   std::vector<double> xs, ys(plot.floors);
   for (const PlotLine& line : plot.lines) {
@@ -148,7 +150,7 @@ std::optional<Layout> lay_out(const Plot& plot) {
   return layout;
 }
 
-/// What is measured, above its axis: in two rows where one is too short.
+/// Writes the label of the y axis above the axis, in two rows if one row is too short.
 std::string y_label(const std::string& text) {
   const std::string bold = "font-weight=\"600\"";
   const std::size_t space = text.size() > label_row ? text.rfind(' ', label_row) : text.npos;
@@ -181,7 +183,7 @@ std::string frame(const Plot& plot, const Layout& layout) {
          svg;
 }
 
-/// Circle, square, triangle, diamond about a point, as path data.
+/// Returns the path data of a marker around a point: circle, square, triangle or diamond.
 std::string marker_path(std::size_t line, Complex at) {
   if (line % 4 == 0) {
     const std::string radius = svg::number(marker);
@@ -191,7 +193,7 @@ std::string marker_path(std::size_t line, Complex at) {
            " 0" + arc + '-' + step + " 0Z";
   }
   const int corners = line % 4 == 2 ? 3 : 4;
-  const double turn = line % 4 == 1 ? 0.5 : 0.0;  // a square is a diamond turned
+  const double turn = line % 4 == 1 ? 0.5 : 0.0;  // a square is a rotated diamond
   ComplexVector points(corners);
   for (int k = 0; k < corners; ++k) {
     const double angle = 2.0 * std::numbers::pi * (k + turn) / corners - 0.5 * std::numbers::pi;

@@ -8,34 +8,34 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// A point of a plot; what a fit left out is drawn hollow.
+/// A point of a plot; points that a fit left out are hollow.
 struct PlotPoint {
   double x;             ///< abscissa
   double y;             ///< ordinate
   bool hollow = false;  ///< drawn without filling
 };
 
-/// Points of one method, joined in order.
+/// A line of a plot: the points of one method, joined in order.
 struct PlotLine {
-  std::string label;                   ///< in the legend
+  std::string label;                   ///< name in the legend
   std::vector<PlotPoint> points = {};  ///< in the order in which they are joined
 };
 
-/// A straight line to compare with: the law that a line of the plot is claimed to follow.
+/// A straight line for comparison: the law that is claimed for a line of the plot.
 struct Guide {
-  std::size_t line;       ///< whose colour it has
-  PlotPoint from;         ///< one end
-  PlotPoint to;           ///< the other
-  bool triangle = false;  ///< draws the slope as a triangle below instead, with the label beside it
-  std::string label = {};  ///< of a triangle
+  std::size_t line;        ///< index of the line whose colour the guide has
+  PlotPoint from;          ///< one end
+  PlotPoint to;            ///< the other
+  bool triangle = false;   ///< true: drawn as a slope triangle below, with the label
+  std::string label = {};  ///< label of the triangle
 };
 
 /// A plot of positive numbers over a logarithmic y axis.
 struct Plot {
-  std::string title;                 ///< read out, not shown
+  std::string title;                 ///< read by screen readers, not shown
   std::string x_label;               ///< below the axis
   std::string y_label;               ///< above the axis
-  bool log_x = true;                 ///< else the x axis is linear
+  bool log_x = true;                 ///< false: the x axis is linear
   std::vector<PlotLine> lines = {};  ///< methods, in the order of the legend
   std::vector<Guide> guides = {};    ///< laws to compare with
   std::vector<double> floors = {};   ///< levels of rounding, dotted
@@ -43,11 +43,12 @@ struct Plot {
 
 /// Draws a plot as SVG whose colours follow a light or dark page.
 ///
-/// The drawing is our own: gnuplot and Matplotlib write colours into their SVG that cannot follow
-/// the page, and have no slope triangles; what is left of a plot is a scale and some paths.
-/// Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower edge.
+/// The function does not use gnuplot or Matplotlib, because the colours in their SVG cannot follow
+/// the page, and because they have no slope triangles; the rest of a plot is a scale and some
+/// paths. Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower
+/// edge.
 /// @param  plot  lines and labels
-/// @return       an svg element; a sentence where no point can be shown
+/// @return       an svg element; a sentence if no point can be shown
 std::string draw_plot(const Plot& plot);
 
 /// @}

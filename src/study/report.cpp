@@ -1,5 +1,5 @@
-// Writes what a study found: tables and figures for the pages, numbers that the texts quote, and the
-// index of all claims.
+// Writes the results of a study: tables and figures for the pages, numbers that the chapters quote,
+// and the index of all claims.
 #include "study/report.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ void for_each_line(const StudyResult& result, const Visit& visit) {
   }
 }
 
-/// A number as part of the name of an alias: 1e-06 becomes 1em06.
+/// Returns a number as a part of an alias's name: 1e-06 becomes 1em06.
 std::string key_of(double x) {
   std::string key;
   for (const char c : short_number(x, 6)) {
@@ -109,14 +109,14 @@ std::string provenance_text(const Provenance& provenance) {
          provenance.compiler + " (" + provenance.flags + "), " + provenance.machine;
 }
 
-/// What is shown of an experiment, and how the name of its file ends.
+/// A table or figure of an experiment, and the end of its file name.
 struct Part {
   std::string suffix;
   std::string html;
 };
 
 std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines) {
-  // A line that this size leaves out is neither a column nor an entry of a legend.
+  // A line that this size leaves out appears neither in tables nor in legends.
   for (std::size_t k = lines.size(); k-- > 0;) {
     if (lines[k].verdict || !lines[k].measurements.empty()) continue;
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
@@ -132,12 +132,12 @@ std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines)
   return parts;
 }
 
-/// Where the page of its study has an experiment.
+/// Returns the anchor of an experiment on the page of its study.
 std::string anchor(const StudyResult& result, const Experiment& experiment) {
   return "study_" + result.study.name + '_' + experiment.key;
 }
 
-/// The page of a study that needs no Doxygen.
+/// Returns the section of a study in `index.html`.
 std::string section(const StudyResult& result) {
   std::string html = "<h2>" + result.study.number + ' ' + escaped(result.study.title) + "</h2>\n" +
                      claims_table(result);

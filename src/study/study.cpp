@@ -22,7 +22,7 @@ bool is_key(const std::string& text) {
   });
 }
 
-/// Finds mistakes of a study before it spends any time.
+/// Finds mistakes in the declaration of a study before anything is measured.
 void validate(const Study& study) {
   std::set<std::string> experiments, ids;
   for (const Experiment& experiment : study.experiments) {

@@ -15,27 +15,27 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// How much a study does.
+/// The size of a study.
 enum class Size {
-  quick,  ///< enough for nearly every claim: what tests and a build of the docs run
-  full    ///< more points, finer and harder ones, and the lines that take long
+  quick,  ///< enough for nearly every claim; for tests and for a build of the docs
+  full    ///< more points, finer and harder ones, and lines that take long
 };
 
 /// Measures one line of a figure, ascending in x.
 using Measure = std::function<std::vector<Measurement>(Size)>;
 
-/// The same experiment with a planted defect; a check that accepts it checks nothing.
+/// A control: the same measurements with a planted defect. A check that accepts it is worthless.
 struct Control {
-  std::string defect;  ///< what is wrong, for people
+  std::string defect;  ///< description of the defect
   Measure measure;     ///< the defective method
 };
 
-/// One method in an experiment: a line of its figure and a column of its table.
+/// A method in an experiment: a line of its figure and a column of its table.
 struct Line {
-  std::string key;                      ///< of aliases: letters, digits, underscores
-  std::string label;                    ///< for people
+  std::string key;                      ///< in aliases: letters, digits, underscores
+  std::string label;                    ///< in tables and legends
   Measure measure;                      ///< the method
-  std::optional<Claim> claim = {};      ///< none: shown for comparison
+  std::optional<Claim> claim = {};      ///< none: the line is for comparison
   std::optional<Control> control = {};  ///< one for each claim
   Size least = Size::quick;             ///< full: the quick size leaves this line out
 };
@@ -44,28 +44,28 @@ struct Line {
 enum class Axes {
   log_log,   ///< algebraic laws
   semi_log,  ///< geometric laws
-  nominal,   ///< what follows no law, as cases by their number do: no orders, no rates
+  nominal,   ///< errors without a law, as of numbered cases: no orders, no rates
 };
 
-/// Several lines over the same quantity.
+/// An experiment: several lines over the same varied quantity.
 struct Experiment {
-  std::string key;              ///< of files and aliases: letters, digits, underscores
+  std::string key;              ///< in files and aliases: letters, digits, underscores
   std::string title;            ///< heading of table and figure
-  std::string x;                ///< what is varied, with its letter last: "nodes N"
-  std::string error;            ///< norm, and what the error is relative to
-  Axes axes = Axes::log_log;    ///< of the figure; the table has orders, rates or neither
-  std::vector<Line> lines;      ///< one a method
-  bool work_precision = false;  ///< also draw error against each cost that was measured
-  std::string operation = {};   ///< what is counted: "kernel evaluations"
+  std::string x;                ///< the varied quantity, with its letter last: "nodes N"
+  std::string error;            ///< norm, and the scale of a relative error
+  Axes axes = Axes::log_log;    ///< axes of the figure; the table has orders, rates or neither
+  std::vector<Line> lines;      ///< one for each method
+  bool work_precision = false;  ///< true: also draws errors against each measured cost
+  std::string operation = {};   ///< the counted operation: "kernel evaluations"
 };
 
-/// Leaves all lines of an experiment to the full size.
+/// Restricts all lines of an experiment to the full size.
 ///
-/// @param  experiment  of any size
-/// @return             the same, which the quick size does not measure
+/// @param  experiment  any experiment
+/// @return             the same experiment, which the quick size does not measure
 Experiment left_to_full(Experiment experiment);
 
-/// The study of one method: all that its chapter claims.
+/// The study of one method, with all claims of its chapter.
 struct Study {
   std::string number;                   ///< of the chapter, "02"
   std::string name;                     ///< of the method, "double_layer"
@@ -73,53 +73,54 @@ struct Study {
   std::vector<Experiment> experiments;  ///< in the order of the page
 };
 
-/// A control's measurements, and whether the check rejected them.
+/// Results of a control.
 struct ControlResult {
   std::vector<Measurement> measurements;  ///< of the defective method
   Verdict verdict;                        ///< of the same check
 
-  /// Tells whether the check has found the defect.
-  /// @return  false also when the control was inconclusive
+  /// Returns whether the check has found the defect.
+  /// @return  false also if the control was inconclusive
   bool rejected() const { return verdict.outcome == Outcome::fails; }
 };
 
-/// What came out of one line.
+/// Results of a line.
 struct LineResult {
   std::vector<Measurement> measurements;  ///< ascending in x
-  std::optional<Verdict> verdict;         ///< of the line's claim; none if this size leaves it out
+  std::optional<Verdict> verdict;         ///< of the line's claim; none if the line is left out
   std::optional<ControlResult> control;   ///< of the line's control
 
-  /// Tells whether the claim holds and its control was rejected.
-  /// @return  true also where nothing is claimed, or this size leaves the line out
+  /// Returns whether the claim holds and its control was rejected.
+  /// @return  true also if the line has no claim, or if this size leaves the line out
   bool holds() const;
 
-  /// Says how the claim fared.
-  /// @return  its outcome, with the control if that was not rejected; empty where nothing is claimed
+  /// Returns the outcome of the claim as text.
+  /// @return  the outcome, with a remark if the control was not rejected; empty without a verdict
   std::string verdict_text() const;
 };
 
-/// A cost by its name on axes and in tables.
+/// A kind of cost, with its name on axes and in tables.
 struct CostMeasure {
-  std::string name;            ///< with its unit
-  double Measurement::*value;  ///< where measurements hold it
+  std::string name;            ///< name with its unit
+  double Measurement::*value;  ///< member of Measurement with this cost
 };
 
-/// Lists the costs that some line of an experiment has measured: unknowns, operations, seconds.
+/// Lists the costs that at least one line of an experiment has measured: unknowns, operations,
+/// seconds.
 ///
-/// @param  experiment  whose Experiment::operation names what was counted
-/// @param  lines       its results, in order
-/// @return             none to three of them
+/// @param  experiment  the experiment, whose Experiment::operation names the counted operation
+/// @param  lines       results of its lines, in order
+/// @return             zero to three kinds of cost
 std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                         const std::vector<LineResult>& lines);
 
-/// What came out of a study; its vectors are those of the study, in the same order.
+/// Results of a study, in the order of its experiments and lines.
 struct StudyResult {
-  Study study;                                       ///< what was run
-  Size size = Size::quick;                           ///< how much of it
-  std::vector<std::vector<LineResult>> experiments;  ///< lines of experiments
+  Study study;                                       ///< the study
+  Size size = Size::quick;                           ///< the size that was run
+  std::vector<std::vector<LineResult>> experiments;  ///< results of the lines of each experiment
 
-  /// Tells whether all claims hold and all controls were rejected.
-  /// @return  false also when one was inconclusive
+  /// Returns whether all claims hold and all controls were rejected.
+  /// @return  false also if a check was inconclusive
   bool holds() const;
 };
 
@@ -127,10 +128,11 @@ struct StudyResult {
 ///
 /// @param  study     claims and measurements
 /// @param  size      how much to do
-/// @param  progress  told of each verdict, a line a claim
+/// @param  progress  stream for the verdicts, one line for each claim
 /// @return           measurements, verdicts and controls
-/// @throws std::logic_error before any measurement, when a claim lacks its control, or keys or ids
-///                          are not unique or not fit for file names
+/// @throws std::logic_error before any measurement, when a claim lacks its control, or when keys or
+///                          ids are not unique or not fit for file names; later, when a line counts
+///                          operations and Experiment::operation is empty
 StudyResult run(const Study& study, Size size, std::ostream& progress);
 
 /// @}

@@ -27,7 +27,7 @@ std::string span(std::size_t columns) {
   return " colspan=\"" + std::to_string(columns) + '"';
 }
 
-/// The table's own width is its business: wide ones scroll on narrow screens.
+/// Returns a table in a frame, in which wide tables can be scrolled on narrow screens.
 std::string table(const std::string& caption, const std::string& body) {
   return "<div class=\"study-table\"><table>\n<caption>" + caption + "</caption>\n" + body +
          "</table></div>\n";
@@ -47,7 +47,7 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
-/// Returns three cells: the measurement of a claim, that of its control, and the verdict.
+/// Returns three cells: the measurement of a claim, the result of its control, and the verdict.
 std::string evidence(const Line& line, const LineResult& found) {
   return cell(escaped(found.verdict->explanation)) +
          cell(escaped(line.control->defect) + ": " +
@@ -55,8 +55,8 @@ std::string evidence(const Line& line, const LineResult& found) {
          verdict_cell(found, "");
 }
 
-/// The cost that a convergence table shows beside the errors, if one was measured: the operations
-/// counted, or the unknowns. Work-precision tables show all, seconds too.
+/// Returns the cost that a convergence table shows beside the errors: the counted operations, else
+/// the unknowns, else no value. Work-precision tables show all costs, including seconds.
 std::optional<CostMeasure> shown_cost(const Experiment& experiment,
                                       const std::vector<LineResult>& lines) {
   std::vector<CostMeasure> costs = measured_costs(experiment, lines);
@@ -65,7 +65,7 @@ std::optional<CostMeasure> shown_cost(const Experiment& experiment,
   return costs.back();
 }
 
-/// How fast errors fall between neighbouring points, as axes show it: by the order or the rate.
+/// The measure of convergence between neighbouring points, by the axes: order or rate.
 struct Slope {
   std::string name;
   std::vector<double> (*between)(std::span<const Measurement>);
@@ -83,14 +83,14 @@ std::optional<Slope> shown_slope(Axes axes) {
   return std::nullopt;
 }
 
-/// What a convergence table has for every line.
+/// The columns that a convergence table has for each line.
 struct LineColumns {
   std::optional<Slope> slope;
   std::optional<CostMeasure> cost;
   std::size_t count() const { return 1 + (slope ? 1 : 0) + (cost ? 1 : 0); }
 };
 
-/// Error, slope and cost of a line at x; empty where it was not measured.
+/// Returns error, slope and cost of a line at x, or an empty cell without a measurement at x.
 std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
                      const LineColumns& columns, double x) {
   for (std::size_t i = 0; i < line.measurements.size(); ++i) {

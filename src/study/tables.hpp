@@ -10,32 +10,33 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// Writes an experiment's errors as an HTML table: a row for each x, for each line the error and
-/// the order (on logarithmic axes) or rate between rows; below, what was claimed and found.
+/// Writes an experiment's errors as an HTML table. The table has a row for each x, with the error
+/// of each line and the order (on logarithmic axes) or rate between rows. The last rows list the
+/// law, the measured number and the verdict of each line.
 ///
 /// Numbers that a check left out are grey.
-/// @param  experiment  what was measured
-/// @param  lines       its results, in order
+/// @param  experiment  the experiment
+/// @param  lines       results of its lines, in order
 /// @return             HTML
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines);
 
-/// Writes an experiment's errors and costs as an HTML table, a row for each measurement; columns
-/// of costs that were not measured are left out.
+/// Writes an experiment's errors and costs as an HTML table, a row for each measurement. Columns of
+/// costs that were not measured are left out.
 ///
-/// @param  experiment  what was measured
-/// @param  lines       its results, in order
+/// @param  experiment  the experiment
+/// @param  lines       results of its lines, in order
 /// @return             HTML
 std::string work_precision_table(const Experiment& experiment,
                                  const std::vector<LineResult>& lines);
 
-/// Writes the claims of a study as an HTML table: what was claimed and why, what was measured, the
-/// verdict, and the control with its defect.
+/// Writes the claims of a study as an HTML table: statement, reason and law, the measurement, the
+/// control with its defect, and the verdict.
 ///
 /// @param  result  of the study
 /// @return         HTML
 std::string claims_table(const StudyResult& result);
 
-/// Pages show this sentence in place of numbers that the size of a study leaves out.
+/// The sentence that pages show in place of numbers that the size of a study leaves out.
 inline constexpr const char* full_size_measures = "The full size of the study measures this.";
 
 /// @}

@@ -1,3 +1,4 @@
+// Writes shell commands that run the tasks of a sweep with Slurm or GNU parallel.
 #include "sweep/batch.hpp"
 
 namespace stokesbook {

@@ -10,30 +10,30 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// Writes a word so that a POSIX shell takes it as it is.
+/// Quotes a word so that a POSIX shell takes it literally.
 ///
-/// @param  word  any
-/// @return       the word; in single quotes unless it is made of harmless letters
+/// @param  word  any word
+/// @return       the word, in single quotes unless all its characters are harmless
 std::string shell_quoted(std::string_view word);
 
-/// Writes a path so that Slurm takes it as it is, where it looks for patterns such as `%a`.
+/// Escapes a path for Slurm, which replaces patterns such as `%a` in paths.
 ///
-/// @param  path  any
-/// @return       the path, each % doubled
+/// @param  path  any path
+/// @return       the path, with each % doubled
 std::string in_slurm(std::string_view path);
 
-/// What is to be run elsewhere.
+/// The commands of a sweep that is to be run elsewhere.
 struct Batch {
-  std::vector<std::string> task;     ///< words of the command that runs a task, but its number
+  std::vector<std::string> task;     ///< words of the command for a task, without its number
   std::vector<std::string> collect;  ///< words of the command that writes the results
-  std::string output;                ///< what Slurm's jobs print; `%a` stands for the task
-  std::size_t tasks = 1;             ///< how many there are, one at least
-  int threads = 1;                   ///< of each
+  std::string output;                ///< file for the output of Slurm's jobs; `%a`: the task
+  std::size_t tasks = 1;             ///< number of tasks, at least one
+  int threads = 1;                   ///< threads of each task
 };
 
-/// Says how to run tasks elsewhere: as an array of jobs of Slurm, and by GNU parallel.
+/// Writes commands that run tasks elsewhere: as an array of Slurm jobs, and with GNU parallel.
 ///
-/// @param  batch  what is to be run
+/// @param  batch  commands of the sweep
 /// @return        commands for a POSIX shell, with their titles as comments
 std::string batch_commands(const Batch& batch);
 

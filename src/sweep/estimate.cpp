@@ -1,3 +1,4 @@
+// Estimates a mean with its standard error and Student's 95 % confidence interval.
 #include "sweep/estimate.hpp"
 
 #include <cmath>
@@ -14,6 +15,7 @@ Estimate estimate_mean(std::span<const double> values) {
   const auto n = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   if (values.size() == 1) return {mean, undefined, undefined};
+  // Standard error e = sqrt(sum_k (x_k - m)^2 / (n (n - 1))), half width t_{n-1}(0.975) e.
   double squares = 0.0;
   for (const double x : values) squares += (x - mean) * (x - mean);
   const double standard_error = std::sqrt(squares / (n * (n - 1.0)));

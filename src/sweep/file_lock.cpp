@@ -1,3 +1,4 @@
+// Locks a file with flock(), so that processes wait for each other.
 #include "sweep/file_lock.hpp"
 
 #include <cerrno>
@@ -13,14 +14,14 @@ namespace stokesbook {
 
 namespace {
 
-// Open for writing, as locks are on NFS.
+// Opens the file for writing, since exclusive locks require this on NFS.
 int open_file(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) throw RecordError(path, "opening", {errno, std::generic_category()});
   return descriptor;
 }
 
-/// Returns 0 or why the file was not locked.
+/// Returns 0, or the error number if the file was not locked.
 int lock(int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0) {
     if (errno != EINTR) return errno;

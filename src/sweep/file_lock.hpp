@@ -7,26 +7,26 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// A lock that one process has at a time. The kernel takes it back when the process ends, however
-/// it ends.
+/// A lock that only one process can have at a time. The kernel releases the lock when the process
+/// ends, even if it is killed.
 class FileLock {
  public:
   /// Waits until no other process has the lock, and takes it.
   ///
-  /// @param  path  of the file that stands for the lock; it is made if need be, and stays empty
+  /// @param  path  path of the lock file, which is made if necessary and stays empty
   /// @throws RecordError when the file cannot be made or locked
   explicit FileLock(const std::filesystem::path& path);
 
-  /// Only one object has a lock.
+  /// Deleted: a lock cannot be copied.
   FileLock(const FileLock&) = delete;
 
-  /// Gives the lock back.
+  /// Releases the lock.
   ~FileLock();
 
-  /// Tells whether a process has the lock at this moment.
+  /// Returns whether a process has the lock at this moment.
   ///
-  /// @param  path  of the file, as above
-  /// @return       true when it is locked
+  /// @param  path  path of the lock file
+  /// @return       true if the file is locked
   /// @throws RecordError when the file cannot be made or locked
   static bool is_taken(const std::filesystem::path& path);
 

@@ -1,3 +1,4 @@
+// Writes and checks `tasks.csv`: the tasks of a sweep, with fingerprints of their scenes.
 #include "sweep/manifest.hpp"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::string row(const Task& task, const std::string& scene) {
   return text + scene + "\n";
 }
 
-/// Where it stands is where the tasks differ.
+/// Refuses two tasks with the same scene, at the place of the first value in which they differ.
 [[noreturn]] void refuse_repetition(const Task& task, const Task& earlier) {
   const auto same = [](const Setting& a, const Setting& b) {
     return a.chosen.value == b.chosen.value;
@@ -73,7 +74,7 @@ std::string csv_cell(std::string_view text) {
 
 std::string manifest(const Sweep& sweep) {
   std::string text = header(sweep);
-  std::map<std::string, std::size_t> tasks;  // by the fingerprint of their scene
+  std::map<std::string, std::size_t> tasks;  // task numbers by fingerprint of the scene
   for (std::size_t k = 0; k < task_count(sweep); ++k) {
     const Task task = task_of(sweep, k);
     const std::string scene = scene_fingerprint(sweep, task);
@@ -88,7 +89,7 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest) {
   std::error_code error;
   std::filesystem::create_directories(out / "runs", error);
   if (error) throw RecordError(out / "runs", "making the directory", error);
-  const FileLock lock(sweep_lock(out));  // of two sweeps that begin, one writes
+  const FileLock lock(sweep_lock(out));  // if two sweeps begin at once, one writes
   const std::filesystem::path path = out / manifest_name;
   if (!std::filesystem::exists(path, error)) {
     write_atomically(path, manifest, SafeFrom::power_cut);

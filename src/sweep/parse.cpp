@@ -1,3 +1,4 @@
+// Reads a sweep file: the scene, the axes with their values, the seeds, and what to collect.
 #include "sweep/parse.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 
 using namespace scene_text;
 
-/// Tables of a run that have one row a time, or one a time and item.
+/// Tables of a run with one row for each time, or one for each time and body or wall.
 constexpr Words<std::string_view, 4> tables{{{"rheology.csv", rheology_header},
                                              {"steps.csv", steps_header},
                                              {"trajectory.csv", trajectory_header},
@@ -51,7 +52,7 @@ constexpr Requirement<std::string> column_name{
                                   "abcdefghijklmnopqrstuvwxyz0123456789_"
                                   "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
     }};
-/// A cluster's queue holds no more; each has a folder.
+/// Largest number of tasks: queues of clusters accept no more, and each task has a folder.
 constexpr std::size_t most_tasks = 100'000;
 constexpr Requirement<int> several{"an integer from 2 to 100000",
                                    [](const int& k) { return k >= 2 && k <= int{most_tasks}; }};
@@ -67,7 +68,7 @@ constexpr Requirement<std::vector<double>> time_interval{
       return times.size() == 2 && times[0] >= 0.0 && times[0] < times[1];
     }};
 
-/// The value as it would stand in a file, whole: messages shorten it.
+/// Returns a value in TOML's syntax; the text of a node is not used, since messages shorten it.
 std::string toml_text(const Node& node) {
   std::vector<std::string> parts;
   if (const auto* elements = std::get_if<Array>(&node.value)) {
@@ -107,6 +108,7 @@ std::vector<AxisValue> read_range(const Node& node) {
   if (logarithmic && (from <= 0.0 || to <= 0.0)) {
     fail(*table.find(from <= 0.0 ? "from" : "to"), "must be > 0 where the spacing is logarithmic");
   }
+  // With s_k = k / (count - 1): x_k = from + s_k (to - from), or from (to / from)^{s_k}.
   std::vector<AxisValue> values;
   for (int k = 0; k < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
@@ -147,7 +149,7 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
 }
 
 void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
-  header.remove_suffix(1);  // the end of its line
+  header.remove_suffix(1);  // the end of the line
   const std::vector<std::string_view> columns = scene_text::split(header, ',');
   const Node& node = table.at("column", "a column of " + quantity.table);
   quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
@@ -194,7 +196,7 @@ void require_distinct(const std::string& column, std::vector<std::string>& colum
   columns.push_back(column);
 }
 
-/// Counts them in floating point, where no product is too large.
+/// Refuses too many tasks. Their number is computed in floating point, which does not overflow.
 void require_few_tasks(const Node& document, const Sweep& sweep) {
   auto tasks = static_cast<double>(runs_per_combination(sweep));
   for (const Axis& axis : sweep.axes) tasks *= static_cast<double>(axis.values.size());
@@ -215,7 +217,7 @@ Sweep read_sweep(const std::filesystem::path& path) {
   if (!text_of(sweep.scene)) {
     fail(*root.find("scene"), "there is no file to read at " + sweep.scene.string());
   }
-  // Those that tables of every sweep have.
+  // Column names that are taken: the tables of every sweep have these columns.
   std::vector<std::string> columns{"task", "folder", "seed",      "scene",
                                    "runs", "failed", "unfinished"};
   std::vector<std::string> keys;

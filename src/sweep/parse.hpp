@@ -10,11 +10,11 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// Reads a sweep file and checks all that can be checked without its scene.
+/// Reads a sweep file and checks everything that can be checked without its scene.
 ///
-/// @param  path  of the sweep file; the scene it names is relative to its folder
+/// @param  path  path of the sweep file; the scene that it names is relative to its folder
 /// @return       the sweep
-/// @throws SceneError at the first thing that is wrong, with place, value and what would be right
+/// @throws SceneError at the first error, with its place, the wrong value and a right one
 Sweep read_sweep(const std::filesystem::path& path);
 
 /// @}

@@ -1,3 +1,4 @@
+// Collects quantities from the finished runs of a sweep, and writes their means and error bars.
 #include "sweep/results.hpp"
 
 #include <algorithm>

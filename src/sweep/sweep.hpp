@@ -10,46 +10,46 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// One of the values that a key of the scene takes.
+/// A value of an axis.
 struct AxisValue {
   std::string value;  ///< in TOML's syntax
-  std::string where;  ///< it stands in the sweep file, "couette.toml:7:12"
+  std::string where;  ///< place in the sweep file, "couette.toml:7:12"
 };
 
-/// A key of the scene and the values that it takes.
+/// An axis of a sweep: a key of the scene and its values.
 struct Axis {
   std::string key;                ///< path in the scene, "fill.0.area_fraction"
-  std::string name;               ///< heads the columns of tables
+  std::string name;               ///< header of the column in tables
   std::vector<AxisValue> values;  ///< in order
 };
 
-/// What becomes of a column of a run's table, a function of time, to give one number.
+/// Operation that reduces a column of a run's table, a function of time, to one number.
 enum class Reduction {
-  average,  ///< over an interval of time
+  average,  ///< average over an interval of time
   last,     ///< value of the last row
-  least,    ///< of all rows
-  largest,  ///< of all rows
-  sum       ///< of all rows
+  least,    ///< smallest value of all rows
+  largest,  ///< largest value of all rows
+  sum       ///< sum of all rows
 };
 
-/// A number that each run gives.
+/// A number that is collected from each run.
 struct Quantity {
-  std::string name;         ///< heads its columns of the results
-  std::string table;        ///< of the run, "rheology.csv"
-  std::string column;       ///< of the table
-  std::optional<int> item;  ///< number of the body or wall, where the table has several
-  Reduction reduction;      ///< what is taken of the column
-  double from = 0.0;        ///< begin of the average, time
-  double to = 0.0;          ///< its end, time
-  std::string where;        ///< it stands in the sweep file
+  std::string name;         ///< header of its columns in the results
+  std::string table;        ///< table of the run, "rheology.csv"
+  std::string column;       ///< column of the table
+  std::optional<int> item;  ///< number of the body or wall, if the table has several
+  Reduction reduction;      ///< operation on the column
+  double from = 0.0;        ///< beginning of the average, time
+  double to = 0.0;          ///< end of the average, time
+  std::string where;        ///< place in the sweep file
 };
 
-/// A scene, values that some of its keys take, and what to collect of the runs.
+/// A sweep: a scene, values for some of its keys, and quantities to collect from the runs.
 struct Sweep {
   std::filesystem::path scene;       ///< scene file
-  std::vector<Axis> axes;            ///< all combinations of their values are run, the last fastest
-  Axis seeds{"seed", "seed", {}};    ///< each combination is run with each; empty: the scene's own
-  std::vector<Quantity> quantities;  ///< of the results
+  std::vector<Axis> axes;            ///< all combinations are run; the last axis varies fastest
+  Axis seeds{"seed", "seed", {}};    ///< of each combination; empty: the seed of the scene
+  std::vector<Quantity> quantities;  ///< quantities to collect
 };
 
 /// @}

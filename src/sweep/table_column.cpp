@@ -1,3 +1,4 @@
+// Reads a column of a run's table and reduces it to one number, averages by the trapezoid rule.
 #include "sweep/table_column.hpp"
 
 #include <algorithm>
@@ -30,8 +31,8 @@ double number_in(std::string_view cell, const std::filesystem::path& path) {
   return number;
 }
 
-/// The first column, which is time, and another; only rows of the item, the
-/// second, if there is one.
+/// Reads the first column, which is time, and the column of a quantity. If the quantity has an
+/// item, only rows with this item in their second column are read.
 Column read_column(const std::filesystem::path& path, const Quantity& quantity) {
   const std::string text = read_text(path);
   std::string_view rest = text;
@@ -68,6 +69,7 @@ double time_average(std::span<const double> t, std::span<const double> y, double
     const double begin = std::max(from, t[k - 1]);
     const double end = std::min(to, t[k]);
     if (begin >= end) continue;
+    // The interpolant is linear here: the integral is the length times the value at the midpoint.
     const double s = (0.5 * (begin + end) - t[k - 1]) / (t[k] - t[k - 1]);
     integral += (end - begin) * std::lerp(y[k - 1], y[k], s);
   }

@@ -11,24 +11,25 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// Averages a function of time over an interval: the integral of its piecewise linear interpolant,
-/// by the trapezoid rule, over the length of the interval.
+/// Averages a function of time over an interval: the integral of its piecewise linear interpolant
+/// (the trapezoid rule), divided by the length of the interval.
 ///
-/// Before the first time the function has its first value: `steps.csv` has no row at t = 0.
-/// @param  t     times, ascending, one at least
+/// Before the first time the function is taken to have its first value, since `steps.csv` has no
+/// row at t = 0.
+/// @param  t     times, ascending, at least one
 /// @param  y     values at these times
-/// @param  from  begin of the interval
-/// @param  to    its end, > from
+/// @param  from  beginning of the interval
+/// @param  to    end of the interval, > from
 /// @return       the average, in the unit of y
 /// @throws std::invalid_argument when the interval ends after the last time
-/// @par Accuracy  exact where the function is linear between the times
+/// @par Accuracy  exact if the function is linear between the times
 double time_average(std::span<const double> t, std::span<const double> y, double from, double to);
 
 /// Reads a quantity of a run that is done.
 ///
 /// @param  run       folder of the run
-/// @param  quantity  what to read
-/// @return           the number; nan where the scene does not define it
+/// @param  quantity  the quantity
+/// @return           the number; nan if the scene does not define it
 /// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
 ///         early
 double value_of(const std::filesystem::path& run, const Quantity& quantity);

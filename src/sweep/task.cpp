@@ -1,3 +1,5 @@
+// Enumerates the tasks of a sweep: the number of a task, in mixed radix, gives the value of each
+// axis and the seed.
 #include "sweep/task.hpp"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace stokesbook {
 
 namespace {
 
-/// A value of the command line has no place in a file; those of a sweep have.
+/// Replaces `--set key` at the start of a message by the place of the value in the sweep file.
 std::string with_place(const std::string& message, const Task& task) {
   for (const auto& [key, chosen] : task.settings) {
     const std::string start = "--set " + key + ": ";
@@ -45,7 +47,7 @@ void require_quantity(const Quantity& quantity, const SceneFile& file) {
                        std::to_string(*quantity.item) + " is none of them");
   };
   if (quantity.table == "walls.csv") require_item("walls", scene.walls.size());
-  // How many bodies a fill has shows when they are placed.
+  // The number of bodies in a fill is unknown until they are placed.
   if (quantity.table == "trajectory.csv" && fills.empty()) {
     require_item("bodies", scene.bodies.size());
   }
@@ -85,6 +87,7 @@ std::size_t task_count(const Sweep& sweep) {
 }
 
 Task task_of(const Sweep& sweep, std::size_t number) {
+  // The number in mixed radix, the last digit first: seed, last axis, ..., first axis.
   std::size_t rest = number;
   std::vector<Setting> settings;
   const auto choose = [&](const Axis& axis) {

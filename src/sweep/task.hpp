@@ -13,53 +13,53 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// A value that a task sets.
+/// A key of the scene and the value that a task sets.
 struct Setting {
   std::string key;   ///< path in the scene
-  AxisValue chosen;  ///< of the axis
+  AxisValue chosen;  ///< value of the axis
 };
 
-/// One run of a sweep, which depends on no other.
+/// A run of a sweep, independent of all other runs.
 struct Task {
   std::size_t number;             ///< from 0
-  std::vector<Setting> settings;  ///< one an axis, then the seed if the sweep has seeds
+  std::vector<Setting> settings;  ///< one for each axis, then the seed if the sweep has seeds
 
-  /// Writes the values as the command line takes them.
-  /// @return `key=value`, one a setting
+  /// Writes the settings in the form of the command line.
+  /// @return one `key=value` for each setting
   std::vector<std::string> overrides() const;
 
-  /// Says which task this is.
+  /// Describes the task in one line.
   /// @return "task 7: fill.0.area_fraction = 0.1, seed = 3"
   std::string description() const;
 };
 
-/// Counts the runs that differ in their seeds only.
+/// Counts the runs that differ only in their seeds.
 ///
-/// @param  sweep  any
-/// @return        runs a combination of the axes' values, 1 without seeds
+/// @param  sweep  any sweep
+/// @return        runs for each combination of the axes' values; 1 without seeds
 std::size_t runs_per_combination(const Sweep& sweep);
 
 /// Counts the tasks.
 ///
-/// @param  sweep  any
+/// @param  sweep  any sweep
 /// @return        number of combinations times runs_per_combination()
 std::size_t task_count(const Sweep& sweep);
 
-/// Returns a task. Runs that differ in their seeds only follow each other.
+/// Returns a task. Tasks that differ only in their seeds have consecutive numbers.
 ///
-/// @param  sweep   any
-/// @param  number  from 0 to task_count() - 1
-/// @return         its values
+/// @param  sweep   any sweep
+/// @param  number  number of the task, from 0 to task_count() - 1
+/// @return         the task with its settings
 Task task_of(const Sweep& sweep, std::size_t number);
 
-/// Reads the scene of a task and checks that it defines the quantities to collect, and that seeds,
-/// if there are several, change it.
+/// Reads the scene of a task. The function checks that the scene defines the quantities to collect,
+/// and that several seeds give different runs.
 ///
 /// @param  sweep  the sweep
-/// @param  task   of the sweep
-/// @return        the scene, checked as far as one can without solving
-/// @throws SceneError at the first thing that is wrong; where it is a value of the sweep, its place
-///         is that in the sweep file
+/// @param  task   a task of the sweep
+/// @return        the scene, checked as far as is possible without a solve
+/// @throws SceneError at the first error; for a value of the sweep, the message names its place in
+///         the sweep file
 SceneFile scene_of(const Sweep& sweep, const Task& task);
 
 /// @}

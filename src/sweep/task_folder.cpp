@@ -1,3 +1,4 @@
+// Manages the folder of a task, and reads the state of the task from its files.
 #include "sweep/task_folder.hpp"
 
 #include <algorithm>

@@ -10,61 +10,61 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// How far a task has come.
+/// The state of a task.
 enum class TaskState {
   unfinished,  ///< not begun, under way, or killed
   done,        ///< its run reached its end
-  failed       ///< the last try ended with an error
+  failed       ///< the last attempt ended with an error
 };
 
-/// Folder of a task: that of its run, with the files `lock`, `log.txt` and, after an error,
-/// `failure.txt`.
+/// The folder of a task: the folder of its run, with the additional files `lock`, `log.txt` and,
+/// after an error, `failure.txt`.
 class TaskFolder {
  public:
-  /// Names the folder of a task; makes nothing.
+  /// Refers to the folder of a task, which need not exist.
   ///
   /// @param  out   folder of the sweep
-  /// @param  task  its number
+  /// @param  task  number of the task
   TaskFolder(const std::filesystem::path& out, std::size_t task);
 
-  /// Names the folder of a task within that of the sweep.
+  /// Returns the path of a task's folder, relative to the folder of the sweep.
   ///
-  /// @param  task  its number
-  /// @return       "runs/0007"; more digits where four do not do
+  /// @param  task  number of the task
+  /// @return       "runs/0007"; more digits if four do not suffice
   static std::string name(std::size_t task);
 
   /// Returns the folder.
   /// @return its path
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the folder, if need be.
+  /// Makes the folder, if necessary.
   ///
-  /// @throws RecordError when it cannot be made
+  /// @throws RecordError when the folder cannot be made
   void make() const;
 
-  /// Returns where the output of its workers goes.
+  /// Returns the path of the file for the output of workers.
   /// @return path of `log.txt`
   std::filesystem::path log() const { return path_ / "log.txt"; }
 
-  /// Returns the FileLock of who works on the task.
+  /// Returns the path of the FileLock of the process that works on the task.
   /// @return path of `lock`
   std::filesystem::path lock() const { return path_ / "lock"; }
 
-  /// Looks how far the task has come.
-  /// @return its state
+  /// Reads the state of the task.
+  /// @return the state
   /// @throws RecordError when `run.json` is damaged
   TaskState state() const;
 
-  /// Says how the last try failed.
-  /// @return message; empty without failure
+  /// Returns the error message of the last attempt.
+  /// @return message; empty if the attempt did not fail
   std::string failure() const;
 
-  /// Notes how a try failed.
-  /// @param  message  for people
-  /// @throws RecordError when the disk does not take it
+  /// Stores the error message of an attempt.
+  /// @param  message  text of the message
+  /// @throws RecordError when the file cannot be written
   void write_failure(std::string_view message) const;
 
-  /// Forgets how the last try failed.
+  /// Removes the error message of the last attempt.
   void remove_failure() const;
 
  private:

@@ -1,3 +1,4 @@
+// Starts processes with fork() and exec(), and waits for them.
 #include "sweep/workers.hpp"
 
 #include <cerrno>
@@ -22,11 +23,11 @@ std::error_code last_error() {
   return {errno, std::generic_category()};
 }
 
-/// Becomes another program; only what is allowed between fork() and exec() happens here.
+/// Replaces this process by another program. All calls are allowed between fork() and exec().
 [[noreturn]] void become(char* const* arguments, int log, [[maybe_unused]] pid_t parent) {
 #ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(127);  // it ended before it could be watched
+  if (::getppid() != parent) ::_exit(127);  // the parent ended before prctl()
 #endif
   ::dup2(log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);

@@ -13,34 +13,34 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// How the process that worked on a task ended.
+/// The end of a process that worked on a task.
 struct WorkerEnd {
-  std::size_t task = 0;  ///< its number
-  int exit_code = 0;     ///< of the program, unless it was killed
-  int signal = 0;        ///< that killed it, or 0
+  std::size_t task = 0;  ///< number of the task
+  int exit_code = 0;     ///< exit code of the program, unless it was killed
+  int signal = 0;        ///< signal that killed the program, or 0
 };
 
-/// Processes that work on tasks, side by side. They end when the program that started them does, on
-/// systems that see to it.
+/// Processes that work on tasks in parallel. On Linux the kernel kills the processes when the
+/// program that started them ends.
 class Workers {
  public:
   /// Starts a process.
   ///
-  /// @param  task     its number
+  /// @param  task     number of the task
   /// @param  command  path of a program, and its arguments
   /// @param  log      file to which the process appends all that it prints
-  /// @throws RecordError when the log cannot be written, or the system starts no process
+  /// @throws RecordError when the log cannot be written or the system cannot start a process
   void start(std::size_t task, const std::vector<std::string>& command,
              const std::filesystem::path& log);
 
-  /// Counts the processes.
-  /// @return how many have not been waited for
+  /// Returns the number of processes.
+  /// @return number of processes whose end wait() has not returned yet
   std::size_t running() const { return tasks_.size(); }
 
-  /// Waits for the next process to end; one must be running.
+  /// Waits for the end of the next process; at least one must be running.
   ///
-  /// @return how it ended; a program that could not be started has exit code 127
-  /// @throws std::logic_error when there is none
+  /// @return the end of the process; a program that could not be started has exit code 127
+  /// @throws std::logic_error when no process is running
   WorkerEnd wait();
 
  private:
