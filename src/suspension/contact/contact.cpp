@@ -1,3 +1,14 @@
+// Keeps components apart: finds the contact forces of a stage (chapter 12).
+//
+// The loops from the outside in, each with the condition that ends it:
+//   ContactSteps::advance   until the error of the step is allowed: shorten the step
+//     ContactSteps::begin     until the first stage is resolved: halve the step
+//       ContactSteps::resolve   until nodes and GMRES tolerance suffice for the contact forces
+//         SuspensionContact::resolve   until the linear problems have solutions: better mobility
+//           GapConstraints::resolved     exact Jacobian of the gaps, then that of the forces
+//             resolve_contact              Newton's method for the gaps: one linear complementarity
+//                                          problem an iteration (chapter 11)
+//               ContactMobility::refine      until the combination of columns is accurate: GMRES
 #include "suspension/contact/contact.hpp"
 
 #include <algorithm>
@@ -16,10 +27,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Parts of the separation: how far polygons lie from their curves, and how exactly gaps are kept.
+// Over the separation: the distance between polygons and their curves, and the tolerance of gaps.
 constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
 
-// Starts are written down by others: a gap of the separation to three digits is wide enough.
+// Configurations at the start are often given with few digits: a gap may be narrower than the
+// separation by this part.
 constexpr double relative_slack_of_starts = 1e-3;
 
 void append(std::string& list, const std::string& text) {
@@ -30,11 +42,12 @@ bool is_close(const ContactResult& result, double separation) {
   return result.status == ContactStatus::not_converged && result.violations.back() < separation;
 }
 
-// Makes a response that does not do one that may; false where there is none to be had.
-bool make_better(ContactMobility& response, ContactStatus status) {
+// Improves a mobility for which a linear complementarity problem had no solution, or for which a
+// force does not open its own gap. Returns false if no improvement is left.
+bool improve(ContactMobility& mobility, ContactStatus status) {
   const bool unsolved = status == ContactStatus::no_linear_solution;
   if (!unsolved && status != ContactStatus::response_not_seen) return false;
-  return response.tighten() || (unsolved && response.keep_correction());
+  return mobility.tighten() || (unsolved && mobility.keep_correction());
 }
 
 }  // namespace
@@ -57,7 +70,7 @@ Imbalance imbalance(const VectorXd& force, const Configuration& acting,
     const Complex own(force[first], force[first + 1]), arm = acting[k].position - centre;
     net += own;
     torque += force[first + 2] + cross(arm, own);
-    // Two contacts of a body may cancel but for their torque.
+    // The forces of two contacts of a body may cancel and leave a torque.
     largest = std::max({largest, std::abs(own), std::abs(force[first + 2]) / shapes[k]->radius});
     farthest = std::max(farthest, std::abs(arm));
     radius = std::max(radius, shapes[k]->radius);
@@ -118,7 +131,7 @@ std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
          component_of(solver_.scene(), b).name();
 }
 
-// Of pairs that can be moved apart, and of overlaps.
+// Finds the gaps of pairs that forces can move apart, and all overlaps.
 std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
   std::vector<PolygonGap> gaps = polygon_gaps(shapes_, configuration, polygon_separation_);
   std::erase_if(gaps, [this](const PolygonGap& found) {
@@ -186,8 +199,8 @@ std::string SuspensionContact::too_close(const Configuration& configuration,
   std::string pairs;
   for (const PolygonGap& found : gaps(configuration)) {
     const double gap = found.gap > 0.0 ? curve_gap(found, configuration) : found.gap;
-    // Twice the tolerance to which the loop resolves gaps: it found these curves' closest points
-    // from elsewhere.
+    // Twice the tolerance of the contact loop, whose closest points differ by rounding: they were
+    // found from other starting points.
     const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
     if (gap >= least) continue;
     append(pairs, names(found.a, found.b) + " are " + short_number(gap) + " apart");
@@ -213,7 +226,7 @@ double SuspensionContact::relative_displacement(const Configuration& start,
   return largest;
 }
 
-ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobility& response,
+ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobility& mobility,
                                           const CloserPairs& closer) const {
   const auto begun = std::chrono::steady_clock::now();
   const ConstraintRules rules{
@@ -228,9 +241,9 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobi
       .tolerance = rules.polygons.tolerance,
       .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
-        return stage.share * response(forces);
+        return stage.share * mobility(forces);
       },
-      .refine = [&](const VectorXd& multipliers) { return response.refine(multipliers); },
+      .refine = [&](const VectorXd& multipliers) { return mobility.refine(multipliers); },
       .guess =
           stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{},
       .name =
@@ -244,9 +257,10 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobi
     outcome.iterations += outcome.result.iterations;
   };
   attempt();
-  // With all pairs that were pressed from the beginning, what was close to an end often gets there.
+  // A second run begins with all pairs that the first one found, and often succeeds if the first
+  // one has nearly converged.
   if (is_close(outcome.result, separation_)) attempt();
-  while (make_better(response, outcome.result.status)) attempt();
+  while (improve(mobility, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const double force = result.multipliers[static_cast<Index>(i)];
@@ -257,7 +271,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobi
          rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
   }
   if (result.status == ContactStatus::resolved) {
-    outcome.corrected = response.corrected_by(result.multipliers);
+    outcome.corrected = mobility.corrected_by(result.multipliers);
   }
   const bool solved = result.status != ContactStatus::no_linear_solution &&
                       outcome.corrected <= solver_.scene().solver.tolerance;
@@ -276,9 +290,9 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobi
 }
 
 Solution SuspensionContact::with_forces(Solution free, const ContactOutcome& outcome,
-                                        const ContactMobility& response) const {
+                                        const ContactMobility& mobility) const {
   if (outcome.forces.empty()) return free;
-  const LoadSolution added = response.combined(outcome.result.multipliers);
+  const LoadSolution added = mobility.combined(outcome.result.multipliers);
   free.density += added.density;
   free.uniform_velocity += added.completion.uniform_velocity;
   for (std::size_t k = 0; k < free.motions.size(); ++k) {

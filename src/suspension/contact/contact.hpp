@@ -26,67 +26,68 @@ Eigen::VectorXd to_numbers(const CloserPairs& pairs);
 /// @return          pairs
 CloserPairs to_pairs(const Eigen::VectorXd& numbers);
 
-/// Makes the polygons of components. Those of one shape and side share theirs.
+/// Makes the polygons of components. Components of one shape and side share a polygon.
 ///
 /// @param  discretisation  of all components
 /// @param  sag_limit       largest distance of a polygon from its curve, length
 /// @return                 one a component
 ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
 
-/// What forces that components exert on each other leave over.
+/// The net force and torque of the forces that components exert on each other.
 struct Imbalance {
-  double force,  ///< net force over the largest
-      torque;    ///< net torque over the largest force and the lever that it may have
+  double force,  ///< net force over the largest force
+      torque;    ///< net torque over the largest force times its longest lever
 };
 
-/// Measures how well forces between components balance, wherever the origin is.
+/// Measures how well forces between components balance, independently of the origin.
 ///
-/// Torques are taken about the mean position of the components that bear a load; the lever is the
-/// largest distance of these from there and the largest of their radii, added. The largest force
-/// is that on a component, or a component's torque over its radius.
+/// Torques are taken about the mean position of the loaded components. The lever is the largest
+/// distance of a loaded component from there plus the largest radius. The largest force is that on
+/// a component, or the torque on a component over its radius.
 /// @param  force   3K numbers: force and torque about its position of each of K components
-/// @param  acting  where they act
+/// @param  acting  configuration in which they act
 /// @param  shapes  of the components
-/// @return         rounding for forces that balance; zero where there are none
+/// @return         rounding for forces that balance; zero if there are no forces
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
                     const ContactShapes& shapes);
 
-/// A step, or a stage of one, for which contact is to be resolved.
+/// A stage of a step for which contact is to be resolved.
 struct ContactStage {
   const Configuration& start;  ///< where the step begins
   Eigen::VectorXd
       free_velocity;  ///< mean velocity of the step without contact, as to_rate() packs it
   double dt;          ///< length of the step
-  const Configuration& acting;  ///< where forces act, and the response is taken
-  double share;                 ///< of the step for which they act, 1 or 1/2
-  /// What contact added to velocities where forces acted before, as to_rate() packs them; empty at
-  /// first.
+  const Configuration& acting;  ///< where forces act, and where the mobility is evaluated
+  double share;                 ///< part of the step during which the forces act, 1 or 1/2
+  /// Velocities that contact added in this stage of the step before, as to_rate() packs them; empty
+  /// in the first step.
   const Eigen::VectorXd& added;
-  int most_iterations;  ///< linear problems after which contact is not resolved
+  int most_iterations;  ///< largest number of linear complementarity problems
 };
 
-/// What contact made of a step.
+/// The contact of a stage.
 struct ContactOutcome {
-  ContactResult result;              ///< mean velocity, multipliers, and how the loop ended
-  std::vector<ContactForce> forces;  ///< of all rows that carry one
-  double force_imbalance = 0.0;      ///< net force of all pairs over the largest force
-  double torque_imbalance = 0.0;     ///< net torque, both by imbalance()
-  double kkt_residual = 0.0;         ///< of the result, in separations
-  int iterations = 0;                ///< linear problems, those on columns too coarse included
-  double corrected = 0.0;            ///< ContactMobility::corrected_by(), of what is resolved
-  double seconds = 0.0;              ///< wall time, those of the responses included
-  /// Pairs that do not open under their own force, or under no forces of all of them, or only by
-  /// more correction of the response than the solver's tolerance: what too few nodes do.
+  ContactResult result;              ///< mean velocity, multipliers, and the end of the loop
+  std::vector<ContactForce> forces;  ///< of all constraints with a force
+  double force_imbalance = 0.0;      ///< net force of all pairs, by imbalance()
+  double torque_imbalance = 0.0;     ///< net torque of all pairs, by imbalance()
+  double kkt_residual = 0.0;         ///< of the result, over the separation
+  int iterations = 0;                ///< linear problems, including those with inaccurate columns
+  double corrected = 0.0;            ///< ContactMobility::corrected_by() of resolved forces
+  double seconds = 0.0;              ///< wall time, including that of the mobility
+  /// Pairs whose nodes do not resolve the contact forces: their own force does not open the gap, or
+  /// the linear problem has no solution, or the mobility was corrected by more than the solver's
+  /// tolerance.
   std::vector<ComponentPair> unseen{};
 };
 
 /// Keeps the components of a scene at their minimum separation.
 ///
-/// Contact is seen ahead by interferences() of the polygons of all components, which lie within
-/// four thousandths of the separation of their curves, and resolved by resolve_contact() with the
-/// mobility of the whole suspension and the gaps of the curves. Where a force acts, these are one
-/// separation to a part in 1e5, or up to 1.016 separations where polygons and curves disagree on
-/// which points are the closest. No state with too_close() pairs is accepted.
+/// Contact is predicted by interferences() of the polygons of all components, whose distance from
+/// the curves is at most 0.004 separations, and resolved by resolve_contact() with the mobility of
+/// the whole suspension and the gaps of the curves. A gap with a force is one separation wide to a
+/// part in 1e5, or up to 1.016 separations if polygons and curves disagree on which points are the
+/// closest. No state with too_close() pairs is accepted.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene.
@@ -94,60 +95,61 @@ class SuspensionContact {
   /// @param  solver  of a scene with [contact], which must outlive this
   explicit SuspensionContact(const SuspensionSolver& solver);
 
-  /// Returns the least distance that curves keep.
+  /// Returns the least gap that is maintained.
   /// @return delta, length
   double separation() const { return separation_; }
 
-  /// Finds pairs that are closer than the separation, or just at it.
+  /// Finds the pairs that start with a gap of at most the separation.
   ///
   /// @param  configuration  where the components are
   /// @return                their gaps, length
-  /// @throws ConfigurationError on overlap, naming all pairs and depths; and on narrower gaps
-  ///                unless contact.allow_close
+  /// @throws ConfigurationError when components overlap, with all pairs and depths; and when gaps
+  ///                are narrower than the separation, unless contact.allow_close is true
   CloserPairs admit_start(const Configuration& configuration) const;
 
-  /// Tells how much pairs that began closer may close now: gaps that have opened stay open.
+  /// Updates the gaps of pairs that started closer than the separation: gaps that have opened must
+  /// not close again.
   ///
-  /// @param  closer         of the start, or of the step before
+  /// @param  closer         pairs at the start, or after the step before
   /// @param  configuration  where the components are now
-  /// @return                pairs that are closer still
+  /// @return                pairs that are still closer than the separation
   CloserPairs widened(const CloserPairs& closer, const Configuration& configuration) const;
 
-  /// Resolves contact in a stage.
+  /// Resolves the contact of a stage.
   ///
   /// @param  stage     to resolve
-  /// @param  response  mobility where forces act
-  /// @param  closer    pairs that may come closer
-  /// @return           outcome; its velocity is to be used only where its status is resolved
+  /// @param  mobility  of the configuration in which forces act
+  /// @param  closer    pairs that may be closer than the separation
+  /// @return           contact; its velocity is valid only if its status is resolved
   /// @throws SolverError as ContactMobility does
-  ContactOutcome resolve(const ContactStage& stage, ContactMobility& response,
+  ContactOutcome resolve(const ContactStage& stage, ContactMobility& mobility,
                          const CloserPairs& closer) const;
 
-  /// Adds the forces of contact to a solution.
+  /// Adds the contact forces to a solution.
   ///
-  /// @param  free      solution without them, where they act
-  /// @param  outcome   resolved
-  /// @param  response  that resolve() was given
-  /// @return           motions, loads, density with them
+  /// @param  free      solution without contact forces in the configuration in which they act
+  /// @param  outcome   resolved contact
+  /// @param  mobility  as given to resolve()
+  /// @return           motions, loads and density with the contact forces
   Solution with_forces(Solution free, const ContactOutcome& outcome,
-                       const ContactMobility& response) const;
+                       const ContactMobility& mobility) const;
 
-  /// Measures how far a step moves components past each other that come near each other in it.
+  /// Measures how far a step moves components past each other that come near each other.
   ///
-  /// @param  start     where it begins
+  /// @param  start     configuration at the beginning of the step
   /// @param  velocity  of the step, as to_rate() packs it
-  /// @param  dt        its length
-  /// @return           largest way of a point of the one as the other sees it, over the ratio of
-  ///                   area and perimeter of the smaller: half the radius of a disk
+  /// @param  dt        length of the step
+  /// @return           largest path of a point of one component in the frame of the other, over the
+  ///                   smaller ratio of area and perimeter, which is half the radius for a disk
   double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
                                double dt) const;
 
-  /// Lists pairs that do not keep their separation, by the closest points of the curves.
+  /// Lists the pairs that violate the separation, by the closest points of the curves.
   ///
   /// @param  configuration  where the components are
-  /// @param  closer         pairs that may come closer
-  /// @return                pairs whose gap is narrower by more than 2e-5 separations, and the gaps,
-  ///                        as text; empty where there is none
+  /// @param  closer         pairs that may be closer than the separation
+  /// @return                text with all pairs whose gap is narrower by more than 2e-5
+  ///                        separations, and their gaps; empty if there is none
   std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:

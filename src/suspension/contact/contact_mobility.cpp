@@ -1,3 +1,5 @@
+// Computes columns of the mobility for contact forces: reuses those of earlier configurations,
+// solves for new ones loosely, and corrects them where the contact forces need it (chapter 12).
 #include "suspension/contact/contact_mobility.hpp"
 
 #include <algorithm>
@@ -21,30 +23,33 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Relative difference of loads that count as one: what it changes is below the solver's tolerance.
+// Loads whose relative difference is below this share one solve: the difference of their solutions
+// is below the solver's tolerance.
 constexpr double same_load = 1e-9;
 
-// Residual to which columns are solved, at most.
+// Largest relative residual to which columns are solved.
 constexpr double most_solved_tolerance = 1e-2;
 
-// Cosine of the angle between loads so alike that the answer to one tells that to the other to
-// MobilityColumns::most_tolerance.
+// Loads with a larger cosine of the angle between them are similar: the column of the one is that
+// of the other up to MobilityColumns::most_tolerance.
 constexpr double similar_from = 0.995;
 
-// So many times as many answers as were asked for are kept for the next configuration, at most.
+// Largest ratio of the columns kept for the next configuration to those that were used in this one.
 constexpr std::size_t most_kept = 2;
 
-// What columns ten times as close take, about. Where refinements have taken as many, or residuals
-// grow as weights go to and fro, as between flat gaps, columns are too coarse.
+// Iterations that a tenth of the tolerance takes for a column, approximately. When refinements have
+// taken as many a column, or when residuals grow because weights oscillate, as between flat gaps,
+// the columns are too inaccurate.
 constexpr int iterations_of_closer_column = 5;
 
-// Part of the solver's tolerance by which what keeps the mobility definite may move components.
+// Largest motion that definite_correction() may add, over the solver's tolerance.
 constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
 
-// Columns then, and those of the next configuration.
+// Factors of the columns' tolerance: by tighten(), and for the next configuration.
 constexpr double tightening = 0.1, loosening = 10.0;
 
-// Of each load, the part that no other of them tells, up to a factor: 1 where all are well apart.
+// Returns for each load the smallest sine of the angle to another load, up to a factor of 2; 1 if
+// all angles are large.
 VectorXd separations(const SparseMatrix<double>& loads) {
   const SparseMatrix<double> products = loads.transpose() * loads;
   const VectorXd squares = products.diagonal();
@@ -60,7 +65,8 @@ VectorXd separations(const SparseMatrix<double>& loads) {
   return parts;
 }
 
-// Loads whose forces turn with the components, by a part of their orientations.
+// Rotates the forces of a load by a part of the components' orientations: 1 from the frames of the
+// components to the plane, -1 back.
 VectorXd turned(VectorXd load, const Configuration& configuration, double part) {
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     auto force = load.segment<2>(static_cast<Index>(3 * k));
@@ -69,7 +75,7 @@ VectorXd turned(VectorXd load, const Configuration& configuration, double part) 
   return load;
 }
 
-// The same components at rest, under some loads and nothing else.
+// Poses the problem of the same components at rest, under a load alone.
 StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& load) {
   problem.background.resize(0);
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
@@ -105,7 +111,7 @@ void ContactMobility::begin() {
     over_lengths_.segment<3>(static_cast<Index>(3 * k)) << 1.0, 1.0,
         1.0 / discretised.gyration_radius;
   }
-  if (discrete_->is_factorised) return;  // which needs no guesses
+  if (discrete_->is_factorised) return;  // back substitutions need no guesses
   const Eigen::MatrixXcd guesses = earlier_.densities.guess(0.0, configuration_, discretisation_);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const VectorXd at_bodies = earlier_.loads.col(i);
@@ -151,7 +157,7 @@ void ContactMobility::solve_by_factors(Column& asked) const {
   complete(asked, rhs.norm());
 }
 
-// Motions of free bodies are those that the density has, whatever the load.
+// The motions of free bodies are functionals of the density; they do not depend on the load.
 void ContactMobility::complete(Column& answer, double flow) const {
   answer.flow = flow;
   answer.motions = discrete_->system.closure().complete(answer.density).motions;
@@ -187,7 +193,8 @@ std::size_t ContactMobility::find_or_solve(Column asked) {
   return columns_.size() - 1;
 }
 
-// Loads that are nearly parallel, of two points of a flat gap, are told apart by as closer solves.
+// Nearly parallel loads, of two contact points in one flat gap, require a tolerance that is tighter
+// in proportion to the angle between them.
 void ContactMobility::solve_to_tolerance(Column& asked, double separation) {
   if (asked.tolerance <= std::max(exact_, separation * tolerance_)) return;
   asked.tolerance = std::max(exact_, separation * std::min(tolerance_, most_solved_tolerance));
@@ -236,7 +243,7 @@ double ContactMobility::corrected_by(const VectorXd& multipliers) const {
   return fastest(correction_ * multipliers) / scale;
 }
 
-// The columns of the latest call that share an answer count together.
+// Adds up the multipliers of the loads that share a column.
 VectorXd ContactMobility::weights(const VectorXd& multipliers) const {
   VectorXd weights = VectorXd::Zero(static_cast<Index>(columns_.size()));
   for (std::size_t i = 0; i < latest_.size(); ++i) {
@@ -245,7 +252,8 @@ VectorXd ContactMobility::weights(const VectorXd& multipliers) const {
   return weights;
 }
 
-// How much of a residual weights have brought in since the combination was exact, at most.
+// Bounds the residual of a combination: changes of the weights since the latest refinement bring in
+// the residuals of their columns.
 double ContactMobility::residual_bound(const VectorXd& weights) const {
   double residual = 0.0;
   for (Index i = 0; i < weights.size(); ++i) {

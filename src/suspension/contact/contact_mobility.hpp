@@ -13,88 +13,92 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// What loads on free bodies add to a solution.
+/// The solution under loads on free bodies alone.
 struct LoadSolution {
   ComplexVector density;  ///< at all n nodes, length / time
   Completion completion;  ///< motions of free bodies, loads of all components on the fluid
 };
 
-/// Loads that were answered in earlier configurations: where solves for similar ones begin. The
-/// latest come first; as many older ones are kept, as contact that is lost for a while comes back.
-/// Loads and densities turn with the components, as most of what lasts does.
+/// Columns of the contact mobility in earlier configurations, from which solves for similar loads
+/// begin. The latest come first. As many older ones are kept, since a contact that is lost for some
+/// steps may come back. Loads and densities are stored in the frames of their components, in which
+/// they change little while a contact lasts.
 struct MobilityColumns {
   Eigen::MatrixXd loads;  ///< 3K x m, as ContactMobility takes them, but in components' frames
   Eigen::VectorXd flows;  ///< norms of their right-hand sides, m numbers, length / time
-  DensityHistory densities{1};  ///< that answered them, a column each
-  /// Residual that the answer to a load is taken to leave in a configuration a step later, of a
-  /// load that has turned by a tenth at most.
+  DensityHistory densities{1};  ///< of their solutions, a column each
+  /// Relative residual that a reused column is assumed to have one step later, if its load has
+  /// turned by a tenth at most.
   static constexpr double most_tolerance = 0.1;
-  double tolerance = most_tolerance;  ///< relative residual that columns may leave next
+  double tolerance = most_tolerance;  ///< relative residual that columns may have next
 };
 
-/// Answers loads on free bodies of one configuration with the motions that they cause: the mobility
-/// B, a column a solve, with all prescribed components at rest and no background flow.
+/// The mobility B of one configuration for contact forces: maps loads on free bodies to the motions
+/// that they cause, with all prescribed components at rest and no background flow.
 ///
-/// Loads count in the order of to_state(), force and torque of every component; those on prescribed
-/// components go to their supports and move nothing.
+/// Loads are ordered as to_state() orders velocities: force and torque of every component. Loads on
+/// prescribed components go to their supports and move nothing.
 ///
-/// What is wanted in the end is the answer to one combination of the loads, whose weights depend on
-/// the columns themselves. So columns need not be exact: refine() solves for the combination as
-/// exactly as the solver does for everything else, corrects the columns by what was missing, and
-/// the weights follow from these. A column is
-/// - the factorised system's, where there is one;
-/// - else that of an earlier configuration, where the load has hardly turned since: it costs
-///   nothing, and so contact that lasts costs a few iterations a step, however many the pairs;
-/// - else solved for to a residual of a hundredth, from the most similar answer.
+/// The step requires B for one combination of loads, whose weights depend on the columns
+/// themselves. Columns may therefore be inexact: refine() solves for the combination as accurately
+/// as the solver solves everything else, corrects the columns by the difference, and the weights
+/// follow from the corrected columns. A column is
+/// - that of the factorised system, if there is one;
+/// - or that of an earlier configuration, if the load has hardly turned since. It costs nothing, so
+///   that contact that lasts costs a few iterations a step, for any number of pairs;
+/// - or the result of a solve to a relative residual of a hundredth, which begins with the most
+///   similar column.
 ///
-/// Columns whose errors make the mobility indefinite are corrected for it by definite_correction():
-/// up to a tenth of the solver's tolerance. Where that does not do they are solved for more closely,
-/// and in the end taken as they are.
+/// Errors of the columns may make the mobility indefinite: definite_correction() corrects them, by
+/// up to a tenth of the solver's tolerance. If a larger correction is required, the columns are
+/// solved to a tighter tolerance, and in the end used with their correction, however large.
 ///
-/// The residual of a combination tells how good columns are. Those that leave more than they were
-/// taken to are solved for; and all are, ten times as closely, where refinements have taken as
-/// many iterations as that will, or leave more from one to the next. The next configuration's may
-/// leave ten times as much again.
+/// The residual of a combination shows the quality of the columns. Columns with a larger residual
+/// than assumed are solved for. All columns are solved to a tenth of their tolerance when
+/// refinements have taken as many iterations as that takes, or when the residual grows from one
+/// refinement to the next. The columns of the next configuration may have a residual ten times as
+/// large.
 class ContactMobility {
  public:
   /// Takes a solution; nothing is solved yet.
   ///
-  /// @param  solver    of the scene, which must outlive the response
+  /// @param  solver    of the scene, which must outlive the mobility
   /// @param  solution  whose system is solved for loads
-  /// @param  earlier   loads that were answered in a configuration before
-  /// @param  exact     relative residual of what is solved exactly; none: the plan's
+  /// @param  earlier   columns of an earlier configuration
+  /// @param  exact     relative residual of combinations; none: that of the plan
   ContactMobility(const SuspensionSolver& solver, const Solution& solution,
                   MobilityColumns earlier = {}, std::optional<double> exact = {});
 
-  /// Solves for the motions under some loads.
+  /// Returns the motions under some loads.
   ///
-  /// A load that was answered before, in this or an earlier call, is not solved for again.
+  /// A load whose column is known from this or an earlier call is not solved for again.
   /// @param  loads  3K x m, forces / length and torques
   /// @return        3K x m velocities of all components, zero for prescribed ones
   /// @throws SolverError when GMRES does not converge
-  /// @throws std::invalid_argument when loads in an unbounded fluid without gauge or prescribed
-  ///                component do not balance
-  /// @par Accuracy  residual of a tenth of the load's own flow, to that of the solver by tighten();
+  /// @throws std::invalid_argument when loads in an unbounded fluid without gauge length and
+  ///                prescribed component do not balance
+  /// @par Accuracy  relative residual of a tenth, down to that of the solver by tighten(); contact
   ///                forces found with refine(), @ref claim_12_10
-  /// @par Cost      a solve for each load that is new and unlike all others, @ref claim_12_17; back
-  ///                substitutions only where the system is factorised
+  /// @par Cost      a solve for each load that differs from all others, @ref claim_12_17; back
+  ///                substitutions if the system is factorised
   Eigen::MatrixXd operator()(const Eigen::SparseMatrix<double>& loads);
 
-  /// Makes the combination of the latest columns exact: its residual is that which the solver
-  /// allows of the scene's own flow, or of the flow of the loads where that is stronger.
+  /// Makes the combination of the latest columns accurate: its residual is that which the solver
+  /// allows for the scene's own flow, or for the flow of the loads if that is stronger.
   ///
-  /// What is missing is added to the columns in proportion to their weights, the least change that
-  /// makes their combination right (Broyden's), so that they answer alike next time.
+  /// The difference between the accurate combination and that of the columns is added to the
+  /// columns in proportion to their weights: Broyden's update, the least change of the columns that
+  /// makes their combination right.
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
-  /// @return              true when columns have changed, or are to be solved for more closely;
-  ///                      false when the combination is as exact as it gets
+  /// @return              true if columns have changed, or will be solved to a tighter tolerance;
+  ///                      false if the combination is as accurate as possible
   /// @throws SolverError when GMRES does not converge
-  /// @par Cost      a solve; none where multipliers have hardly changed
+  /// @par Cost      a solve; none if the multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
-  /// Solves for columns ten times as closely from now on, those answered so far included.
+  /// Divides the tolerance of all columns by ten from now on.
   ///
-  /// @return  false when they were as exact before as the solver makes everything else
+  /// @return  false if it was that of the solver already
   bool tighten();
 
   /// Adds up the solutions of the latest call.
@@ -103,25 +107,26 @@ class ContactMobility {
   /// @return              their combination
   LoadSolution combined(const Eigen::VectorXd& multipliers) const;
 
-  /// Keeps corrections by definite_correction() from now on, however large.
+  /// Accepts corrections of any size by definite_correction() from now on.
   ///
-  /// @return  false when they were kept before
+  /// @return  false if they were accepted before
   bool keep_correction();
 
-  /// Tells how much of the combination of the latest columns is a correction.
+  /// Measures the part of the combination of the latest columns that definite_correction() has
+  /// added.
   ///
   /// @param  multipliers  m numbers, one a column of the loads
-  /// @return              largest velocity of a component, over that of the scene's flow or that of
-  ///                      the combination where this is larger; angular ones times the radius of
-  ///                      gyration
+  /// @return              largest added velocity of a component, over the velocity scale of the
+  ///                      scene, or over the largest velocity of the combination if that is larger;
+  ///                      angular velocities are multiplied by the radius of gyration
   double corrected_by(const Eigen::VectorXd& multipliers) const;
 
-  /// Returns all answers, for a configuration to come.
-  /// @return loads; those of before where nothing was asked
+  /// Returns all columns, for the next configuration.
+  /// @return columns; the earlier ones if none was computed
   MobilityColumns columns() const;
 
-  /// Counts what was done so far.
-  /// @return solves, iterations and applications
+  /// Returns the work so far.
+  /// @return iterations and applications
   const SolveCost& cost() const { return cost_; }
 
   /// Counts solves.
@@ -133,11 +138,11 @@ class ContactMobility {
   /// @cond
   struct Column {
     Eigen::SparseVector<double> load;
-    Eigen::SparseVector<double> forces;  // the same, torques over a component's radius of gyration
+    Eigen::SparseVector<double> forces;  // the load, torques over the radius of gyration
     ComplexVector density;
     std::vector<RigidMotion> motions{};
-    double tolerance = 1.0;  // of its residual, as far as is known
-    double flow = 0.0;       // norm of its right-hand side, about that of the earlier load's
+    double tolerance = 1.0;  // estimated relative residual
+    double flow = 0.0;  // norm of its right-hand side; for reused columns that of the earlier one
   };
   /// @endcond
   void begin();

@@ -1,3 +1,4 @@
+// Raises the negative and small eigenvalues of a computed mobility matrix (chapter 12).
 #include "suspension/contact/definite_correction.hpp"
 
 #include <Eigen/Cholesky>
@@ -23,6 +24,7 @@ MatrixXd definite_correction(const MatrixXd& loads, const MatrixXd& works) {
   const VectorXd raised = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
   const MatrixXd vectors = scale.asDiagonal() * modes.eigenvectors();
   const MatrixXd change = vectors * raised.asDiagonal() * vectors.transpose();
+  // The least V' with F^T V' = change.
   const MatrixXd gram = loads.transpose() * loads;
   return loads * gram.completeOrthogonalDecomposition().solve(change);
 }

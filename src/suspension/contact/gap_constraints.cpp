@@ -1,3 +1,5 @@
+// Evaluates the gap functions of a stage and their Jacobian: the polygons of chapter 10 find the
+// pairs in contact, the smooth curves measure their gaps (chapters 10 to 12).
 #include "suspension/contact/gap_constraints.hpp"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ ContactKey key_of(const GapConstraint& row, std::size_t components) {
           (of_b ? more_than_vertices : 0) + row.row.key.vertex};
 }
 
-// Parameter of a point on a polygon whose vertices are equidistant in the shape's.
+// The parameter of a vertex. Vertices are equidistant in the parameter of the shape.
 double parameter(const Polygon& polygon, Index vertex) {
   return 2.0 * std::numbers::pi * static_cast<double>(vertex) / static_cast<double>(polygon.size());
 }
@@ -46,12 +48,13 @@ Complex middle(const ClosestPoints& points) {
   return 0.5 * (points.point_a + points.point_b);
 }
 
-// On the first of two curves, half way between the closest points.
+// The force on the first of two curves acts half way between the closest points.
 ActingForce acting_force(const ClosestPoints& points) {
   return {middle(points), (points.point_a - points.point_b) / points.gap};
 }
 
-// Unit forces at the closest points, that push the two apart; torques about their centres.
+// Adds the row of unit forces that push two components apart at their closest points, with the
+// torques about the components' positions.
 void add(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
          const Configuration& at) {
   const ActingForce unit = acting_force(points);
@@ -96,7 +99,7 @@ ContactResult GapConstraints::resolved(ContactStep step, Linearisation linearisa
   return resolve_contact(step, options);
 }
 
-// Each row costs a solve: pairs that merely come near have none.
+// Each constraint costs a solve: only pairs that are violated at some velocity have constraints.
 std::vector<GapConstraint> GapConstraints::pressed_rows(const VectorXd& velocity,
                                                         const Configuration& end) {
   const Interferences found =
@@ -124,8 +127,9 @@ std::vector<GapConstraint> GapConstraints::pressed_rows(const VectorXd& velocity
   return pressed;
 }
 
-// Of two minima that differ by less than sags, polygons may show one, now this and now that. Where
-// the curves of a pair come too near though all of its rows are wide enough, there is the other.
+// A pair may have two local minima of the gap whose difference is below the sag of the polygons;
+// the polygons then report only one of them. If the curves are still too close although every
+// reported gap is open, the other minimum is constrained as well.
 void GapConstraints::look_for_missed(const std::vector<GapConstraint>& rows,
                                      const Configuration& end) {
   RowKey key = rows.front().row.key;
@@ -136,12 +140,12 @@ void GapConstraints::look_for_missed(const std::vector<GapConstraint>& rows,
   places_[{rows.front().a, rows.front().b}].push_back(key);
 }
 
-// Where a pair had a row, it keeps one, as long as the curves have a minimum there.
+// A pair keeps the constraints that it had, as long as the curves have a minimum of the gap there.
 void GapConstraints::add_former(std::vector<GapConstraint>& rows, const Configuration& end) const {
   const auto places = places_.find({rows.front().a, rows.front().b});
   if (places == places_.end()) return;
   for (const RowKey& key : places->second) {
-    // The polygons say of it what they say of the deepest row.
+    // Its polygon gap is taken to be that of the deepest constraint.
     GapConstraint row =
         *std::ranges::min_element(rows, {}, [](const GapConstraint& own) { return own.row.gap; });
     row.row.key = key;
@@ -180,7 +184,7 @@ ContactRows GapConstraints::rows(const VectorXd& velocity, Linearisation lineari
   return result;
 }
 
-// By the curves where their gap is the one that the polygons show, else by these.
+// Measures a gap by the curves if it agrees with the gap of the polygons; else by the polygons.
 void GapConstraints::measure(GapConstraint& row, const Configuration& end) const {
   const ClosestPoints points = closest(row.row.key, end);
   const double by_polygons = row.row.gap + rules_.polygons.separation.between(row.a, row.b);
@@ -195,8 +199,8 @@ bool GapConstraints::is_violated(const std::vector<GapConstraint>& rows) const {
       rows, [this](const GapConstraint& row) { return row.gap < -rules_.polygons.tolerance; });
 }
 
-// By how much gaps of polygons and curves may differ: twice the sags, since a vertex may lie beside
-// the closest point; twice that, to have some to spare.
+// The largest difference between a gap of polygons and of curves: twice the sags, since a vertex
+// may lie beside the closest point; and twice that for safety.
 double GapConstraints::sags(const GapConstraint& row) const {
   return 4.0 * (shapes_[row.a]->sag + shapes_[row.b]->sag);
 }
@@ -205,7 +209,7 @@ SmoothCurve GapConstraints::curve(std::size_t component, const Configuration& at
   return smooth_curve(*discretisation_[component], at[component]);
 }
 
-// Where the curves are closest, at a configuration.
+// The local closest points of the curves at a configuration.
 ClosestPoints GapConstraints::closest(const RowKey& key, const Configuration& at) const {
   const SmoothCurve a = curve(key.vertex_of, at), b = curve(key.polygon_of, at);
   const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);

@@ -15,19 +15,19 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Where a force of contact acts, and its direction on a component.
+/// The point and the direction of a contact force.
 struct ActingForce {
   Complex point;   ///< length
-  Complex normal;  ///< unit
+  Complex normal;  ///< unit vector, of the force on a
 };
 
-/// A row as the loop of the nonlinear problem names and weighs it.
+/// A constraint of a stage: the gap of two components must not be negative.
 struct GapConstraint {
   std::size_t a,                          ///< a component
-      b;                                  ///< the other, after it
-  ContactRow row;                         ///< by the polygons
-  double gap = 0.0;                       ///< at the end, over the separation of the curves, length
-  std::optional<ClosestPoints> points{};  ///< there, of the curves where the gap is theirs
+      b;                                  ///< another component, b > a
+  ContactRow row;                         ///< of the polygons
+  double gap = 0.0;                       ///< at the end of the step, minus the separation; length
+  std::optional<ClosestPoints> points{};  ///< of the curves there, if they measure the gap
   ActingForce on_a{};                     ///< by the curves
 };
 
@@ -40,42 +40,44 @@ struct GapConstraint {
 std::vector<RigidPath> straight_paths(const Configuration& start, const Eigen::VectorXd& velocity,
                                       double dt);
 
-/// How polygons and curves are kept apart, and which pairs concern contact.
+/// The separations of polygons and of curves, and the pairs that contact concerns.
 struct ConstraintRules {
   ContactRules polygons;  ///< separations of the polygons, with the sags of both
-  Separation curves;      ///< separations that are kept
-  std::function<bool(std::size_t a, std::size_t b)> concerns;  ///< pairs that forces can move
+  Separation curves;      ///< separations of the curves
+  std::function<bool(std::size_t a, std::size_t b)> concerns;  ///< true if forces can move the pair
 };
 
-/// The geometry of a stage as the loop of the nonlinear problem asks for it; remembers all rows
-/// that it has returned.
+/// The gap functions of a stage and their Jacobian, as the contact loop of chapter 11 requires
+/// them; remembers all constraints that it has returned.
 ///
-/// Rows are those of interferences() of pairs that were violated at some velocity, where such a
-/// pair had one at an earlier velocity, and where its curves come closer than at all of these. Their
-/// gaps are those of the curves at the end of the step; forces act at the closest points of the
-/// acting configuration, as those at the end of the step would cost an order.
+/// The pairs with constraints are those that were violated at some velocity. Their constraints are
+/// those that interferences() finds, those that they had at an earlier velocity, and the closest
+/// point of their curves if that is nearer than all of these. A gap is that of the curves at the
+/// end of the step. Forces act at the closest points of the acting configuration; forces at the
+/// closest points of the end would lower the order of the method by one.
 class GapConstraints {
  public:
-  /// Takes a stage.
+  /// Takes a stage. All arguments must outlive the constraints.
   ///
-  /// @param  stage           to resolve; must outlive the rows, as all arguments
+  /// @param  stage           to resolve
   /// @param  discretisation  of all components
   /// @param  shapes          their polygons
-  /// @param  rules           what keeps them apart
+  /// @param  rules           separations that are kept
   GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
                  const ContactShapes& shapes, const ConstraintRules& rules);
 
-  /// Runs the loop, with the exact derivative of gaps, which converges fast, or else with that of
-  /// the forces: its linear problems are symmetric, hence solvable, however far a step goes astray.
+  /// Runs the contact loop with the exact Jacobian of the gaps, which converges fast; if that
+  /// fails, with the Jacobian of the forces, whose linear problems are symmetric and have
+  /// solutions.
   ///
-  /// @param  step  all but its rows
-  /// @return       of the last loop, with the iterations of both, at most those of the stage
+  /// @param  step  without its rows
+  /// @return       result of the last loop, with the iterations of both, at most those of the stage
   ContactResult resolved(const ContactStep& step);
 
-  /// Finds a row by its name.
+  /// Finds a constraint by its key.
   ///
-  /// @param  key  of a row that was returned
-  /// @return      as it was returned last
+  /// @param  key  of a constraint that was returned
+  /// @return      the constraint as it was returned last
   const GapConstraint& seen(const ContactKey& key) const { return seen_.at(key); }
 
  private:
@@ -99,8 +101,8 @@ class GapConstraints {
   const Discretisation& discretisation_;
   const ContactShapes& shapes_;
   const ConstraintRules& rules_;
-  std::set<ComponentPair> pressed_;                      // violated at some velocity
-  std::map<ComponentPair, std::vector<RowKey>> places_;  // of its rows so far
+  std::set<ComponentPair> pressed_;                      // pairs violated at some velocity
+  std::map<ComponentPair, std::vector<RowKey>> places_;  // of their constraints so far
   std::map<ContactKey, GapConstraint> seen_;
 };
 

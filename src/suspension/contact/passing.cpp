@@ -1,6 +1,5 @@
-// Steps that take bodies through each other: without contact nothing else would see them. Where the
-// paths lead is tested by the space-time interference of chapter 10, with polygons as coarse as an
-// overlap that matters allows.
+// Finds steps that take bodies through each other. The space-time interference of chapter 10 tests
+// the paths of a step, with polygons that are as coarse as the depth of an overlap allows.
 #include "suspension/contact/passing.hpp"
 
 #include <algorithm>
@@ -16,8 +15,9 @@ namespace stokesbook {
 
 namespace {
 
-constexpr double relative_sag = 1e-3;   // of polygons, in radii of gyration of the smallest body
-constexpr double accepted_sags = 10.0;  // depth of an overlap that is not seen
+constexpr double relative_sag = 1e-3;  // of polygons, over the smallest radius of gyration
+constexpr double accepted_sags =
+    10.0;  // depth of the deepest overlap that is not found, over the sag
 
 double smallest_radius(const Discretisation& discretisation) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ std::string PassingTest::error(const Configuration& start, const Configuration& 
          " overlap or pass through each other within a step: take smaller steps, or give [contact]";
 }
 
-// Two components come nearer to each other by no more than both of them move.
+// The gap of two components shrinks by at most the sum of their displacements.
 bool PassingTest::is_short(const Configuration& start, const Configuration& end,
                            double closest) const {
   double longest = 0.0;

@@ -10,9 +10,9 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Sees where a step takes bodies through each other or through walls, in scenes without contact.
+/// Finds steps that take bodies through each other or through walls, in scenes without contact.
 ///
-/// Neither end of such a step overlaps: bodies are on each other's sides.
+/// Neither end of such a step has an overlap: the bodies have changed sides.
 class PassingTest {
  public:
   /// Takes the shapes of a scene.
@@ -20,13 +20,13 @@ class PassingTest {
   /// @param  solver  of the scene; must outlive the test
   explicit PassingTest(const SuspensionSolver& solver);
 
-  /// Looks for pairs that overlap on straight paths, which turn evenly. Overlaps of less than a
-  /// hundredth of the smallest body's radius of gyration are not seen.
+  /// Looks for pairs that overlap on straight paths with uniform rotations. Overlaps of less than a
+  /// hundredth of the smallest body's radius of gyration are not found.
   ///
   /// @param  start    where the paths begin, without overlaps
   /// @param  end      where they end
-  /// @param  closest  least gap at their beginning, length: steps shorter than that need no look
-  /// @return          a message naming the first such pair; empty where there is none
+  /// @param  closest  least gap at their beginning, length: shorter steps need no search
+  /// @return          a message that names the first such pair; empty if there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
   std::string error(const Configuration& start, const Configuration& end, double closest) const;

@@ -14,54 +14,54 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Most nodes that are chosen for one component: matrices of its shape take 0.4 GB.
+/// Largest number of nodes that is chosen for one component: the matrices of its shape take 0.4 GB.
 inline constexpr int most_nodes_of_a_component = 2048;
 
-/// Most nodes that are chosen in all: an application of the operator takes some seconds a core, a
-/// solve some 2 GB.
+/// Largest number of nodes that is chosen in all: an application of the operator takes some seconds
+/// on one core, and a solve takes some 2 GB.
 inline constexpr int most_nodes_in_all = 1 << 20;
 
-/// Most nodes that a shape alone is tried with.
+/// Largest number of nodes that is tested for a shape alone.
 inline constexpr int most_nodes_for_shape = 4096;
 
-/// Recommends a node count for which a shape resolves its own double layer to a tolerance.
+/// Recommends a number of nodes that resolve a shape and its own double layer to a tolerance.
 ///
 /// @param  shape      in its own frame
 /// @param  side       of the fluid
 /// @param  tolerance  of shape_residual()
-/// @param  at_least   where the search starts
-/// @return            multiple of 16, >= at_least, or 0 when most_nodes_for_shape are not enough
-/// @par Cost          shape_residual() of each count that is tried, 16 or a quarter apart
+/// @param  at_least   number with which the search starts
+/// @return            multiple of 16, >= at_least, or 0 if most_nodes_for_shape do not suffice
+/// @par Cost          shape_residual() for each number that is tested, 16 or a quarter apart
 int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
 
-/// Recommends a node count that resolves the softest mode of a component's own block to a tenth.
+/// Recommends a number of nodes for which softest_mode_error() is at most a tenth.
 ///
-/// @param  cache    where discretised shapes are kept
+/// @param  cache    cache of discretised shapes
 /// @param  shape    in its own frame
 /// @param  kind     of the component
-/// @param  n_nodes  where the search starts, <= most_nodes_of_a_component
-/// @return          the same number where it does, or a multiple of 4; the last one tried where no
-///                  number up to most_nodes_of_a_component does
-/// @par Cost        softest_mode_error() of two or three counts, O(N^3)
+/// @param  n_nodes  number with which the search starts, <= most_nodes_of_a_component
+/// @return          n_nodes if it suffices, otherwise a multiple of 4; the last number tested if no
+///                  number up to most_nodes_of_a_component suffices
+/// @par Cost        softest_mode_error() for two or three numbers, O(N^3)
 int nodes_for_softest_mode(DiscretisationCache& cache, const Shape& shape, ComponentKind kind,
                            int n_nodes);
 
 /// Explains that no number of nodes resolves a shape.
 ///
 /// @param  shape      in its own frame
-/// @param  tolerance  that was asked for
+/// @param  tolerance  required bound of shape_residual()
 /// @return            a message with the tolerance and what to change, without a subject
 std::string unresolved_shape(const Shape& shape, double tolerance);
 
-/// Returns the nodes that a component is given, or enough for its shape.
+/// Returns the given number of nodes of a component, or a number that resolves its shape.
 ///
-/// @param  component  a ComponentView or Fill, with its shape and node count
+/// @param  component  a ComponentView or Fill, with its shape and number of nodes
 /// @param  side       of the fluid
 /// @param  tolerance  of shape_residual()
 /// @param  name       of the component, for messages
-/// @return            nodes, > 0
-/// @throws SolverError when the nodes are automatic and most_nodes_for_shape are not enough
-/// @par Cost          that of nodes_for_shape() where nodes are automatic
+/// @return            number of nodes, > 0
+/// @throws SolverError when the nodes are automatic and most_nodes_for_shape do not suffice
+/// @par Cost          that of nodes_for_shape() if nodes are automatic
 template <class Component>
 int own_nodes(const Component& component, Side side, double tolerance, const std::string& name) {
   if (component.n_nodes != automatic_nodes) return component.n_nodes;
@@ -70,58 +70,65 @@ int own_nodes(const Component& component, Side side, double tolerance, const std
   return nodes;
 }
 
-/// Rounds a number of nodes up to one of few, so that configurations nearby share discretised shapes.
+/// Rounds a number of nodes up to one of a few values, so that nearby configurations share
+/// discretised shapes.
 ///
 /// @param  nodes  >= 0
-/// @return        multiple of 16, above 256 of an eighth of the power of two below; >= 16
+/// @return        multiple of 16, >= 16; from 256 on, a multiple of an eighth of the largest power
+///                of two that does not exceed the number
 int rounded_nodes(double nodes);
 
-/// Returns the resolutions on which estimate_error() judges a solution: a quarter more nodes, 16 at
-/// least.
+/// Returns the resolutions on which estimate_error() judges a solution: a quarter more nodes, but
+/// at least 16 more.
 ///
 /// @param  resolutions  of the solution
-/// @return              even numbers of nodes for even ones
+/// @return              resolutions of the same gradings, with even numbers of nodes if the given
+///                      numbers are even
 Resolutions finer(Resolutions resolutions);
 
-/// Returns resolutions of half as many nodes, as far as rounded_nodes() goes.
+/// Returns resolutions with half as many nodes, rounded up by rounded_nodes().
 ///
 /// @param  resolutions  of each component
-/// @return              coarser ones, as graded as they were
+/// @return              coarser resolutions of the same gradings
 Resolutions coarser(Resolutions resolutions);
 
-/// Makes automatic resolutions finer, and leaves given ones.
+/// Makes the resolutions of components with automatic nodes finer, and keeps all others.
 ///
-/// @param  scene   that asks for them
+/// @param  scene   scene whose components have automatic or given nodes
 /// @param  before  of each component
-/// @return         as finer() where nodes are automatic
+/// @return         resolutions by finer() for components with automatic nodes
 Resolutions finer_automatic(const Scene& scene, Resolutions before);
 
-/// Makes automatic resolutions of some pairs finer by half, and leaves all else.
+/// Increases the automatic node numbers of the components in some pairs by half, and keeps all
+/// others.
 ///
-/// @param  scene   that asks for them
+/// @param  scene   scene whose components have automatic or given nodes
 /// @param  before  of each component
 /// @param  pairs   of components
-/// @return         half as many nodes again where they are automatic
+/// @return         resolutions with half as many nodes again in these components, up to
+///                 most_nodes_of_a_component
 Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
                            const std::vector<ComponentPair>& pairs);
 
-/// Extrapolates the nodes that a component needs from what its density's tail says.
+/// Extrapolates the number of nodes that a component requires from the decay of its density's tail.
 ///
-/// @param  n_nodes  those it has
-/// @param  decay    a mode number's rate of decay, >= 0: the error falls like \f$ e^{-decay\,n} \f$
-/// @param  excess   error over what is asked, > 1
-/// @return          nodes, at most half as many again
+/// @param  n_nodes  present number of nodes
+/// @param  decay    rate of decay per mode number, >= 0: the error falls as \f$ e^{-decay\,n} \f$
+/// @param  excess   error over the required error, > 1
+/// @return          number of nodes, at most 1.5 n_nodes
 double extrapolated_nodes(int n_nodes, double decay, double excess);
 
-/// Chooses how finely each component of an unresolved solution is to be discretised next.
+/// Chooses finer resolutions after a solve whose error estimate exceeds the tolerance.
 ///
-/// The estimate is shared out like the tails. Components whose count is given keep it.
-/// @param  scene      whose components with automatic_nodes may change
+/// The share of a component in the error is the estimate, times the tail on this component over the
+/// largest tail. Components with given nodes keep them.
+/// @param  scene      scene; only its components with automatic_nodes may change
 /// @param  before     resolutions of the solution
-/// @param  tails      of its density on each component
-/// @param  error      its estimate, above the tolerance of the scene
-/// @return            finer for those whose share exceeds a tenth of the tolerance; the same where
-///                    that is none, or all tails are below it: more nodes would not help
+/// @param  tails      of the solution's density on each component
+/// @param  error      error estimate of the solution, above the tolerance of the scene
+/// @return            finer resolutions for components whose share exceeds a tenth of the
+///                    tolerance; the same resolutions if there is no such component, or if all
+///                    tails are below a tenth of the tolerance, since more nodes would not help
 Resolutions raised(const Scene& scene, Resolutions before, const std::vector<TailEstimate>& tails,
                    double error);
 

@@ -1,4 +1,5 @@
-// Solves one instant on as many nodes as its tolerance asks for (chapter 12).
+// Solves one instant: solves, estimates the error, and solves again with more nodes or a tighter
+// GMRES tolerance until the estimate meets the tolerance of the scene (chapter 12).
 #include "suspension/solver/solver.hpp"
 
 #include <algorithm>
@@ -33,15 +34,16 @@ double mean_spacing(const Scene& scene, const Discretisation& discretisation) {
   return length / nodes;
 }
 
-// Nodes are raised as often on the estimate's word alone.
-constexpr int most_suspicions = 3;
+// At most this many times, nodes are increased because of the error estimate alone, although no
+// tail of a density is large.
+constexpr int most_increases_without_tail = 3;
 
-// A hundredth of what is planned, as far as rounding allows.
+// The tightest GMRES tolerance of a solve: a hundredth of the planned one, but above rounding.
 double least_gmres_tolerance(const Plan& plan) {
   return std::max(1e-14, 0.01 * plan.gmres_tolerance);
 }
 
-// No fewer nodes than others; they were automatic.
+// Increases node numbers to at least those of `least`; empty: to none.
 Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
   for (std::size_t k = 0; k < least.size(); ++k) {
     int& nodes = resolutions[k].n_nodes;
@@ -50,7 +52,7 @@ Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
   return resolutions;
 }
 
-// The density of a solution, on other nodes of the same configuration.
+// Interpolates the density of a solution to other nodes of the same configuration.
 DensityGuess guess_from(const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
   DensityHistory found(1);
@@ -60,14 +62,15 @@ DensityGuess guess_from(const Solution& solution) {
   };
 }
 
+// Estimates the error of the density on each component from the tail of its Fourier coefficients.
 std::vector<TailEstimate> tails_of(const LinearSystem& discrete, const Solution& solution) {
-  const ComplexVector rest = discrete.system.closure().without_rigid_part(solution.density);
+  const ComplexVector complement = discrete.system.closure().without_rigid_part(solution.density);
   const std::vector<Index>& offsets = discrete.system.offsets();
   std::vector<TailEstimate> tails;
   for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
-    tails.push_back(tail_estimate(rest.segment(offsets[k], offsets[k + 1] - offsets[k]),
+    tails.push_back(tail_estimate(complement.segment(offsets[k], offsets[k + 1] - offsets[k]),
                                   solution.velocity_scale));
-    // What aliases in the kernel, tails do not show.
+    // The tail does not show the aliasing error of the kernel, which the shape residual measures.
     tails[k].error = std::max(tails[k].error, solution.discretisation[k]->shape_residual);
   }
   return tails;
@@ -130,6 +133,36 @@ std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration)
   return gaps;
 }
 
+Discretisation SuspensionSolver::discretise(const Resolutions& resolutions) const {
+  Discretisation discretisation;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const ComponentView component = component_of(scene_, k);
+    discretisation.push_back(cache_->get(component.shape, resolutions[k], component.kind));
+  }
+  return discretisation;
+}
+
+LinearSystem SuspensionSolver::linear_system(const Instant& instant,
+                                             const Discretisation& discretisation) const {
+  const Configuration& configuration = instant.configuration;
+  return preconditioned_system(scene_, plan_, problem(instant, discretisation), configuration,
+                               gaps(configuration), discretisation, separation());
+}
+
+SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
+                                                  const std::vector<Gap>& gaps,
+                                                  const Resolutions& resolutions) const {
+  const Configuration& configuration = instant.configuration;
+  throw_if<ConfigurationError>(limit_error(scene_, resolutions, gaps));
+  Discretisation discretisation = this->discretise(resolutions);
+  throw_if<ConfigurationError>(geometry_error(scene_, gaps, configuration, discretisation));
+  const StokesProblem problem = this->problem(instant, discretisation);
+  throw_if(data_error(scene_, problem));
+  auto discrete = std::make_shared<const LinearSystem>(preconditioned_system(
+      scene_, plan_, problem, configuration, gaps, discretisation, separation()));
+  return {instant, std::move(discretisation), std::move(discrete)};
+}
+
 Solution SuspensionSolver::attempt(const Instant& instant, const std::vector<Gap>& gaps,
                                    const Effort& effort) const {
   const System system = this->system(instant, gaps, effort.resolutions);
@@ -151,10 +184,11 @@ Solution SuspensionSolver::converged(const System& system, double gmres_toleranc
         " after " + std::to_string(gmres.iterations) + " iterations, asked " +
         short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
   }
-  return completed(system, std::move(gmres));
+  return complete_solution(scene_, system.instant, system.discretisation, system.discrete,
+                           std::move(gmres));
 }
 
-// A quarter more nodes, and as many as the softest modes ask for.
+// A quarter more nodes, and at least as many as the softest modes require.
 Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
   return at_least(least_, finer(resolutions_of(solution.discretisation)));
 }
@@ -164,9 +198,9 @@ Solution SuspensionSolver::refined(const Solution& solution) const {
   const Resolutions resolutions = finer_than(solution);
   throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
   System system{solution.instant, discretise(resolutions), {}};
-  const StokesProblem problem = loaded_problem(solution, system.discretisation);
-  system.discrete = std::make_shared<const LinearSystem>(
-      preconditioned(problem, configuration, solution.gaps, system.discretisation));
+  const StokesProblem problem = loaded_problem(scene_, solution, system.discretisation);
+  system.discrete = std::make_shared<const LinearSystem>(preconditioned_system(
+      scene_, plan_, problem, configuration, solution.gaps, system.discretisation, separation()));
   Solution finer =
       converged(system, least_gmres_tolerance(plan_), guess_from(solution)(system.discretisation));
   finer.velocity_scale = solution.velocity_scale;
@@ -178,35 +212,38 @@ ErrorEstimate SuspensionSolver::estimate(const LinearSystem& discrete,
                                          const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
   const Discretisation finer = discretise(finer_than(solution));
-  const LinearSystem fine =
-      unpreconditioned(loaded_problem(solution, finer), solution.instant.configuration, finer);
+  const LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
+                                                    solution.instant.configuration, finer);
   try {
     return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
   } catch (const SolverError&) {
-    // The correction is lost in rounding: nothing is known of the error.
+    // The correction drowns in rounding: the error is unknown.
     return {std::numeric_limits<double>::infinity(), 0};
   }
 }
 
 LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_tolerance) const {
   const Resolutions resolutions = resolutions_of(loaded.discretisation);
-  LinearSystem discrete = unpreconditioned(loaded_problem(loaded, loaded.discretisation),
-                                           loaded.instant.configuration, loaded.discretisation);
+  LinearSystem discrete =
+      unpreconditioned_system(plan_, loaded_problem(scene_, loaded, loaded.discretisation),
+                              loaded.instant.configuration, loaded.discretisation);
   discrete.precondition = loaded.system->precondition;
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
   const Completion completion = discrete.system.closure().complete(loaded.density);
   for (std::size_t k = 0; k < loaded.discretisation.size(); ++k) {
     if (loaded.discretisation[k]->kind != ComponentKind::free_body) continue;
-    const auto& [velocity, omega] = completion.motions[k];  // relative to the flow that carries it
+    // The motion relative to the flow that carries the body: carried_by() is no part of the
+    // problem.
+    const auto& [velocity, omega] = completion.motions[k];
     solution.velocity_scale =
         std::max({solution.velocity_scale, std::abs(velocity),
                   loaded.discretisation[k]->gyration_radius * std::abs(omega)});
   }
   const ErrorEstimate estimate = this->estimate(discrete, solution);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
-  const Effort effort{resolutions, gmres_tolerance, {}, most_suspicions};
-  const Effort next = greater(effort, tails_of(discrete, solution), estimate.error);
+  const Effort effort{resolutions, gmres_tolerance, {}, most_increases_without_tail};
+  const Effort next = more_effort(effort, tails_of(discrete, solution), estimate.error);
   const bool too_many = !limit_error(scene_, next.resolutions, loaded.gaps).empty();
   return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
 }
@@ -228,7 +265,7 @@ Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& gue
     solution.cost = cost;
     if (solution.error_estimate <= scene_.solver.tolerance) return solution;
     const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
-    Effort next = greater(effort, tails, solution.error_estimate);
+    Effort next = more_effort(effort, tails, solution.error_estimate);
     if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
       throw ConfigurationError(
           accuracy_error(scene_, effort.resolutions, least_, tails, solution.error_estimate, gaps));
@@ -239,24 +276,25 @@ Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& gue
 }
 // [solve]
 
-SuspensionSolver::Effort SuspensionSolver::greater(const Effort& effort,
-                                                   const std::vector<TailEstimate>& tails,
-                                                   double error) const {
+SuspensionSolver::Effort SuspensionSolver::more_effort(const Effort& effort,
+                                                       const std::vector<TailEstimate>& tails,
+                                                       double error) const {
   const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
   Effort next{raised(scene_, effort.resolutions, tails, error),
               effort.gmres_tolerance,
               {},
-              effort.suspicions};
-  // The nodes do: the system is so ill-conditioned that its residual says little.
+              effort.increases_without_tail};
+  // All tails are small: the system is so ill-conditioned that a small residual does not imply a
+  // small error.
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
     next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
   }
-  // Few nodes may hide what they leave: a tail that is small by chance, a
-  // point that is nearly near.
+  // With few nodes the tail of a density may be small by accident, or a point may just miss the
+  // near-field criterion: nodes are added even though no tail is large.
   if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance &&
-      effort.suspicions < most_suspicions) {
+      effort.increases_without_tail < most_increases_without_tail) {
     next.resolutions = finer_automatic(scene_, effort.resolutions);
-    ++next.suspicions;
+    ++next.increases_without_tail;
   }
   return next;
 }
@@ -280,7 +318,8 @@ Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGue
   GmresResult sweep;
   sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
-  Solution solution = completed(system, std::move(sweep));
+  Solution solution = complete_solution(scene_, system.instant, system.discretisation,
+                                        system.discrete, std::move(sweep));
   solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
   solution.gaps = gaps;
   const ErrorEstimate estimate = this->estimate(*system.discrete, solution);

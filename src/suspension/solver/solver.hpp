@@ -4,18 +4,14 @@
 #include <memory>
 #include <vector>
 
-#include "closure/closure.hpp"
-#include "krylov/gmres.hpp"
-#include "near_singular/near_correction.hpp"
 #include "scene/scene.hpp"
-#include "stress/solved_flow.hpp"
-#include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/discretised_shape.hpp"
-#include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
+#include "suspension/nodes/first_nodes.hpp"
+#include "suspension/solver/flow.hpp"
+#include "suspension/solver/instant_problem.hpp"
+#include "suspension/solver/solution.hpp"
 #include "suspension/system/error_estimate.hpp"
-#include "suspension/system/linear_system.hpp"
 #include "suspension/system/plan.hpp"
 
 namespace stokesbook {
@@ -26,61 +22,29 @@ namespace stokesbook {
 /// Guesses the density on the nodes of a discretisation; empty: no guess, GMRES starts from zero.
 using DensityGuess = std::function<ComplexVector(const Discretisation&)>;
 
-/// What a solution has cost, attempts at fewer nodes included.
-struct SolveCost {
-  int gmres_iterations = 0;  ///< of all solves for motions and loads
-  int matvecs = 0;           ///< applications of the operator, those of error estimates included
-  /// Adds what was done elsewhere.
-  /// @param  other  counts
-  /// @return        the sum
-  SolveCost& operator+=(const SolveCost& other) {
-    gmres_iterations += other.gmres_iterations;
-    matvecs += other.matvecs;
-    return *this;
-  }
-};
-
-/// One quasi-static solution: all that velocities, fields and rheology of its instant require.
-struct Solution {
-  Instant instant;                             ///< that it was solved for
-  Discretisation discretisation;               ///< that the density lives on, one a component
-  std::shared_ptr<const LinearSystem> system;  ///< that it solves, on the same nodes
-  ComplexVector density;                       ///< at all nodes, components in order, length / time
-  std::vector<RigidMotion>
-      motions;                  ///< of every component about its position: solved on free bodies,
-                                ///< prescribed on held bodies and rigidly moving walls, else zero
-  std::vector<Load> loads;      ///< of every component on the fluid, about its position
-  Complex uniform_velocity;     ///< of the fluid at infinity beside the background
-  GmresResult gmres;            ///< of the linear system, converged
-  double velocity_scale = 0.0;  ///< largest velocity in the data, without those that carry a body
-                                ///< as a whole, see carried_by(); length / time
-  double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; not
-                                ///< a number where none was asked for
-  std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
-  SolveCost cost;               ///< in counts
-};
-
-/// What is known of a solution with the forces of contact.
+/// The judgement of a solution that includes contact forces.
 struct LoadedCheck {
   ErrorEstimate estimate;  ///< of its motions and loads
-  Resolutions needed;      ///< the solution's own where they do
-  double
-      gmres_tolerance;  ///< that the solution was solved to, or less where nodes do and it does not
+  Resolutions needed;      ///< resolutions required; those of the solution if they suffice
+  double gmres_tolerance;  ///< tolerance required: tighter than that of the solution if the nodes
+                           ///< suffice but the tolerance does not
 };
 
 /// Solves a scene for any configuration of its components.
 ///
-/// Scene -> geometry -> plan -> resolution -> operator -> velocities. Discretised shapes are
-/// shared between solves; everything else is made anew for a configuration, and depends on it alone.
-/// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or the solve refuses
+/// A configuration passes through gaps, resolution, problem, linear system, GMRES, completion and
+/// error estimate; if the estimate exceeds the tolerance, the solve starts again with a finer
+/// resolution. Discretised shapes are shared between solves. Everything else is computed anew and
+/// depends on the configuration alone.
+/// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or a SolverError
 class SuspensionSolver {
  public:
   /// Plans a scene and discretises its shapes.
   ///
   /// @param  scene  to be solved
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @throws SolverError when shapes with automatic nodes ask for more than "auto" takes, and by
-  ///                separation_error()
+  /// @throws SolverError when shapes with automatic nodes require more nodes than "auto" allows,
+  ///                and by separation_error()
   /// @par Cost      that of DiscretisationCache::get() a distinct shape, node count and kind
   explicit SuspensionSolver(const Scene& scene);
 
@@ -88,60 +52,61 @@ class SuspensionSolver {
   /// @return the scene's poses, bodies first, then walls; amplitude 1
   Instant start() const;
 
-  /// Returns how far contact keeps components apart.
-  /// @return least gap, length; 0 in scenes without contact
+  /// Returns the least gap that contact maintains.
+  /// @return length; 0 in scenes without contact
   double separation() const;
 
   /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
   ///
-  /// Components with automatic nodes get those that shapes and gaps ask for, and more while the
-  /// estimate exceeds the tolerance. Where the nodes do and GMRES does not, it goes on.
+  /// Components with automatic nodes get the nodes that shapes and gaps require, and more while the
+  /// estimate exceeds the tolerance. If the nodes suffice, the GMRES tolerance is tightened
+  /// instead.
   /// @param  instant  poses and flow amplitude
-  /// @param  guess    of the density, where GMRES begins
-  /// @param  least    resolutions that automatic nodes do not fall below; empty: none
+  /// @param  guess    density with which GMRES begins
+  /// @param  least    lower bounds for automatic node numbers; empty: none
   /// @return          density, motions and loads of all components, and the error estimate
-  /// @throws ConfigurationError on overlap, hopeless shapes and gaps, and an estimate above the
-  ///                tolerance that no node count within the limits of node_choice.hpp brings down
+  /// @throws ConfigurationError when components overlap, when shapes or gaps are not resolved, and
+  ///                when no node number within the limits of node_choice.hpp meets the tolerance
   /// @throws SolverError on net flux, net force without gauge, a gauge length not
   ///                large against held components, a preconditioner that is singular, no
   ///                convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
-  ///                iteration of GMRES, and estimate_error(); several times where nodes are raised
+  ///                iteration of GMRES, and estimate_error(); again for each finer resolution
   Solution solve(const Instant& instant, const DensityGuess& guess = {},
                  const Resolutions& least = {}) const;
 
-  /// Estimates the error of a solution to which the forces of contact were added.
+  /// Estimates the error of a solution to which contact forces were added.
   ///
-  /// @param  loaded           solution whose density and loads include them
-  /// @param  gmres_tolerance  that they were solved to
-  /// @return                  the estimate, and with what to solve again where it exceeds the
-  ///                          tolerance: the same where that would not help
+  /// @param  loaded           solution whose density and loads include the contact forces
+  /// @param  gmres_tolerance  to which the contact forces were solved
+  /// @return                  the estimate, and the effort of the next solve if the estimate
+  ///                          exceeds the tolerance; the same effort if more would not help
   /// @par Cost      that of discretise() and of estimate_error()
   LoadedCheck check_loaded(const Solution& loaded, double gmres_tolerance) const;
 
-  /// Solves a configuration near one that was solved before, without an estimate: for the stages
-  /// of a time step, and for steps between those that estimate their error.
+  /// Solves a configuration near one that was solved before, without an error estimate: for the
+  /// stages of a time step, and for steps between estimates.
   ///
   /// @param  instant  poses and flow amplitude
-  /// @param  earlier  resolution that has done, and will unless gaps have closed
+  /// @param  earlier  resolution that sufficed before; gaps that have closed require more
   /// @param  guess    as in solve()
   /// @return          density, motions and loads of all components
-  /// @throws SolverError as solve() does, but for estimates
+  /// @throws SolverError as solve() does, except for estimates
   /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
   ///                iteration of GMRES
   Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
                         const DensityGuess& guess = {}) const;
 
-  /// Solves every component alone in the flow that all others had before: the lagged, "locally
+  /// Solves for every component alone in the earlier flow of all others: the lagged, "locally
   /// implicit" coupling, one sweep of block Jacobi,
   /// \f$ \eta = \eta' + M^{-1}(b - A\eta') \f$ with the block diagonal M of A.
   ///
-  /// The error of the sweep is part of the estimate, which refuses nothing; the residual is that of
-  /// the density before.
+  /// The estimate includes the error of the sweep, and may exceed the tolerance. The residual is
+  /// that of the earlier density.
   /// @param  instant  poses and flow amplitude
-  /// @param  guess    of the density before, not empty
+  /// @param  guess    the earlier density, not empty
   /// @return          density, motions and loads of all components, and the error estimate
-  /// @throws SolverError as solve() does, but for estimates and convergence
+  /// @throws SolverError as solve() does, except for estimates and convergence
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
   ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
@@ -153,22 +118,27 @@ class SuspensionSolver {
   /// @param  points    m points in the fluid or on its boundary, length
   /// @return           m velocities, length / time
   /// @par Cost      m n kernel evaluations for n nodes in all
-  /// @par Not for   points near the boundary where solver.near_singular is off, nor inside bodies
-  ComplexVector velocity(const Solution& solution, const ComplexVector& points) const;
+  /// @par Not for   points inside bodies; points near the boundary if solver.near_singular is off
+  ComplexVector velocity(const Solution& solution, const ComplexVector& points) const {
+    return flow_velocity(scene_, plan_, solution, points);
+  }
 
   /// Prepares a solution for the evaluation of stresses and powers, without the background flow.
   ///
   /// @param  solution  of any instant
-  /// @return           the disturbance, near the boundary by the Cauchy scheme whatever
-  ///                   solver.near_singular says
-  SolvedFlow disturbance(const Solution& solution) const;
+  /// @return           the disturbance, near the boundary by the Cauchy scheme for any value of
+  ///                   solver.near_singular
+  SolvedFlow disturbance(const Solution& solution) const {
+    return stokesbook::disturbance(scene_, plan_, solution);
+  }
 
-  /// Solves for the loads of a solution on a quarter more nodes, to a hundredth of the residual.
+  /// Solves under the loads of a solution with a quarter more nodes, to a hundredth of the GMRES
+  /// tolerance.
   ///
   /// A quantity without an error estimate of its own, such as a traction, can be computed from both
-  /// solutions: twice the difference estimates the error in the given one.
-  /// @param  solution  with forces of contact or none
-  /// @return           the same, without an estimate
+  /// solutions: twice the difference estimates the error of the given solution.
+  /// @param  solution  with or without contact forces
+  /// @return           the finer solution, without an error estimate
   /// @throws SolverError when GMRES does not converge, or there are too many nodes
   /// @par Cost      that of a solve with a good guess
   Solution refined(const Solution& solution) const;
@@ -176,29 +146,33 @@ class SuspensionSolver {
   /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
   /// included.
   ///
-  /// The pressure is zero at infinity; in an enclosed fluid it has a datum that means nothing.
+  /// The pressure is zero at infinity; in an enclosed fluid it is known up to a constant only.
   /// @param  solution  of any instant
   /// @param  points    m points in the fluid, or nodes of its boundary, length
   /// @return           m values, 1 / time
   /// @par Cost      m n kernel evaluations for n nodes in all
   /// @par Not for   points inside bodies
   std::vector<FlowDerivatives> derivatives(const Solution& solution,
-                                           const ComplexVector& points) const;
+                                           const ComplexVector& points) const {
+    return flow_derivatives(scene_, plan_, solution, points);
+  }
 
   /// Poses the boundary value problem of an instant at a resolution.
   ///
   /// @param  instant         poses and flow amplitude
   /// @param  discretisation  of each component, such as a solution's
   /// @return                 bodies, then walls, with their nodes, loads and velocities
-  StokesProblem problem(const Instant& instant, const Discretisation& discretisation) const;
+  StokesProblem problem(const Instant& instant, const Discretisation& discretisation) const {
+    return instant_problem(scene_, instant, discretisation);
+  }
 
   /// Builds the linear system of an instant at a resolution.
   ///
   /// @param  instant         poses and flow amplitude
   /// @param  discretisation  of each component
   /// @return                 problem, operator, and the preconditioner of the plan
-  /// @throws SolverError when the preconditioner is singular, as the block of a held component
-  ///                is whose size is at the degenerate scale of flow.gauge_length
+  /// @throws SolverError when the preconditioner is singular, as for a held component whose size is
+  ///                at the degenerate scale of flow.gauge_length
   LinearSystem linear_system(const Instant& instant, const Discretisation& discretisation) const;
 
   /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
@@ -210,7 +184,10 @@ class SuspensionSolver {
   ///                        a shape, and no gap requires more
   /// @par Cost      that of nodes_for_shape() a distinct shape
   std::vector<int> recommended_nodes(const Configuration& configuration,
-                                     const std::vector<Gap>& gaps) const;
+                                     const std::vector<Gap>& gaps) const {
+    return stokesbook::recommended_nodes(discretisation_, scene_.solver.tolerance, configuration,
+                                         gaps);
+  }
 
   /// Chooses the resolution with which solve() begins.
   ///
@@ -218,9 +195,11 @@ class SuspensionSolver {
   /// @param  gaps           in it, as gaps() finds them
   /// @return                given node counts as they are; automatic ones from shapes and gaps
   Resolutions first_resolutions(const Configuration& configuration,
-                                const std::vector<Gap>& gaps) const;
+                                const std::vector<Gap>& gaps) const {
+    return stokesbook::first_resolutions(scene_, discretisation_, configuration, gaps);
+  }
 
-  /// Finds the gaps of a configuration that may require nodes, overlaps included.
+  /// Finds the gaps of a configuration that may require nodes, including overlaps.
   ///
   /// @param  configuration  where the components are
   /// @return                in ascending order, as find_gaps() returns them
@@ -240,7 +219,7 @@ class SuspensionSolver {
   const Scene& scene() const { return scene_; }
 
   /// Returns the plan.
-  /// @return what the scene needs, and why
+  /// @return the decisions, and their reasons
   const Plan& plan() const { return plan_; }
 
   /// Returns the discretisation that depends on no configuration.
@@ -255,7 +234,7 @@ class SuspensionSolver {
     Resolutions resolutions;
     double gmres_tolerance;
     DensityGuess guess;
-    int suspicions = 0;  // how often nodes were raised although tails say that they do
+    int increases_without_tail = 0;  // how often nodes were added although no tail was large
   };
   struct System {
     Instant instant;
@@ -267,25 +246,13 @@ class SuspensionSolver {
                    const Effort& effort) const;
   ErrorEstimate estimate(const LinearSystem& discrete, const Solution& solution) const;
   Resolutions finer_than(const Solution& solution) const;
-  Complex frame_velocity(double amplitude) const;
-  StokesProblem loaded_problem(const Solution& solution,
-                               const Discretisation& discretisation) const;
-  Effort greater(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
-  LinearSystem unpreconditioned(const StokesProblem& problem, const Configuration& configuration,
-                                const Discretisation& discretisation) const;
-  LinearSystem preconditioned(const StokesProblem& problem, const Configuration& configuration,
-                              const std::vector<Gap>& gaps,
-                              const Discretisation& discretisation) const;
-  std::vector<PlacedCurve> near_curves(const Configuration& configuration,
-                                       const Discretisation& discretisation) const;
+  Effort more_effort(const Effort& effort, const std::vector<TailEstimate>& tails,
+                     double error) const;
   System system(const Instant& instant, const std::vector<Gap>& gaps,
                 const Resolutions& resolutions) const;
   std::vector<Gap> open_gaps(const Configuration& configuration) const;
   Solution converged(const System& system, double gmres_tolerance,
                      const ComplexVector& guess) const;
-  Solution completed(const System& system, GmresResult gmres) const;
-  std::vector<PlacedCurve> placed(const Configuration& configuration,
-                                  const Discretisation& discretisation) const;
 
   Scene scene_;
   Plan plan_;

@@ -73,8 +73,8 @@ std::string separation_error(double separation, const Configuration& start,
 std::string data_error(const Scene& scene, const StokesProblem& problem);
 
 /// Explains that a solution is not as accurate as was asked, and what would help: nodes on a
-/// component that has fewer than its softest mode asks for, or on that whose density has the largest
-/// tail, or else fewer digits.
+/// component that has fewer than its softest mode asks for, or on that whose density has the
+/// largest tail, or else fewer digits.
 ///
 /// @param  scene        names components, and says whose nodes are automatic
 /// @param  resolutions  of each component

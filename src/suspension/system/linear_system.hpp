@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "closure/problem.hpp"
 #include "krylov/gmres.hpp"
+#include "suspension/bodies/gaps.hpp"
 #include "suspension/system/operator.hpp"
 
 namespace stokesbook {
@@ -9,7 +12,7 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// The linear system of one configuration at one resolution.
+/// The linear system of one instant at one resolution.
 struct LinearSystem {
   StokesProblem problem;        ///< components with their nodes and data
   SuspensionOperator system;    ///< density in, velocity at the nodes out
@@ -28,6 +31,34 @@ struct LinearSystem {
 /// @par Cost         that of gmres()
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
+
+/// Builds the linear system of a problem without a preconditioner.
+///
+/// @param  plan            of the scene
+/// @param  problem         of an instant
+/// @param  configuration   where the components are
+/// @param  discretisation  of each component
+/// @return                 problem and operator
+LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
+                                     const Configuration& configuration,
+                                     const Discretisation& discretisation);
+
+/// Builds the linear system of a problem with the preconditioner that plan and gaps require.
+///
+/// @param  scene           whose components messages name
+/// @param  plan            of the scene
+/// @param  problem         of an instant
+/// @param  configuration   where the components are
+/// @param  gaps            in it, as find_gaps() returns them
+/// @param  discretisation  of each component
+/// @param  separation      that contact keeps, length; 0: no contact
+/// @return                 problem, operator and preconditioner
+/// @throws SolverError when the preconditioner is singular, as the block of a held component is
+///                whose size is at the degenerate scale of flow.gauge_length
+LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
+                                   const StokesProblem& problem, const Configuration& configuration,
+                                   const std::vector<Gap>& gaps,
+                                   const Discretisation& discretisation, double separation);
 
 /// @}
 
