@@ -34,9 +34,11 @@ class ThisTree(unittest.TestCase):
         project = ROOT / "tests/consumer/project"
         tested = {line.strip() for name in ["CMakeLists.txt", "one_library.cpp"]
                   for line in (project / name).read_text().splitlines()}
-        blocks = re.findall(r"^```(?:cmake|cpp)\n(.*?)^```", README, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(blocks), 2)
-        for line in "".join(blocks).splitlines():
+        whole, *parts = re.findall(r"^```(?:cmake|cpp)\n(.*?)^```", README,
+                                   re.MULTILINE | re.DOTALL)
+        self.assertEqual(whole, (project / "mobility.cpp").read_text())
+        self.assertEqual(len(parts), 2)
+        for line in "".join(parts).splitlines():
             self.assertIn(line.strip(), tested)
 
 

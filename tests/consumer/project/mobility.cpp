@@ -1,5 +1,6 @@
-// Two disks of radius a in a quiescent fluid, pulled apart by forces F and -F: their velocities,
-// and the closed form, F / (4 pi mu) (alpha - tanh(2 alpha) / 2) for centres 2 a cosh(alpha) apart.
+// Two disks of radius a in a quiescent fluid are pulled apart by the forces F and -F. The program
+// computes their velocities and compares them with the closed form,
+// F / (4 pi mu) (alpha - tanh(2 alpha) / 2) for centres at the distance 2 a cosh(alpha).
 
 #include <cmath>
 #include <iostream>
@@ -13,7 +14,7 @@ int main() {
   Scene scene;
   scene.viscosity = 0.5;
   for (const double side : {-0.5, 0.5}) {
-    Body disk;  // free, with as many nodes as the tolerance takes
+    Body disk;  // free; the solver chooses the number of its nodes
     disk.shape = Circle{.radius = a};
     disk.position = side * distance;
     disk.force = 2.0 * side * force;
