@@ -1,4 +1,6 @@
-// Evaluates the undisturbed flow (chapter 12).
+// Evaluates the velocity and the derivatives of the undisturbed flow by the formula of each kind of
+// flow, and splits them into a rigid motion and a remainder at a body (chapter 12). Points and
+// velocities are complex numbers, x = x_1 + i x_2.
 #include "suspension/bodies/background_flow.hpp"
 
 #include <cmath>
@@ -7,6 +9,7 @@ namespace stokesbook {
 
 namespace {
 
+// Evaluates the velocity u_1 + i u_2 of each kind of flow at x.
 struct VelocityAt {
   Complex x;
 
@@ -24,6 +27,7 @@ struct VelocityAt {
   }
 };
 
+// Evaluates the vorticity and the strain e_11 - e_22 + 2i e_12 (07.4) of the same flows at x.
 struct DerivativesAt {
   Complex x;
 
@@ -81,8 +85,10 @@ RigidMotion carried_by(const BackgroundFlow& flow, Complex centre) {
 ComplexVector strain_on(const BackgroundFlow& flow, const Component& body) {
   const ComplexVector offsets = body.curve.x.array() - body.centre;
   const ComplexVector about = background_about(flow, body.centre, offsets);
+  // With the offset d from the centre c, and d^perp = i d:
+  // u_inf(c + d) - u_inf(c) - omega d^perp.
   ComplexVector strain = about - imaginary * carried_by(flow, body.centre).omega * offsets;
-  // A rotation has no strain: the difference is rounding.
+  // A rotation has no strain: a difference of this size is rounding.
   constexpr double rounding = 1e-14;
   if (strain.cwiseAbs().maxCoeff() <= rounding * about.cwiseAbs().maxCoeff()) strain.setZero();
   return strain;

@@ -1,5 +1,5 @@
-// Shows bodies and walls of a scene as components, and evaluates the velocities that held bodies
-// and walls are given (chapter 12).
+// Presents the bodies and the walls of a scene as components of one kind, and evaluates the
+// prescribed velocities of held bodies and walls (chapter 12).
 #include "suspension/bodies/components.hpp"
 
 #include "suspension/bodies/background_flow.hpp"
@@ -8,6 +8,7 @@ namespace stokesbook {
 
 namespace {
 
+// Evaluates the velocity of each kind of wall motion at the nodes x of the curve.
 struct WallVelocity {
   const Curve& curve;
   Complex position;
@@ -71,6 +72,7 @@ ComplexVector prescribed_velocity(const ComponentView& component, const Curve& c
     return std::visit(WallVelocity{curve, position}, component.wall->motion);
   }
   const auto& [velocity, omega] = prescribed_motion(component);
+  // U + omega (x - c)^perp (03.1), with z^perp = i z.
   return (velocity + imaginary * omega * (curve.x.array() - position)).matrix();
 }
 

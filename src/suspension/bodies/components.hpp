@@ -12,16 +12,16 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// A body or a wall of a scene, by what all components have. It refers to the scene, which must
-/// outlive it.
+/// The properties that bodies and walls of a scene have in common. The view refers to the scene,
+/// which must outlive the view.
 struct ComponentView {
-  const Body* body;    ///< none for a wall
-  const Wall* wall;    ///< none for a body
+  const Body* body;    ///< null for a wall
+  const Wall* wall;    ///< null for a body
   std::size_t number;  ///< among the bodies or among the walls, from 0
   ComponentKind kind;  ///< free_body, prescribed or enclosing_wall
   const Shape& shape;  ///< in its own frame
-  int n_nodes;         ///< as the scene gives it, or automatic_nodes
-  Pose start;          ///< where the component is at the start
+  int n_nodes;         ///< number of nodes given in the scene, or automatic_nodes
+  Pose start;          ///< pose at the start
 
   /// Names the component for messages and tables.
   /// @return "body 3" or "wall 0"
@@ -48,21 +48,21 @@ ComponentView component_of(const Scene& scene, std::size_t k);
 /// Returns the side of a component's curve on which the fluid lies.
 ///
 /// @param  kind  of the component
-/// @return       inside of an enclosing wall, outside of all else
+/// @return       inside for an enclosing wall, outside for all other components
 Side side_of(ComponentKind kind);
 
-/// Returns the rigid motion that a held body or a wall is given.
+/// Returns the prescribed rigid motion of a held body or a wall.
 ///
-/// @param  component  that is not free
-/// @return            motion about the component's position; zero for fixed walls and for motions
-///                    that leave the curve in place
+/// @param  component  held body or wall
+/// @return            motion about the component's position; zero for fixed walls, and for walls
+///                    with a LinearWall or RadialWall velocity, whose curves do not move
 RigidMotion prescribed_motion(const ComponentView& component);
 
-/// Evaluates the velocity that a held body or a wall is given at its nodes.
+/// Evaluates the prescribed velocity of a held body or a wall at its nodes.
 ///
-/// @param  component  that is not free
+/// @param  component  held body or wall
 /// @param  curve      N placed nodes
-/// @param  position   of the component, about which it rotates, length
+/// @param  position   of the component, the centre of its rotation, length
 /// @return            velocities at the N nodes, length / time
 ComplexVector prescribed_velocity(const ComponentView& component, const Curve& curve,
                                   Complex position);

@@ -12,11 +12,11 @@ namespace stokesbook {
 /// Poses of all components: bodies in the scene's order, then walls in the scene's order.
 using Configuration = std::vector<Pose>;
 
-/// All that the flow of an instant depends on, beside the scene.
+/// The data on which the flow of an instant depends, in addition to the scene.
 struct Instant {
   Configuration configuration;  ///< where the components are
-  double amplitude = 1.0;       ///< of the imposed flow: factor of background flow, velocities of
-                                ///< walls and held bodies, and loads; -1 where they are reversed
+  double amplitude = 1.0;  ///< flow amplitude: factor of the background flow, of the velocities
+                           ///< of walls and held bodies, and of the loads; -1 after a reversal
 };
 
 /// @}

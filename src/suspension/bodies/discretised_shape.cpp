@@ -1,4 +1,6 @@
-// Samples a shape, and prepares once what all components of that shape share (chapter 12).
+// Samples a shape, and prepares the data that all components of this shape share: the schemes of
+// close evaluation (chapter 06) and the inverse of the own block (05.11). Estimates how well the
+// nodes resolve the shape and its softest mode (chapter 12, section "How fine").
 #include "suspension/bodies/discretised_shape.hpp"
 
 #include <algorithm>
@@ -47,19 +49,22 @@ DiscretisedShape build(const Shape& shape, const Resolution& resolution, Compone
 }  // namespace
 
 double shape_residual(const Shape& shape, const Curve& curve) {
+  // The interpolant is exact at the nodes; it differs from the shape halfway between them.
   const ComplexVector between = sample(shape, 2 * curve.size(), curve.side).x;
   const double distance = (resample(curve.x, between.size()) - between).cwiseAbs().maxCoeff();
   return std::max(rigid_motion_residual(curve), distance / between.cwiseAbs().maxCoeff());
 }
 
 double softest_mode_error(const DiscretisedShape& discretised) {
+  // A residual below this suffices for every shape: the inverse block is not computed.
   constexpr double beyond_question = 1e-9;
   if (discretised.shape_residual < beyond_question) return discretised.shape_residual;
   try {
     const Eigen::MatrixXd& inverse = *discretised.inverse_block.get();
+    // delta ||B^{-1}|| of chapter 12, in the maximum norm.
     return discretised.shape_residual * inverse.cwiseAbs().rowwise().sum().maxCoeff();
   } catch (const std::domain_error&) {
-    return discretised.shape_residual;  // no inverse at any number of nodes: solves are refused
+    return discretised.shape_residual;  // singular for any number of nodes: solves are refused
   }
 }
 

@@ -20,28 +20,29 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// A shape with its nodes, in its own frame: all that components of one shape, resolution and kind
-/// share.
+/// A shape with its nodes, in its own frame: the data that all components of one shape, resolution
+/// and kind share.
 struct DiscretisedShape {
-  Shape shape;                                             ///< what was sampled
-  Resolution resolution;                                   ///< how finely
-  ComponentKind kind;                                      ///< sets the side of the curve
-  std::vector<GradedParameter> parameters;                 ///< of the shape at the nodes
+  Shape shape;                                             ///< the shape that was sampled
+  Resolution resolution;                                   ///< number and grading of the nodes
+  ComponentKind kind;                                      ///< determines the side of the fluid
+  std::vector<GradedParameter> parameters;                 ///< parameters of the nodes
   Curve curve;                                             ///< nodes
   std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
-  double shape_residual;                                   ///< by the function of this name
+  double shape_residual;                                   ///< from shape_residual(); of graded
+                                                           ///< nodes: rigid_motion_residual()
   double gyration_radius;                     ///< of the curve about its centroid, length
-  std::shared_ptr<const CauchyCurve> cauchy;  ///< none unless near corrections are planned
+  std::shared_ptr<const CauchyCurve> cauchy;  ///< null unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
-      interpolation;  ///< none unless velocities are to be interpolated
+      interpolation;  ///< null unless the scene selects the interpolation scheme
   std::shared_future<std::shared_ptr<const Eigen::MatrixXd>>
-      inverse_block;  ///< of the preconditioner; found when first it is asked for, at O(N^3)
+      inverse_block;  ///< of the component's own block; computed at the first access, O(N^3)
 };
 
-/// What a discretised shape holds beside its nodes.
+/// The data that a discretised shape holds in addition to its nodes.
 struct DiscretisationNeeds {
-  bool cauchy = false;                            ///< matrices of the near corrections
-  std::optional<double> interpolation_tolerance;  ///< of velocities by interpolation, if wanted
+  bool cauchy = false;                            ///< the Cauchy scheme of near corrections
+  std::optional<double> interpolation_tolerance;  ///< none: no interpolation scheme
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
 
@@ -49,21 +50,28 @@ struct DiscretisationNeeds {
 ///
 /// @param  shape  in its own frame
 /// @param  curve  sampled from it
-/// @return        the larger of rigid_motion_residual() and of the distance between the shape and
-///                the curve through the nodes, halfway between them, over the shape's size
+/// @return        the larger of rigid_motion_residual() and of the distance, halfway between nodes,
+///                of the shape from the trigonometric interpolant of the nodes; the distance is
+///                divided by the largest distance of the shape from its origin
 /// @par Cost      O(N^2)
 double shape_residual(const Shape& shape, const Curve& curve);
 
-/// Compares what the nodes of a component leave undone with the softest mode of its own block.
+/// Estimates the relative error that the nodes of a component cause in the softest mode of its own
+/// block B: \f$ \delta\,\|B^{-1}\| \f$ with the shape residual \f$ \delta \f$ (chapter 12, section
+/// "How fine").
 ///
-/// Slender bodies have densities that almost nothing comes of: the block has eigenvalues near zero,
-/// a hundredth for an ellipse 10:1 and a hundred-thousandth for 65:1. Where errors of the block are
-/// as large, such modes come out at any size, and so do the motions of neighbours that excite them;
-/// a few nodes more change little, since these do not see them either.
+/// Slender bodies have densities that cause almost no flow. The block has eigenvalues near zero:
+/// the least one is about 1/300 for an ellipse 10:1, and 1e-5 for an ellipse 65:1. If the errors of
+/// the block are as large as such an eigenvalue, the solution may contain the mode with any
+/// amplitude, and the motions of neighbours that excite the mode are wrong, too. An error estimate
+/// on a few more nodes does not detect this error, because these nodes do not resolve the mode
+/// either.
 /// @param  discretised  shape of a component
-/// @return              its shape_residual times the norm of its inverse block; where it is above a
-///                      tenth, a solution may be wrong whatever tails and residuals say
-/// @par Cost          inverse_block, unless the errors are so small that no shape needs less
+/// @return              its shape_residual times the maximum norm of its inverse block; the
+///                      residual alone if it is below 1e-9, or if the block is singular. Above a
+///                      tenth, a solution may be wrong even if its tails and residuals are small
+/// @par Cost          that of inverse_block; none for a residual below 1e-9, which suffices for
+///                    every shape
 double softest_mode_error(const DiscretisedShape& discretised);
 
 /// The discretised shape of each component: bodies, then walls, in the scene's order.
@@ -72,26 +80,26 @@ using Discretisation = std::vector<std::shared_ptr<const DiscretisedShape>>;
 /// Returns the resolution of each component.
 ///
 /// @param  discretisation  of each component
-/// @return                 in the same order
+/// @return                 resolutions in the same order
 Resolutions resolutions_of(const Discretisation& discretisation);
 
 /// Places a component.
 ///
 /// @param  discretised  shape of the component
 /// @param  pose         where the component is
-/// @return              its nodes and its curve in the plane
+/// @return              nodes and parametrisation in the plane
 SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 
 /// Shares the discretised shapes of a scene's components, each built once.
 ///
-/// Node numbers may change from solve to solve. The cache keeps the shapes that were used last; a
-/// shape that was dropped is built again, equal to the last bit. Shapes with graded nodes belong to
-/// one configuration and are not kept. Several threads may use the cache at once.
+/// Node numbers may change from solve to solve. The cache keeps the shapes that were used last. A
+/// shape that was dropped is built again, and is then equal to the last bit. Shapes with graded
+/// nodes belong to one configuration and are not kept. Several threads may use the cache at once.
 class DiscretisationCache {
  public:
-  /// Starts empty.
-  /// @param  needs  what a discretised shape holds beside its nodes
-  /// @param  most   number of shapes that are kept
+  /// Creates an empty cache.
+  /// @param  needs  data that discretised shapes hold in addition to their nodes
+  /// @param  most   largest number of shapes that are kept
   DiscretisationCache(const DiscretisationNeeds& needs, std::size_t most)
       : needs_(needs), most_(most) {}
 
@@ -116,7 +124,7 @@ class DiscretisationCache {
  private:
   DiscretisationNeeds needs_;
   std::size_t most_;
-  Discretisation kept_;  // the latest used last
+  Discretisation kept_;  // in the order of their latest use
   mutable std::mutex mutex_;
 };
 

@@ -1,4 +1,5 @@
-// Places the grid on which fields are written (chapter 12).
+// Places the grid on which a run writes fields: square cells, centred in the box of the scene
+// (chapter 12).
 #include "suspension/bodies/field_grid.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Finds the pairs of components whose gap may be within the reach of their trapezoid rules (06.5),
+// and the closest pair. Bounding circles and an R-tree select the pairs, and closest_points()
+// measures their gaps (chapter 06, section "Sums over bodies").
 #include "suspension/bodies/gaps.hpp"
 
 #include <algorithm>
@@ -17,7 +20,8 @@ bool encloses(const DiscretisedShape& discretised) {
   return discretised.curve.side == Side::fluid_inside;
 }
 
-// Squares about the components' bounding circles; an enclosing wall is a neighbour of all.
+// Returns squares about the bounding circles of the components. The rectangle of an enclosing wall
+// contains all squares, so that the wall is a neighbour of every component.
 std::vector<Rectangle> rectangles_of(const Configuration& configuration,
                                      const Discretisation& discretisation) {
   std::vector<Rectangle> rectangles;
@@ -34,7 +38,7 @@ std::vector<Rectangle> rectangles_of(const Configuration& configuration,
   return rectangles;
 }
 
-// Bounding circles of all components and the reach of their trapezoid rules.
+// Selects pairs by the bounding circles of the components and the reach of their trapezoid rules.
 class BroadPhase {
  public:
   BroadPhase(const Configuration& configuration, const Discretisation& discretisation,
@@ -49,7 +53,8 @@ class BroadPhase {
     }
   }
 
-  // Lower bound of a gap; an enclosing wall need not be convex, its bounding circle says nothing.
+  // Returns a lower bound of a gap: the distance of the bounding circles; 0 for an enclosing wall,
+  // whose bounding circle gives no bound of its gap to a body inside.
   double least_gap(const ComponentPair& pair) const {
     const auto [a, b] = pair;
     if (encloses(*discretisation_[a]) || encloses(*discretisation_[b])) return 0.0;
@@ -63,7 +68,8 @@ class BroadPhase {
 
   std::vector<ComponentPair> pairs_in_reach() const { return pairs_within(reach_); }
 
-  // Pairs out of reach whose gap may be less than a distance, the least lower bounds first.
+  // Returns the pairs out of reach whose gap may be less than a distance, in ascending order of
+  // their lower bounds.
   std::vector<ComponentPair> pairs_beyond_reach(double distance) const {
     std::vector<ComponentPair> pairs = pairs_within(std::vector<double>(reach_.size(), distance));
     std::erase_if(pairs, [&](const ComponentPair& pair) { return in_reach(pair); });
@@ -74,14 +80,15 @@ class BroadPhase {
   double smallest_reach() const { return std::ranges::min(reach_); }
 
  private:
-  // Pairs nearer than the distance that goes with either component, ascending.
+  // Returns the pairs whose lower bound is less than the distance of at least one of the two
+  // components, in ascending order.
   std::vector<ComponentPair> pairs_within(const std::vector<double>& distance) const {
     std::vector<ComponentPair> pairs;
     for (std::size_t a = 0; a < distance.size(); ++a) {
       for (const std::size_t b : index_.meeting(widened(rectangles_[a], distance[a]))) {
         const ComponentPair pair = std::minmax(a, b);
         const double gap = least_gap(pair);
-        // Where either finds the other, the lesser counts the pair.
+        // If both components find each other, only the one with the smaller number adds the pair.
         if (b != a && gap < distance[a] && (a < b || gap >= distance[b])) pairs.push_back(pair);
       }
     }
@@ -100,11 +107,12 @@ bool is_narrower(const Gap& p, const Gap& q) {
   return p.points.gap < q.points.gap;
 }
 
-// The closest of the pairs out of reach, where it is closer than a bound.
+// Returns the closest of the pairs out of reach if its gap is less than a bound.
 std::optional<Gap> closest_beyond_reach(const BroadPhase& broad,
                                         const std::vector<SmoothCurve>& curves, double bound) {
   std::optional<Gap> closest;
-  // Further and further, as among distant bodies no bound is known.
+  // The search distance doubles, because for distant bodies no bound on the gap is known
+  // beforehand.
   for (double within = std::min(bound, broad.smallest_reach());;
        within = std::min(bound, 2.0 * within)) {
     for (const ComponentPair& pair : broad.pairs_beyond_reach(within)) {
@@ -138,7 +146,7 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisat
     gap.points = closest_points(curves[gap.a], curves[gap.b]);
   }
   std::ranges::stable_sort(gaps, is_narrower);
-  // A pair out of reach matters only where it is the closest of all.
+  // A pair out of reach is added only if it is the closest of all pairs.
   const double bound =
       gaps.empty() ? std::numeric_limits<double>::infinity() : gaps.front().points.gap;
   if (const std::optional<Gap> closest = closest_beyond_reach(broad, curves, bound)) {

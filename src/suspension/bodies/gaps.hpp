@@ -12,21 +12,22 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Two components and where they come closest.
+/// Two components, and the points at which they are closest to each other.
 struct Gap {
   std::size_t a = 0,     ///< one component
-      b = 0;             ///< the other, after it
+      b = 0;             ///< the other component, b > a
   ClosestPoints points;  ///< point_a on a, point_b on b
 };
 
-/// Finds the gaps that may ask for nodes: all pairs nearer than the reach of their trapezoid rules,
-/// and the closest pair.
+/// Finds the gaps that may require nodes: the gaps of all pairs whose bounding circles are nearer
+/// to each other than the near_reach() of one of the two curves, and the gap of the closest pair.
 ///
 /// @param  configuration   poses of all components
 /// @param  discretisation  of each component
 /// @param  tolerance       of velocities, > 0; sets the reach
 /// @return                 in ascending order of the gap; empty for a single component
-/// @par Cost           a search in a RectangleIndex a component, N_a N_b distances a close pair
+/// @par Cost           a search in a RectangleIndex per component, N_a N_b distances per close
+///                     pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
 

@@ -9,12 +9,12 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// How finely a component is discretised.
+/// The number of nodes of a component, and their grading.
 struct Resolution {
   int n_nodes = 0;    ///< collocation nodes, even
-  Grading grading{};  ///< where they crowd; without clusters: equidistant
+  Grading grading{};  ///< where nodes crowd; without clusters: nowhere
 
-  /// Tells whether nodes crowd anywhere.
+  /// Returns whether nodes crowd anywhere.
   /// @return true when the grading has clusters
   bool is_graded() const { return !grading.clusters.empty(); }
 

@@ -10,36 +10,36 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// The solver cannot give an answer of the accuracy that the scene requires; the message names
-/// bodies, values and what to change.
+/// Thrown when the solver cannot compute a solution with the accuracy that the scene requires. The
+/// message names bodies and values, and recommends a change.
 class SolverError : public std::runtime_error {
  public:
-  /// Takes the message.
+  /// Stores the message.
   using std::runtime_error::runtime_error;
 };
 
-/// Components overlap, or their nodes do not resolve the gaps. A time step that leads to such a
-/// configuration is taken again, shorter.
+/// Thrown when components overlap, or when their nodes do not resolve the gaps. A time step that
+/// leads to such a configuration is repeated with a shorter length.
 class ConfigurationError : public SolverError {
  public:
-  /// Takes the message.
+  /// Stores the message.
   using SolverError::SolverError;
 };
 
 /// Begins a message that concerns an instant.
 ///
 /// @param  t  time
-/// @return    text with the time, to be followed by the rest
+/// @return    text with the time, to be followed by the rest of the message
 inline std::string at_time(double t) {
   return "t = " + short_number(t, 6) + ": ";
 }
 
-/// Runs `work`, and puts the time before the message of a SolverError that it throws.
+/// Runs `work`, and prepends the time to the message of a SolverError that `work` throws.
 ///
 /// @param  t     time that the work concerns
-/// @param  work  without arguments
-/// @return       what the work returns
-/// @throws SolverError, ConfigurationError as the work does, with the time before the message
+/// @param  work  function without arguments
+/// @return       the return value of `work`
+/// @throws SolverError, ConfigurationError as `work` does, with the time before the message
 template <class Work>
 auto with_time_in_errors(double t, const Work& work) {
   try {

@@ -1,4 +1,5 @@
-// Packs a configuration into the vector that time steppers advance, and back (chapter 12).
+// Packs a configuration into the state vector that time steppers advance, and unpacks it
+// (chapters 09 and 12).
 #include "suspension/bodies/state.hpp"
 
 namespace stokesbook {

@@ -1,4 +1,5 @@
-// Tells what a scene needs and gets, for people (chapter 12).
+// Describes the plan of a scene, its nodes, gaps and time steps, as lines of text for the user
+// (chapter 12, section "One way for the data").
 #include "suspension/motion/describe.hpp"
 
 #include <algorithm>
@@ -39,19 +40,22 @@ std::string aligned(const std::string& topic, const std::string& text) {
   return topic + std::string(topic.size() < width ? width - topic.size() : 1, ' ') + text;
 }
 
-// To the reader: where nodes crowd, is another place on each body.
+// Returns whether two resolutions look the same to the reader: the places where nodes crowd differ
+// from body to body, and are not compared.
 bool alike(const Resolution& a, const Resolution& b) {
   return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
 }
 
-// Of nodes that are given; `most` is the largest number recommended, 0 where none is.
+// Returns the recommendation for components with given nodes; `most` is the largest number that is
+// recommended, 0 if there is none.
 std::string recommendation(int most) {
   return most > 0 ? "; " + std::to_string(most) + " recommended for shape and gaps"
                   : "; no number up to " + std::to_string(most_nodes_for_shape) +
                         " resolves the shape to solver.tolerance";
 }
 
-// One line for all components that share a shape and a resolution, given or chosen.
+// Returns one line for all components that share a shape and a resolution, and whose nodes are all
+// given or all chosen.
 std::vector<std::string> component_lines(const SuspensionSolver& solver,
                                          const Resolutions& resolutions,
                                          const std::vector<int>& recommended) {
@@ -99,7 +103,7 @@ std::string sum_text(const Plan& plan, Eigen::Index nodes) {
                 : "more nodes than the " + std::to_string(break_even(settings)) + " of break-even");
 }
 
-// What the nodes make the system.
+// Describes the size of the linear system, and how its sums are computed.
 std::vector<std::string> size_lines(const Plan& plan, const Resolutions& resolutions) {
   long long nodes = 0;
   for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
@@ -171,7 +175,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
 }
 
 std::string describe(const SuspensionSolver& solver, const Solution& solution) {
-  std::map<int, int> components;  // by their nodes
+  std::map<int, int> components;  // number of components by number of nodes
   for (const Resolution& resolution : resolutions_of(solution.discretisation)) {
     ++components[resolution.n_nodes];
   }

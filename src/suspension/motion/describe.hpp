@@ -12,23 +12,23 @@ namespace stokesbook {
 
 /// Names a shape with its sizes.
 ///
-/// @param  shape  any
-/// @return        "ellipse 1 x 0.5"
+/// @param  shape  any shape
+/// @return        text such as "ellipse 1 x 0.5"
 std::string shape_name(const Shape& shape);
 
-/// Describes what a scene needs, what is left out and why, with what the initial configuration asks
-/// of its nodes.
+/// Describes the decisions of a plan with their reasons, the time steps, and the nodes and gaps of
+/// the initial configuration.
 ///
 /// @param  solver  of the scene
-/// @return         lines, one a decision
-/// @par Cost       that of SuspensionSolver::recommended_nodes(); nothing is solved
+/// @return         lines of text
+/// @par Cost       that of SuspensionSolver::recommended_nodes(); no system is solved
 std::vector<std::string> describe(const SuspensionSolver& solver);
 
 /// Describes how well a solution is resolved.
 ///
 /// @param  solver    of the scene
 /// @param  solution  at the start
-/// @return           a line: estimate, tolerance, nodes
+/// @return           a line with error estimate, tolerance, nodes and GMRES iterations
 std::string describe(const SuspensionSolver& solver, const Solution& solution);
 
 /// @}

@@ -1,3 +1,5 @@
+// Connects the solver with the time steppers (chapter 09): packs the motions of a solution as a
+// rate, translates the settings of a scene, and packs the memory of the steps for checkpoints.
 #include "suspension/motion/stepping.hpp"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Largest distance of a body's boundary from its position.
+// Returns the largest distance of a body's boundary from its position; 1 if there are no bodies.
 double largest_radius(const SuspensionSolver& solver) {
   double radius = 0.0;
   for (std::size_t k = 0; k < solver.scene().bodies.size(); ++k) {
@@ -21,8 +23,9 @@ double largest_radius(const SuspensionSolver& solver) {
   return radius > 0.0 ? radius : 1.0;
 }
 
-// The error of a step that is allowed, as a part of that of a run: errors add up while the flow
-// does not contract, and with half of it runs of ten and twenty units of time stay within.
+// Allowed error of a step, over the allowed error of a run. Errors add up if the flow does not
+// contract; with half of the allowed error for each step, runs of ten and twenty units of time stay
+// within their allowed error.
 constexpr double error_of_a_step = 0.5;
 
 VectorXd one(double number) {
@@ -45,6 +48,7 @@ double largest_distance(const Discretisation& discretisation, const Configuratio
                         const Configuration& q) {
   double largest = 0.0;
   for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    // c + e^{i theta} X for the nodes X in the frame of the shape.
     const auto at = [&](const Pose& pose) {
       return (pose.position +
               std::polar(1.0, pose.orientation) * discretisation[k]->curve.x.array())

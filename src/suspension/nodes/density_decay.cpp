@@ -1,3 +1,7 @@
+// Estimates how fast densities decay on the curves of a gap, from the limit points of reflections
+// between their circles of curvature (chapter 03, section "Two circles that nearly touch"), and the
+// error of velocities that follows. Estimates this error also from the tail of a computed density
+// (chapter 12, section "How fine").
 #include "suspension/nodes/density_decay.hpp"
 
 #include <algorithm>
@@ -10,18 +14,21 @@ namespace stokesbook {
 
 namespace {
 
-// Factor of alpha e^{-alpha n}: the largest measured on pairs of circles, ellipses and stars.
+// Factor of alpha e^{-alpha n} in the error: the largest one that was measured on pairs of circles,
+// ellipses and stars.
 constexpr double error_factor = 150.0;
 
-// What recommendations ask beyond that: densities of loaded bodies can be larger than velocities,
-// and the estimate of a computed solution has the last word.
+// Recommended nodes meet the tolerance divided by this margin, because the densities of loaded
+// bodies can be larger than velocities. The error estimate of the solution decides in the end.
 constexpr double margin = 10.0;
 
+// Curvature -s (x' x x'') / |x'|^3, positive on convex parts of bodies.
 double signed_curvature(const SmoothCurve& curve, double t) {
   const TrigonometricPolynomial::Jet jet = curve.at(t);
   return -curve.nodes.sign() * cross(jet.first, jet.second) / std::pow(std::abs(jet.first), 3);
 }
 
+// alpha = asinh(c kappa) / (kappa |x'|), which tends to c / |x'| on a straight piece.
 double decay_at(const SmoothCurve& curve, double t, double c) {
   const double kappa = signed_curvature(curve, t);
   const double depth = std::abs(c * kappa) < 1e-8 ? c : std::asinh(c * kappa) / kappa;
@@ -36,9 +43,10 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b,
   const double k1 = signed_curvature(a, points.parameter_a);
   const double k2 = signed_curvature(b, points.parameter_b);
   const double sum = k1 + k2 + g * k1 * k2;
+  // c^2 of the circles of curvature at the closest points.
   const double c2 = g * (2.0 + g * k1) * (2.0 + g * k2) * (k1 + k2 + sum) / (4.0 * sum * sum);
   if (!(c2 > 0.0) || !std::isfinite(c2)) {
-    // Curves that bend away from each other's reflections: nothing piles up.
+    // There are no limit points where reflections accumulate: the gap requires no nodes.
     const double none = std::numeric_limits<double>::infinity();
     return {none, none};
   }
@@ -68,9 +76,10 @@ GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
 
 int recommended_nodes(double decay, double tolerance) {
   if (std::isinf(decay)) return 0;
+  // Solves 150 alpha e^{-alpha n} = tolerance / margin for n.
   const double needed = std::log(margin * error_factor * decay / tolerance) / decay;
-  // Gaps of rounding would ask for anything, and the error of their few nodes is underestimated: no
-  // more than an int holds, and none at least.
+  // For gaps of the size of rounding errors the formula gives huge numbers, or negative ones, since
+  // it underestimates the error of few nodes. The result is limited to at least 0 and at most 1e9.
   return 16 * static_cast<int>(std::ceil(std::clamp(needed, 0.0, 1e9) / 16.0));
 }
 
@@ -87,15 +96,19 @@ TailEstimate tail_estimate(const ComplexVector& density, double scale) {
     }
     return most;
   };
+  // The largest modes near k = 3n/16, near k = 3n/8, and at the end of the spectrum, k = n/2.
   const double early = largest_mode(std::max<Eigen::Index>(1, 3 * n / 16 - window / 2));
   const double late = largest_mode(3 * n / 8 - window / 2);
   const double last = largest_mode(n / 2 - window);
   const double decay = std::max(0.0, std::log(early / late) / (0.1875 * static_cast<double>(n)));
-  // A spectrum that does not fall counts as one that falls over its whole length.
+  // A spectrum that does not decay is treated like one that decays over its whole length, at the
+  // rate 2/n.
   const double rate = std::max(decay, 2.0 / static_cast<double>(n));
+  // Sum of the modes k > n/2, as a geometric series that continues the modes near 3n/8.
   const double beyond =
       late * std::exp(-0.125 * rate * static_cast<double>(n)) / -std::expm1(-rate);
   const double sum = std::max(beyond, 3.0 * last);
+  // min(60 sum^2 / largest, 10 sum), relative to the scale.
   return {sum / scale * std::min(60.0 * sum / largest, 10.0), decay};
 }
 

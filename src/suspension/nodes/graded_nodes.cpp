@@ -1,3 +1,6 @@
+// Chooses the nodes of a component for its shape and its gaps: equidistant nodes, or graded nodes
+// (01.11), whose number N = ln(10^5 / T) / r follows from the tolerance T and the rate r
+// (chapter 03, section "Two circles that nearly touch").
 #include "suspension/nodes/graded_nodes.hpp"
 
 #include <algorithm>
@@ -14,13 +17,14 @@ namespace {
 
 constexpr double period = 2.0 * std::numbers::pi;
 
-// Factor of e^{-rate n}: more than the largest measured on pairs of circles.
+// Factor of e^{-rate n} in the error: above the largest one that was measured on pairs of circles.
 constexpr double graded_error_factor = 1e5;
 
-// Of crowding, tried in turn.
+// Strengths b of the grading (01.11) that are tried.
 const std::vector<double> strengths{0.5, 1.0, 2.0, 4.0};
 
-// Crowding must save this many times the nodes that the shape asks for.
+// Nodes are graded only if equidistant nodes would exceed the nodes of the shape by more than this
+// factor.
 constexpr double worthwhile = 1.5;
 
 int multiple_of_16(double n) {
@@ -33,7 +37,8 @@ void require_positive(double value, const std::string& what) {
   }
 }
 
-// The narrowest gaps first: about their clusters nodes are dense enough for wider ones.
+// Returns clusters at the gaps that the nodes of the shape do not resolve. The narrowest gaps come
+// first, because the nodes around their clusters are dense enough for wider gaps nearby.
 std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_depth) {
   std::sort(gaps.begin(), gaps.end(), [](const GapDemand& a, const GapDemand& b) {
     return a.depth != b.depth ? a.depth < b.depth : a.parameter < b.parameter;
@@ -49,8 +54,8 @@ std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_d
   return clusters;
 }
 
-// For each strength the least depth of all gaps, and of singularities of a shape at one depth all
-// around.
+// Returns for each strength the least graded_depth() of all gaps, and of a shape whose
+// singularities have the same depth all around the curve.
 std::vector<double> least_rates(const std::vector<Cluster>& clusters,
                                 const std::vector<GapDemand>& gaps, double shape_depth) {
   constexpr int places = 64;
@@ -79,9 +84,11 @@ Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, d
   Resolution best{even, {}};
   if (even <= worthwhile * shape_nodes) return best;
   const double digits = std::log(graded_error_factor / tolerance);
+  // Singularities at this depth require shape_nodes equidistant nodes.
   const double shape_depth = digits / shape_nodes;
   const std::vector<Cluster> clusters = clusters_for(gaps, shape_depth);
   const std::vector<double> rates = least_rates(clusters, gaps, shape_depth);
+  // N = ln(10^5 / tolerance) / r for each strength, with the least rate r.
   for (std::size_t i = 0; i < strengths.size(); ++i) {
     const int n = multiple_of_16(digits / rates[i]);
     if (n < best.n_nodes) best = {n, {clusters, strengths[i]}};

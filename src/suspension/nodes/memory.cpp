@@ -1,4 +1,5 @@
-// Refuses scenes whose matrices do not fit, before any is made.
+// Estimates the memory of the matrices of all shapes, and explains that they do not fit, before any
+// matrix is allocated.
 #include "suspension/nodes/memory.hpp"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace stokesbook {
 
 namespace {
 
-// Fewer are not worth looking for others of the same shape.
+// Components with fewer nodes are not counted: their matrices are small, and the search for other
+// components of the same shape would not pay.
 constexpr int few_nodes = 128;
 
 std::string gigabytes(double bytes) {
@@ -33,7 +35,7 @@ double available_memory() {
 }
 
 std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available) {
-  std::map<int, std::vector<std::size_t>> distinct;  // components by nodes, one of each shape
+  std::map<int, std::vector<std::size_t>> distinct;  // components by node number, one per shape
   double bytes = 0.0;
   std::size_t largest = 0;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {

@@ -1,3 +1,5 @@
+// Places the bodies of [[fill]] by random sequential addition: draws poses at random, and takes a
+// pose if the body keeps its clearance from all components placed before (chapter 12).
 #include "suspension/nodes/random_fill.hpp"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ namespace {
 
 constexpr int attempts_per_body = 20000;
 
-// A component as an obstacle, with its bounding circle.
+// A placed component, and the radius of its bounding circle about its position.
 struct Obstacle {
   SmoothCurve curve;
   double radius;
@@ -39,7 +41,8 @@ Obstacle make_obstacle(const ComponentView& component, double tolerance) {
                        component.start);
 }
 
-// Distance of the nearest nodes, no less than the gap and far cheaper.
+// Returns the distance of the nearest nodes: an upper bound of the gap, which is much cheaper to
+// compute than the gap.
 double node_distance(const Curve& a, const Curve& b) {
   double least2 = std::numeric_limits<double>::infinity();
   for (const Complex& node : a.x) {
@@ -48,7 +51,7 @@ double node_distance(const Curve& a, const Curve& b) {
   return std::sqrt(least2);
 }
 
-// What has been placed so far.
+// The components that have been placed so far.
 class Obstacles {
  public:
   void add(Obstacle obstacle) {
@@ -60,7 +63,7 @@ class Obstacles {
     }
   }
 
-  // Whether a body keeps its clearance from all of them.
+  // Returns whether a body keeps its clearance from all obstacles.
   bool leave_room_for(const Obstacle& body, double clearance) const {
     const auto is_clear_of = [&](const Obstacle& obstacle) {
       return node_distance(body.curve.nodes, obstacle.curve.nodes) >= clearance &&
@@ -73,16 +76,18 @@ class Obstacles {
       if (distance > body.radius + other.radius + clearance) continue;
       if (!is_clear_of(other)) return false;
     }
-    // An enclosing wall need not be convex: its bounding circle says nothing.
+    // The bounding circle of an enclosing wall gives no bound of its gap to a body inside, so that
+    // all of these walls are tested.
     return std::ranges::all_of(enclosing_, is_clear_of);
   }
 
  private:
   std::vector<Obstacle> enclosing_, others_;
-  RectangleIndex circles_;  // of the others
+  RectangleIndex circles_;  // squares about the bounding circles of others_
 };
 
-// The standard's distributions differ between libraries; this one does not.
+// Returns a random number between two bounds, from 53 random bits. The distributions of the
+// standard library would depend on its implementation.
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
@@ -92,6 +97,7 @@ struct Region {
   double area;
 };
 
+// Returns the bounding box of the enclosing wall, and its area without the areas of inner walls.
 Region fluid_region(const std::vector<Obstacle>& walls) {
   Region region{{}, 0.0};
   for (const Obstacle& wall : walls) {
@@ -104,10 +110,11 @@ Region fluid_region(const std::vector<Obstacle>& walls) {
   return region;
 }
 
-// No machine solves for more.
+// Largest number of bodies of a fill: no machine solves for more.
 constexpr double most_bodies = 1e7;
 
-// As many bodies as are asked for, or as fill their part of the region, to the nearest number.
+// Returns the given number of bodies, or the number whose area is nearest to the given fraction of
+// the region's area.
 long count_of(const Fill& fill, double region_area, double body_area) {
   if (fill.count) return *fill.count;
   const double bodies = *fill.area_fraction * region_area / body_area;

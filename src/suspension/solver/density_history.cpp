@@ -1,3 +1,5 @@
+// Guesses the density of an instant: extrapolates earlier densities, in the frames of their
+// components, by the polynomial in time through them (09.15).
 #include "suspension/solver/density_history.hpp"
 
 #include <algorithm>
@@ -13,11 +15,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Times that are closer than this part of the span of all are one, as those before a reversal and
-// after it but for rounding: a polynomial through both would amplify what GMRES leaves.
+// Times whose distance is below this part of the span of all times count as one time. Such times
+// occur before and after a reversal, and differ by rounding: a polynomial through the densities of
+// both would amplify the errors that GMRES leaves.
 constexpr double same_time = 1e-6;
 
-// Weight of value k in the polynomial through the values at some times.
+// Weight w_k (09.15) of the value at time k in the polynomial through the values at some times.
 double lagrange_weight(const std::vector<double>& times, std::size_t k, double t) {
   double weight = 1.0;
   for (std::size_t m = 0; m < times.size(); ++m) {
@@ -26,7 +29,7 @@ double lagrange_weight(const std::vector<double>& times, std::size_t k, double t
   return weight;
 }
 
-// Interpolates one component's densities to other nodes of its shape.
+// Interpolates the densities of one component to other nodes of its shape.
 MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const DiscretisedShape& to) {
   if (from == to.resolution) return densities;
   if (!from.is_graded() && !to.resolution.is_graded()) {
@@ -42,6 +45,7 @@ MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Discre
 
 void DensityHistory::add(double t, const Configuration& configuration,
                          const Discretisation& discretisation, MatrixXcd densities) {
+  // The density of each component is stored in the frame of the component.
   Index first = 0;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Index n = discretisation[k]->curve.size();
@@ -57,6 +61,7 @@ void DensityHistory::add(double t, const Configuration& configuration,
 }
 
 void DensityHistory::reverse(double t) {
+  // The density at t - s, with the other sign, becomes the density at t + s.
   for (Entry& entry : entries_) {
     entry.t = t + (t - entry.t);
     entry.densities = -entry.densities;
@@ -76,6 +81,7 @@ MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const DiscretisedShape& to = *discretisation[k];
     auto sum = result.middleRows(own, to.resolution.n_nodes);
+    // The sum over e of w_e eta(t_e) (09.15), in the frame of component k.
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const Resolution& from = entries_[e].resolutions[k];
       sum += lagrange_weight(times, e, t) *
@@ -89,6 +95,8 @@ MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
 }
 
 std::vector<VectorXd> DensityHistory::packed() const {
+  // For each entry: t; for each component n_nodes, strength, number of clusters, and parameter and
+  // width of each cluster; then all values of the densities, column by column.
   std::vector<VectorXd> packed;
   for (const Entry& entry : entries_) {
     std::vector<double> numbers{entry.t};

@@ -12,67 +12,69 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Densities of earlier solutions, in the frames of their components: from them the next one is
-/// guessed. There may be several of one time, a column each.
+/// Densities of earlier solutions, in the frames of their components, from which the next density
+/// is guessed. Several densities may belong to one time, as columns of a matrix.
 ///
-/// A density in its body's own frame changes little while bodies move, and smoothly: its values at
-/// points of the body are extrapolated by the polynomial in time through all that are kept.
+/// In the frame of its body, a density changes little and smoothly while bodies move. Its values at
+/// points of the body are extrapolated by the polynomial in time through all densities that are
+/// kept (09.15).
 class DensityHistory {
  public:
-  /// Starts without any.
+  /// Creates an empty history.
   ///
-  /// @param  most  number of densities that are kept, >= 1; the polynomial's degree is one less
+  /// @param  most  largest number of times that are kept, >= 1; the polynomial's degree is one less
   explicit DensityHistory(std::size_t most) : most_(most) {}
 
-  /// Tells whether nothing is kept.
+  /// Returns whether the history is empty.
   /// @return true at the start
   bool empty() const { return entries_.empty(); }
 
-  /// Returns the nodes of the latest density.
-  /// @return of each component; empty where nothing is kept
+  /// Returns the resolutions of the latest density.
+  /// @return resolution of each component; none if the history is empty
   Resolutions latest_resolutions() const {
     return entries_.empty() ? Resolutions{} : entries_.back().resolutions;
   }
 
-  /// Adds a density; it takes the place of one at the same time, or else of the oldest one if all
-  /// places are taken.
+  /// Adds a density. The new density replaces the density of the same time; if there is none, and
+  /// the history is full, the new density replaces the oldest one.
   ///
   /// @param  t               time
   /// @param  configuration   where the components are
-  /// @param  discretisation  that the density lives on, one a component
-  /// @param  densities       at all n nodes, length / time; as many columns every time
+  /// @param  discretisation  shapes on whose nodes the density is given, one per component
+  /// @param  densities       at all n nodes, length / time; the same number of columns every time
   void add(double t, const Configuration& configuration, const Discretisation& discretisation,
            Eigen::MatrixXcd densities);
 
-  /// Reverses flow, walls and loads: what was done is then undone, with
-  /// densities of the other sign.
+  /// Adapts the history to a reversal of flow, walls and loads: from then on bodies retrace their
+  /// paths, with densities of the other sign.
   ///
-  /// @param  t  time of the reversal; densities from a time before belong as long after it
+  /// @param  t  time of the reversal; the density of the time t - s becomes that of the time t + s
   void reverse(double t);
 
   /// Guesses the density at a time.
   ///
   /// @param  t               time
   /// @param  configuration   where the components are
-  /// @param  discretisation  of each component; nodes need not be those of earlier solutions
-  /// @return                 at all n nodes, length / time; no rows where nothing is kept
-  /// @par Cost              O(n) where nodes are the same, O(N^2) a component where they crowd
-  ///                        elsewhere
+  /// @param  discretisation  of each component; nodes may differ from those of earlier solutions
+  /// @return                 guess at all n nodes, length / time; no rows if the history is empty
+  /// @par Cost               O(n) if the nodes are the same, O(N^2) for each component whose nodes
+  ///                         crowd elsewhere
   Eigen::MatrixXcd guess(double t, const Configuration& configuration,
                          const Discretisation& discretisation) const;
 
-  /// Packs what is kept into numbers.
-  /// @return one vector a density, the oldest first
+  /// Packs the history into numbers.
+  /// @return one vector per time, the oldest first
   std::vector<Eigen::VectorXd> packed() const;
 
-  /// Takes what packed() returned.
+  /// Replaces the history by a packed one.
   ///
-  /// @param  packed      from a history of the same components
-  /// @param  components  number of them
+  /// @param  packed      from packed(), of a history of the same components
+  /// @param  components  number of components
   void unpack(const std::vector<Eigen::VectorXd>& packed, std::size_t components);
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // The type is hidden, because Doxygen 1.9 links to a list of private nested types that it does
+  // not write.
   /// @cond
   struct Entry {
     double t;

@@ -1,4 +1,5 @@
-// Evaluates the flow on a grid, and estimates how wrong that is (chapter 12).
+// Evaluates velocity, pressure, vorticity, stress (07.1) and dissipation on a grid, and estimates
+// their errors by a solution on more nodes (chapter 12, section "How fine").
 #include "suspension/solver/fields.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ std::vector<Index> fluid_indices(const std::vector<std::uint8_t>& in_fluid) {
   return indices;
 }
 
-// Mean pressure over the viscosity on the outer wall; zero without one.
+// Returns the mean pressure on the outer wall, divided by the viscosity; zero if there is no outer
+// wall.
 double pressure_datum(const SuspensionSolver& solver, const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
@@ -45,7 +47,7 @@ double pressure_datum(const SuspensionSolver& solver, const Solution& solution) 
   return 0.0;
 }
 
-// The largest difference of two fields of one quantity, over the largest value.
+// Returns the largest difference of two fields of one quantity, over the largest value of q.
 double relative_difference(const auto& p, const auto& q) {
   double difference = 0.0, largest = 0.0;
   for (Index i = 0; i < p.size(); ++i) {
@@ -56,7 +58,8 @@ double relative_difference(const auto& p, const auto& q) {
   return largest > 0.0 ? difference / largest : 0.0;
 }
 
-// Where both are resolved, the one of more nodes is far better; where they are not, it errs too.
+// Safety factor: if both solutions are resolved, the solution on more nodes is far more accurate;
+// if they are not, it has an error, too.
 constexpr double safety_of_fields = 2.0;
 
 FieldErrors errors_of(const Field& coarse, const Field& fine) {
@@ -71,7 +74,7 @@ FieldErrors unknown_errors(const Field& field) {
   return errors;
 }
 
-// By a quarter each, to four times as many.
+// Largest number of refinements, by a quarter each: to nearly four times as many nodes.
 constexpr int most_raised = 6;
 
 }  // namespace

@@ -12,51 +12,51 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Evaluates the quantities that a scene asks for on its grid.
+/// Evaluates the quantities that a scene requests, on the grid of the scene.
 ///
-/// The pressure is zero far away in an unbounded fluid; in an enclosed one, where it is known up to
-/// a constant, its mean over the outer wall is zero.
+/// In an unbounded fluid the pressure is zero far away. In an enclosed fluid the pressure is known
+/// up to a constant only, and its mean over the outer wall is set to zero.
 /// @param  solver    of a scene with output.fields
 /// @param  solution  of any instant
-/// @return           the field, not a number outside the fluid
-/// @throws std::invalid_argument when the scene asks for no fields
+/// @return           the field; its values outside the fluid are not numbers
+/// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
 /// @ref claim_06_8
 /// @par Cost      that of in_fluid(), and m n kernel evaluations for m points in the fluid and n
 /// nodes: once for the velocity, once for all others
 Field evaluate_field(const SuspensionSolver& solver, const Solution& solution);
 
-/// Errors by quantity: "velocity", or as field_scalars names them.
+/// Errors by quantity. The keys are "velocity" and the names in field_scalars.
 using FieldErrors = std::map<std::string, double, std::less<>>;
 
 /// Compares two fields on one grid.
 ///
-/// @param  p  one
-/// @param  q  the other one, of the same quantities
+/// @param  p  one field
+/// @param  q  the other field, with the same quantities
 /// @return    largest difference of each quantity at a point, over the largest value of q
 FieldErrors field_differences(const Field& p, const Field& q);
 
-/// A field, and how wrong it may be.
+/// A field, with its estimated errors.
 struct EstimatedField {
   Field field;         ///< as evaluate_field() returns it
   FieldErrors errors;  ///< estimates, relative to the largest value of each quantity
-  int solves = 0;      ///< that it took
-  SolveCost cost{};    ///< of these
+  int solves = 0;      ///< number of solves on more nodes
+  SolveCost cost{};    ///< of these solves
 };
 
-/// Evaluates the quantities that a scene asks for, and estimates their errors.
+/// Evaluates the quantities that a scene requests, and estimates their errors.
 ///
-/// Derivatives of the velocity ask for more nodes than velocities of bodies do. The estimate is
-/// twice the largest change of a quantity at a point of the grid by a quarter more nodes and a
-/// smaller residual, see SuspensionSolver::refined(). Where nodes are automatic, they are raised
-/// until all estimates meet the tolerance, six times at most, and the field is that of the most
-/// nodes.
+/// Derivatives of the velocity require more nodes than the velocities of bodies. The estimate of a
+/// quantity is twice its largest change, at a point of the grid, by a quarter more nodes and a
+/// smaller residual, see SuspensionSolver::refined(). If nodes are automatic, their number is
+/// increased, at most six times, until all estimates meet the tolerance; the field is then that of
+/// the solution with the most nodes.
 /// @param  solver    of a scene with output.fields
-/// @param  solution  with forces of contact or none
-/// @return           the field and its errors, infinite where they cannot be estimated
-/// @throws std::invalid_argument when the scene asks for no fields
+/// @param  solution  with or without contact forces
+/// @return           the field and its errors; infinite errors if they cannot be estimated
+/// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  errors are at most twice their estimates, @ref claim_12_60
-/// @par Cost      of each estimate, refined() and evaluate_field()
+/// @par Cost      that of refined() and evaluate_field() per estimate
 EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution);
 
 /// @}

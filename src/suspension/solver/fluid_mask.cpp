@@ -1,3 +1,5 @@
+// Finds the points that lie on the fluid's side of every component, by the divisor Delta of the
+// barycentric formula: Re Delta > 1/2 (06.15). An R-tree selects the components to test.
 #include "suspension/solver/fluid_mask.hpp"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace stokesbook {
 
 namespace {
 
-// One component's part in the test.
+// The test for one component.
 class Border {
  public:
   Border(const Curve& curve, const Pose& pose)
@@ -25,7 +27,7 @@ class Border {
     return barycentric_.side(local) > 0.5;
   }
 
-  // No point beyond is inside.
+  // Returns a square that contains the component.
   Rectangle surroundings() const { return square_about(position_, reach_); }
 
  private:
@@ -41,7 +43,7 @@ std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
                                    const Discretisation& discretisation,
                                    const ComplexVector& points) {
   std::vector<Border> enclosing, others;
-  std::vector<Rectangle> rectangles;  // of the others
+  std::vector<Rectangle> rectangles;  // squares about the others
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Curve& curve = discretisation[k]->curve;
     const Border border(curve, configuration[k]);

@@ -1,3 +1,5 @@
+// Computes the rheology of a solution: dissipation (07.11), stresslets (07.14), the torque ratio of
+// a Couette cell, and the order parameter of long bodies (chapter 12, section "Couette cells").
 #include "suspension/solver/rheology.hpp"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ using Eigen::Index;
 
 namespace {
 
-// Where a wall stands among all components.
+// Returns the number of a wall among all components.
 std::size_t index_of(const Scene& scene, const Wall& wall) {
   return scene.bodies.size() + static_cast<std::size_t>(&wall - scene.walls.data());
 }
@@ -42,8 +44,8 @@ bool is_sheared(const BackgroundFlow& flow) {
          std::holds_alternative<LinearFlow>(flow);
 }
 
-// Without a net force the disturbance decays, and so does what it dissipates. Held bodies and walls
-// add up to one where a gauge length is given.
+// Returns whether the net force is zero, so that the disturbance and its dissipation decay far
+// away. If a gauge length is given, the loads of held bodies and walls have a net force in general.
 bool forces_balance(const StokesProblem& problem) {
   if (!problem.gauge_length) return true;
   const bool all_free = std::ranges::all_of(problem.components, [](const Component& component) {
@@ -68,7 +70,7 @@ std::vector<Complex> stresslets_of(const StokesProblem& problem, const ComplexVe
 
 std::optional<double> long_axis(const Curve& curve) {
   const double h = 2.0 * std::numbers::pi / static_cast<double>(curve.size());
-  // By Green's theorem, int f dA = 1/(2i) oint F dz for f = dF / d conj(z).
+  // Green's theorem gives int f dA = 1/(2i) oint F dz for f = dF / d conj(z).
   const auto integral = [&](const auto& primitive) {
     Complex sum{};
     for (Index j = 0; j < curve.size(); ++j) sum += primitive(curve.x[j]) * curve.dx[j];
@@ -76,6 +78,7 @@ std::optional<double> long_axis(const Curve& curve) {
   };
   const Complex area = integral([](Complex z) { return std::conj(z); });
   const Complex centroid = integral([](Complex z) { return z * std::conj(z); }) / area;
+  // int z^2 dA and int |z|^2 dA about the centroid.
   const Complex moment =
       integral([&](Complex z) { return (z - centroid) * std::norm(z - centroid); });
   const Complex size =
@@ -102,6 +105,7 @@ double Rheometer::order_parameter(const Configuration& configuration) const {
       const Wall& outer = *only_wall(scene, WallRole::outer);
       flow = std::arg(imaginary * (configuration[k].position - outer.position));
     }
+    // cos 2(theta - theta_f) with the direction theta_f of the flow.
     sum += std::cos(2.0 * (configuration[k].orientation + *long_axes_[k] - flow));
     count += 1.0;
   }
@@ -125,6 +129,7 @@ double Rheometer::excess_dissipation(const Solution& solution,
   const FlowDerivatives gradient = background_derivatives(scene.flow, centres.head(1))[0];
   const Complex strain = amplitude * gradient.strain;
   const double rotation = 0.5 * amplitude * gradient.vorticity;
+  // The sum of E:S_k (07.16), F_k . (U_k - u_inf(c_k)) and L_k (omega_k - Omega_inf).
   double power = 0.0;
   for (std::size_t k = 0; k < stresslets.size(); ++k) {
     const RigidMotion& motion = solution.motions[k];
@@ -140,7 +145,8 @@ Rheology Rheometer::operator()(const Solution& solution) const {
   const Scene& scene = solver_.scene();
   Rheology rheology;
   rheology.order_parameter = order_parameter(solution.instant.configuration);
-  // Only the power of walls that deform asks for tractions, and these for close evaluation.
+  // Only the power of walls that deform requires tractions, and only tractions require close
+  // evaluation.
   const SolvedFlow flow =
       std::ranges::any_of(scene.walls, deforms)
           ? solver_.disturbance(solution)

@@ -11,46 +11,47 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Finds the direction in which a curve is long: the principal axis of the area that it encloses,
-/// \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
+/// Finds the direction of the long axis of a curve, which is the principal axis of the enclosed
+/// area: \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
 ///
 /// @param  curve  N nodes
-/// @return        angle, radians; none where \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as
+/// @return        angle, radians; none if \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as
 ///                for circles, and for stars of three arms or more
-/// @par Accuracy  that of the rule: geometric in N for analytic curves, @ref claim_01_9
+/// @par Accuracy  that of the trapezoid rule: geometric in N for analytic curves, @ref claim_01_9
 std::optional<double> long_axis(const Curve& curve);
 
 /// Measures the rheology of a scene's solutions.
 ///
-/// - Dissipation, in an enclosed fluid: all of it, the power of all loads and moving walls. In an
-///   unbounded one whose background is linear and whose forces balance: what bodies and walls add
-///   to that of the undisturbed flow in the same plane,
-///   the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
-///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined where a wall deforms.
+/// - Dissipation, in an enclosed fluid: the whole dissipation, which is the power of all loads and
+///   moving walls (07.11). In an unbounded fluid with a linear background and balanced forces: the
+///   dissipation that bodies and walls add to the dissipation of the undisturbed flow in the same
+///   plane, the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
+///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined if a wall deforms.
 /// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
 /// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
 ///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear
-///   flow, and the azimuth about the outer wall's position in a Couette cell; elsewhere it is not
-///   defined.
+///   flow, and the azimuthal direction about the outer wall's position in a Couette cell; in other
+///   scenes the order parameter is not defined.
 /// - Stresslet, in an unbounded fluid: the sum over bodies and walls, by body_stresslet().
+/// - Uniform velocity, in an unbounded fluid: the velocity at infinity, if it is an unknown.
 ///
 /// In a linear flow the mean stress of the suspension in an area A is
-/// \f$ -pI + 2\mu E + \sum_kS_k/A \f$.
+/// \f$ -pI + 2\mu E + \sum_kS_k/A \f$ (07.16).
 /// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
 class Rheometer {
  public:
   /// Prepares the measurements.
   ///
   /// @param  solver  of the scene; must outlive the rheometer
-  /// @throws SolverError when the walls of a Couette cell are refused without bodies
+  /// @throws SolverError when a Couette cell cannot be solved without its bodies
   /// @par Cost       in a Couette cell, one solve without bodies
   explicit Rheometer(const SuspensionSolver& solver);
 
   /// Measures a solution.
   ///
   /// @param  solution  of any instant
-  /// @return           all that the scene defines
-  /// @par Cost      O(n) for n nodes in all, and the derivatives at nodes of walls that deform
+  /// @return           all quantities that the scene defines
+  /// @par Cost         O(n) for n nodes in all, and the derivatives at nodes of walls that deform
   Rheology operator()(const Solution& solution) const;
 
  private:

@@ -1,4 +1,5 @@
-// Explains what cannot be solved as it was asked, and what would help (chapter 12).
+// Checks the data, the geometry and the accuracy of a scene, and explains why it cannot be solved,
+// and which change would help (chapter 12, section "How it fails").
 #include "suspension/solver/solver_checks.hpp"
 
 #include <algorithm>
@@ -20,11 +21,12 @@ namespace stokesbook {
 
 namespace {
 
-// What shapes and gaps say before a solve is up to 1200 times the error, measured on 45 random
-// scenes: beyond that no solve is needed to know.
+// No solve is attempted if the error estimate of a shape or gap, made before the solve, exceeds the
+// tolerance by this factor. On 45 random scenes such estimates were up to 1200 times the error.
 constexpr double hopeless = 1e4;
 
-// Radius about their centroid of all components with prescribed velocity; 0 when there is none.
+// Returns the radius of all components with prescribed velocity about the mean of their nodes; 0 if
+// there is no such component.
 double prescribed_extent(const StokesProblem& problem) {
   std::vector<Complex> nodes;
   for (const Component& component : problem.components) {
@@ -35,7 +37,8 @@ double prescribed_extent(const StokesProblem& problem) {
   return nodes.empty() ? 0.0 : (x.array() - x.mean()).abs().maxCoeff();
 }
 
-// The smaller eigenvalue of 4 pi mu M, U = M F, of a body that is alone in a fluid at rest.
+// Returns the smaller eigenvalue of 4 pi mu M, with the mobility M (U = M F) of a body that is
+// alone in a fluid at rest.
 double least_mobility(const Component& body, const StokesProblem& problem) {
   const StokesProblem unloaded{{body}, problem.viscosity, {}, problem.gauge_length};
   const Eigen::MatrixXd inverse = invert_block(assemble(unloaded, ClosureForm::reduced).matrix);
@@ -48,12 +51,13 @@ double least_mobility(const Component& body, const StokesProblem& problem) {
   };
   const Complex first = velocity(1.0), second = velocity(imaginary);
   const double mean = 0.5 * (first.real() + second.imag());
+  // The eigenvalues of a symmetric 2 x 2 matrix are mean +- deviation.
   const double deviation = std::hypot(0.5 * (first.real() - second.imag()), first.imag());
   return 4.0 * std::numbers::pi * problem.viscosity * (mean - deviation);
 }
 
-// Whether a body that has a force would move against it if it were alone. Within the gauge length
-// none does.
+// Returns whether a body under a force would move against this force if the body were alone. Bodies
+// smaller than the gauge length do not.
 bool moves_against_its_force(const Component& body, const StokesProblem& problem) {
   if (body.kind != ComponentKind::free_body || body.force == 0.0) return false;
   constexpr double rounding = 1e-9;
@@ -61,7 +65,8 @@ bool moves_against_its_force(const Component& body, const StokesProblem& problem
          least_mobility(body, problem) < -rounding;
 }
 
-// Curves that are apart by no more than rounding of their positions touch.
+// Returns whether two curves overlap or touch. Curves touch if their distance is at most the
+// rounding error of their positions.
 bool overlaps(const Gap& gap, const Configuration& configuration) {
   const Complex point = gap.points.point_a;
   const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
@@ -88,7 +93,8 @@ std::string shape_message(const Scene& scene, std::size_t component,
                     : "; " + unresolved_shape(discretised.shape, tolerance));
 }
 
-// Without near corrections the trapezoid rule of either curve must do at the other's nearest point.
+// Explains that the trapezoid rule of a curve is too inaccurate at the nearest point of the other
+// curve, which matters if there are no near corrections. The error is 200 exp(-N |Im s|) (06.5).
 std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothCurve& a,
                                const SmoothCurve& b) {
   const auto error = [](const Curve& curve, Complex target) {
@@ -118,7 +124,7 @@ std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution&
          " at least";
 }
 
-// " (nearest: body 3, 0.01 apart)", or nothing where no component is near.
+// Returns " (nearest: body 3, 0.01 apart)", or an empty text if no component is near.
 std::string nearest_neighbour(const Scene& scene, std::size_t component,
                               const std::vector<Gap>& gaps) {
   const auto nearest = std::ranges::find_if(
@@ -133,9 +139,10 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
 
 std::string separation_error(double separation, const Configuration& start,
                              const Discretisation& discretisation) {
-  // Measured on pairs of disks pressed together: a gap of 1e-8 radii is kept to a part in 1e8, with
-  // polygons of 70 MB; of 1e-9, steps do not end. Gaps are kept to 1e-5 of themselves at 1e-10 of
-  // the distance from the origin; at 1e-11 steps are halved, and at 1e-12 gaps err by 3e-5.
+  // These limits were measured on pairs of disks that are pressed together. A gap of 1e-8 radii is
+  // maintained to a part in 1e8, with polygons of 70 MB; at a gap of 1e-9 radii, steps do not end.
+  // Gaps of 1e-10 times the distance from the origin are maintained to 1e-5 of themselves; at 1e-11
+  // steps are halved, and at 1e-12 gaps have errors of 3e-5.
   constexpr double least_in_radii = 1e-8, least_in_distances = 1e-10;
   double radius = 0.0, distance = 0.0;
   for (std::size_t k = 0; k < discretisation.size(); ++k) {

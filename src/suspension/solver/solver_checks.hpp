@@ -13,10 +13,10 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Throws an error that has a message.
+/// Throws an error unless its message is empty.
 ///
 /// @tparam Error    type of the error
-/// @param  message  empty: there is no error
+/// @param  message  message of the error; empty: no error
 /// @throws Error with the message, unless it is empty
 template <class Error = SolverError>
 void throw_if(const std::string& message) {
@@ -28,61 +28,64 @@ void throw_if(const std::string& message) {
 /// @param  scene          names the components
 /// @param  gaps           in ascending order
 /// @param  configuration  poses of all components
-/// @return                a message naming components and place; empty when all are apart
+/// @return                a message naming components and place; empty if all are apart
 std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
                           const Configuration& configuration);
 
-/// Explains which shape or gap is hopeless at a resolution: no solve is needed to know.
+/// Explains which shape or gap is resolved so badly that a solution could not meet the tolerance.
+/// The check requires no solve.
 ///
 /// @param  scene           names the components and the tolerance
 /// @param  gaps            in ascending order
 /// @param  configuration   poses of all components
 /// @param  discretisation  of each component
-/// @return                 a message naming components, values and what to change; empty when a
-///                         solve may succeed
+/// @return                 a message naming components, values and what to change; empty if a solve
+///                         may succeed
 std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
                            const Configuration& configuration,
                            const Discretisation& discretisation);
 
-/// Explains that the nodes which automatic counts ask for are beyond their limits.
+/// Explains that the required numbers of automatic nodes exceed the limits of node_choice.hpp, or
+/// that the matrices exceed the available memory.
 ///
 /// @param  scene        names the components
-/// @param  resolutions  asked for
-/// @param  gaps         in ascending order; names the neighbour that asks for nodes
-/// @return              a message naming counts and limits; empty within them
+/// @param  resolutions  required resolution of each component
+/// @param  gaps         in ascending order, for the name of the nearest neighbour
+/// @return              a message naming numbers and limits; empty within the limits
 std::string limit_error(const Scene& scene, const Resolutions& resolutions,
                         const std::vector<Gap>& gaps);
 
-/// Explains that contact would keep gaps which neither polygons nor positions carry: below 1e-8 of
-/// the largest radius, where polygons take too long, or below 1e-10 of the distance from the
-/// origin, where rounding of positions is no longer small against the gaps' tolerance.
+/// Explains that the minimum separation is too small: below 1e-8 of the largest radius, where
+/// polygons take too long, or below 1e-10 of the distance from the origin, where rounding errors of
+/// positions are no longer small against the tolerance of gaps.
 ///
-/// @param  separation      that contact keeps, length; 0: no contact
+/// @param  separation      least gap that contact maintains, length; 0: no contact
 /// @param  start           poses of all components
 /// @param  discretisation  of each component
-/// @return                 a message naming lengths and limit; empty where there is no reason
+/// @return                 a message naming lengths and limit; empty if the separation is allowed
 std::string separation_error(double separation, const Configuration& start,
                              const Discretisation& discretisation);
 
-/// Explains why data have no solution, or none that could be trusted: a net flux out of an enclosed
-/// fluid, a net force in an unbounded one, a gauge length that is not large.
+/// Explains why the data have no solution, or no reliable solution: a net flux out of an enclosed
+/// fluid; a net force in an unbounded fluid; a gauge length that is not large against bodies; or a
+/// uniform flow that has no effect.
 ///
 /// @param  scene    with its tolerance and gauge length
 /// @param  problem  of the scene
-/// @return          a message naming values and what to change; empty when nothing is wrong
+/// @return          a message naming values and what to change; empty if the data are valid
 std::string data_error(const Scene& scene, const StokesProblem& problem);
 
-/// Explains that a solution is not as accurate as was asked, and what would help: nodes on a
-/// component that has fewer than its softest mode asks for, or on that whose density has the
-/// largest tail, or else fewer digits.
+/// Explains that a solution does not meet the tolerance, and which change would help: more nodes on
+/// a component that has fewer than its softest mode requires, more nodes on the component whose
+/// density has the largest tail, or a larger tolerance.
 ///
-/// @param  scene        names components, and says whose nodes are automatic
+/// @param  scene        names the components and the tolerance
 /// @param  resolutions  of each component
-/// @param  least        what the softest mode of each asks for
+/// @param  least        resolutions that the softest mode of each component requires
 /// @param  tails        of the density on each component
-/// @param  error        the solution's estimate, above the tolerance
-/// @param  gaps         in ascending order; names the neighbour that asks for nodes
-/// @return              a message with the estimate and a node count that should do
+/// @param  error        error estimate of the solution, above the tolerance
+/// @param  gaps         in ascending order, for the name of the nearest neighbour
+/// @return              a message with the estimate and a number of nodes that should suffice
 std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
                            const Resolutions& least, const std::vector<TailEstimate>& tails,
                            double error, const std::vector<Gap>& gaps);

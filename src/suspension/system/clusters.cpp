@@ -1,3 +1,6 @@
+// Builds the preconditioner by clusters (chapter 05, section "Bodies that nearly touch"): finds the
+// neighbours of each component, chooses the form of the clusters, and inverts the block of each
+// distinct shape.
 #include "suspension/system/clusters.hpp"
 
 #include <algorithm>
@@ -13,23 +16,24 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// Of the layers between components: a preconditioner may err as much.
+// Tolerance of the layers between components: a preconditioner may have errors of this size.
 constexpr double layer_tolerance = 1e-3;
 
-// In mean radii of gyration: gaps within a cluster, and those of contacts that may make a rigid
-// network.
+// Largest gaps, over the mean radius of gyration of a pair: of neighbours in a cluster, and of
+// contacts, which may make a rigid network.
 constexpr double cluster_reach = 2.0, touching = 0.05;
 
 using Inverses = std::map<const DiscretisedShape*, std::shared_ptr<const MatrixXd>>;
 
-// Identifies the cluster_block() of each distinct shape.
+// Inverts the cluster_block() of each distinct shape.
 Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, double gauge) {
   Inverses inverses;
   std::vector<const DiscretisedShape*> distinct;
   for (const auto& discretised : discretisation) {
     if (inverses.try_emplace(discretised.get()).second) distinct.push_back(discretised.get());
   }
-  // An exception must not leave a parallel loop; of several, that of the first component counts.
+  // An exception must not leave a parallel loop. If several shapes fail, the exception of the first
+  // one is thrown.
   std::vector<std::exception_ptr> failures(distinct.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < distinct.size(); ++k) {
@@ -66,7 +70,8 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
     if (!encloses(k)) largest = std::max(largest, radius[k]);
   }
   const RectangleIndex index(rectangles);
-  // More than what curves may bulge out of the rectangles of their nodes.
+  // Rectangles are widened by the largest gap of a neighbour, which exceeds the distance by which a
+  // curve can leave the bounding rectangle of its nodes.
   const double widening = 0.5 * cluster_reach;
   std::vector<std::vector<Neighbour>> neighbours(count);
 #pragma omp parallel for schedule(dynamic)
@@ -76,7 +81,7 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
          index.meeting(widened(rectangles[a], widening * (radius[a] + largest)))) {
       if (b == a || encloses(b)) continue;
       const double mean = 0.5 * (radius[a] + radius[b]);
-      // In one order, so that both find the same gap.
+      // The smaller number comes first, so that both components find exactly the same gap.
       const double gap = closest_points(curves[std::min(a, b)], curves[std::max(a, b)]).gap;
       if (gap < cluster_reach * mean) neighbours[a].push_back({b, gap / mean});
     }
@@ -86,7 +91,7 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
 
 ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) {
   const std::size_t count = neighbours.size();
-  std::size_t contacts = 0;  // each seen from both sides
+  std::size_t contacts = 0;  // each contact is counted from both sides
   for (const std::vector<Neighbour>& of_one : neighbours) {
     contacts += static_cast<std::size_t>(
         std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < touching; }));

@@ -14,24 +14,28 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Finds the neighbours that each inner component's cluster takes in: those whose gap is below the
-/// sum of both radii of gyration.
+/// Finds the neighbours of each inner component for its cluster: the inner components whose gap
+/// from this component is less than the sum of both radii of gyration.
 ///
-/// @param  configuration   where the components are, none overlapping
+/// @param  configuration   where the components are, without overlaps
 /// @param  discretisation  of each component
-/// @return                 of each component, ascending; none of an enclosing wall
-/// @par Cost              a search in a RectangleIndex a component, N_a N_b distances a close pair
+/// @return                 neighbours of each component, ascending; none for an enclosing wall
+/// @par Cost               a search in a RectangleIndex per component, N_a N_b distances per close
+///                         pair
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
                                                        const Discretisation& discretisation);
 
-/// As many bodies are a crowd: long waves, which clusters of held bodies solve badly, have room.
+/// Least number of components of a crowd. In a crowd there are motions in long waves, which
+/// clusters of held bodies approximate badly.
 constexpr std::size_t cluster_crowd = 150;
 
-/// Chooses the form that takes fewer iterations: the mobility form in a crowd,
-/// unless as many gaps as there are components are below 0.05, where contacts make a rigid network.
+/// Chooses the form of the clusters that takes fewer iterations.
 ///
+/// The choice is the resistance form for fewer than cluster_crowd components, and for rigid
+/// networks, which have at least as many contacts (gaps below 0.05 mean radii of gyration) as
+/// components. In all other cases the choice is the mobility form.
 /// @param  neighbours  from cluster_neighbours()
-/// @return             the form
+/// @return             form of the clusters
 ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
 
 /// Builds the preconditioner by clusters, with near-corrected layers.
@@ -39,12 +43,11 @@ ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
 /// @param  problem         the boundary value problem
 /// @param  configuration   where its components are
 /// @param  discretisation  of each component
-/// @param  placed          the same components for near corrections; empty: none
-/// @param  form            of the clusters; as cluster_form() chooses where none is given
+/// @param  placed          placed curves of the components for near corrections; empty: none
+/// @param  form            of the clusters; none: by cluster_form()
 /// @return                 the approximate inverse of its SuspensionOperator
 /// @throws std::domain_error as invert_block() and ClusterPreconditioner do
-/// @par Cost              that of ClusterPreconditioner, and of a
-/// cluster_block() a distinct shape
+/// @par Cost               that of ClusterPreconditioner, and of cluster_block() per distinct shape
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const Discretisation& discretisation,

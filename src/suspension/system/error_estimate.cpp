@@ -1,3 +1,6 @@
+// Estimates the error of a solution by a correction on finer nodes: interpolates the density,
+// solves for the correction of its residual, and compares motions and loads before and after
+// (chapter 12, section "How fine").
 #include "suspension/system/error_estimate.hpp"
 
 #include <algorithm>
@@ -13,17 +16,20 @@ using Eigen::Index;
 
 namespace {
 
-// Where densities are hardly resolved, the finer solution errs too.
+// Safety factor: if the densities are hardly resolved, the solution on finer nodes has an error,
+// too.
 constexpr double safety = 2.0;
 
-// How closely to look at a residual, relative to itself, when it is `relative` to the data: closely
-// enough for what is quadratic in it, and for what the iteration left, which an ill-conditioned
-// system hides in its softest modes.
+// Returns the GMRES tolerance for the correction, relative to its right-hand side r, for
+// relative = |r| / |b| and iteration = |r_0| / |b|. The tolerance is the lesser of 100 |r| / |b|,
+// because the error of the motions is quadratic in r, and of 0.1 |r_0| / |r|, because an
+// ill-conditioned system hides the residual r_0 of the iteration in its softest modes.
 double correction_tolerance(double relative, double iteration) {
   return std::clamp(std::min(100.0 * relative, 0.1 * iteration / relative), 1e-8, 0.03);
 }
 
-// Interpolates, component by component, from the nodes of one system to those of another.
+// Interpolates a density, component by component, from the nodes of one system to the nodes of
+// another.
 ComplexVector transferred(const ComplexVector& density, const LinearSystem& from,
                           const LinearSystem& to) {
   const std::vector<Index>& source = from.system.offsets();
@@ -37,8 +43,9 @@ ComplexVector transferred(const ComplexVector& density, const LinearSystem& from
   return result;
 }
 
-// The coarse system's preconditioner for the fine one. Of modes beyond the coarse nodes the
-// operator leaves little but the jump -1/2.
+// Returns a preconditioner for the fine system. Modes that the coarse nodes resolve pass through
+// the preconditioner of the coarse system. Higher modes are multiplied by -2, since the operator
+// acts on them nearly as its jump -1/2.
 LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem& fine) {
   if (!coarse.precondition) return {};
   return [&](const Eigen::VectorXd& v) {
@@ -61,6 +68,7 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
     const Component& component = problem.components[k];
     if (component.kind == ComponentKind::enclosing_wall) continue;
     any = true;
+    // |U - U'| and a |omega - omega'|; |F - F'| / (4 pi mu) and |L - L'| / (4 pi mu a).
     const double a = RigidModes(component.curve, component.centre).gyration_radius();
     const RigidMotion &m = p.motions[k], &n = q.motions[k];
     motions =
@@ -80,6 +88,7 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
                              const LinearSystem& fine, double scale) {
   const Closure& closure = fine.system.closure();
   const ComplexVector density = deinterleaved(solution.solution);
+  // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
   const ComplexVector rhs = fine.system.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);

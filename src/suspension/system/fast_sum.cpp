@@ -1,3 +1,5 @@
+// Evaluates the double layer of a problem and the Stokeslets and rotlets of its loads (03.4) by the
+// fast multipole method (chapter 08).
 #include "suspension/system/fast_sum.hpp"
 
 #include <cmath>
@@ -10,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-// A free body without a load stays without one.
+// Returns the components that may have a load: prescribed ones, and free bodies with a given load.
 std::vector<std::size_t> loaded_components(const StokesProblem& problem) {
   std::vector<std::size_t> loaded;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
@@ -51,6 +53,7 @@ FastSum::FastSum(const StokesProblem& problem, Fmm fmm)
 FastSum::Singularities FastSum::singularities(const std::vector<Load>& loads) const {
   const auto count = static_cast<Index>(loaded_.size());
   Singularities all{ComplexVector(count), Eigen::VectorXd(count), {}};
+  // Stokeslets of gauge length l add the uniform velocity log(l) F / (4 pi mu).
   for (Index i = 0; i < count; ++i) {
     const Load& load = loads[loaded_[static_cast<std::size_t>(i)]];
     all.force[i] = load.force / viscosity_;
@@ -58,7 +61,8 @@ FastSum::Singularities FastSum::singularities(const std::vector<Load>& loads) co
     all.uniform += log_gauges_[static_cast<std::size_t>(i)] * all.force[i];
   }
   all.uniform *= 0.25 * std::numbers::inv_pi;
-  // A mobility problem's operator has none: no rows for zeros.
+  // In the operator of a mobility problem all loads are zero: the vectors stay empty, and the
+  // multipole method has no singularities to sum.
   if (all.force.isZero(0.0) && all.torque.isZero(0.0)) return {};
   return all;
 }

@@ -11,9 +11,10 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Double layer and singularities of a problem by the fast multipole method.
+/// Evaluates the double layer and the singularities of a problem by the fast multipole method.
 ///
-/// Applications share scratch memory: not in two threads at a time.
+/// All applications of one object share scratch memory, so that they must not run in two threads at
+/// a time.
 /// @par Accuracy  the tolerance, @ref claim_08_15
 class FastSum {
  public:
@@ -32,7 +33,7 @@ class FastSum {
   /// @par Cost          O(n log n + m log m)
   FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance);
 
-  /// Evaluates the velocity of layer and singularities.
+  /// Evaluates the velocity of the layer and the singularities.
   ///
   /// @param  density  of the layer at all n nodes, length / time
   /// @param  loads    of every component
@@ -40,39 +41,40 @@ class FastSum {
   /// @par Cost        O(n + m)
   ComplexVector velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
 
-  /// Evaluates pressure, vorticity and strain of layer and singularities.
+  /// Evaluates pressure, vorticity and strain of the layer and the singularities.
   ///
   /// @param  density  of the layer at all n nodes, length / time
   /// @param  loads    of every component
-  /// @return          at the targets, 1 / time
+  /// @return          derivatives at the targets, 1 / time
   /// @par Accuracy    a hundred times the tolerance, @ref claim_08_18
   /// @par Cost        O(n + m)
   std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
                                            const std::vector<Load>& loads) const;
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
+  // The type is hidden, because Doxygen 1.9 links to a list of private nested types that it does
+  // not write.
   /// @cond
   struct Singularities {
-    ComplexVector force;     // over the viscosity, of each point; no rows where there are none
-    Eigen::VectorXd torque;  // likewise
-    Complex uniform;         // what gauges other than 1 add
+    ComplexVector force;     // of each loaded component, over the viscosity; empty if all are zero
+    Eigen::VectorXd torque;  // of the same components, over the viscosity
+    Complex uniform;         // uniform velocity that gauge lengths other than 1 add
   };
   /// @endcond
   FastSum(const StokesProblem& problem, Fmm fmm);
   Singularities singularities(const std::vector<Load>& loads) const;
 
   std::vector<std::size_t> loaded_;  // components that may have singularities
-  std::vector<double> log_gauges_;   // of their Stokeslets
+  std::vector<double> log_gauges_;   // logarithms of the gauge lengths of their Stokeslets
   double viscosity_;
   Fmm fmm_;
   mutable FmmWorkspace workspace_;
 };
 
-/// Sums a SolvedFlow at targets by the fast multipole method.
+/// Returns a sum that evaluates a SolvedFlow at targets by the fast multipole method.
 ///
 /// @param  tolerance  of velocities, relative in the 2-norm, > 0
-/// @return            O(n + m) for n nodes and m targets
+/// @return            functions of a flow with n nodes and m targets; every call plans a FastSum
 PlainSum fast_sum(double tolerance);
 
 /// @}

@@ -1,3 +1,5 @@
+// Assembles the double layer (02.6) of one component at the nodes of another, for preconditioners;
+// at near nodes a scheme of close evaluation replaces the trapezoid rule (06.17).
 #include "suspension/system/layer_blocks.hpp"
 
 #include "double_layer/double_layer.hpp"
@@ -11,7 +13,8 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// The double layer of a curve at targets, near ones by its scheme of close evaluation.
+// Assembles the double layer of a curve at targets: rows of near targets by the scheme of close
+// evaluation, all others by the trapezoid rule.
 MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed, const ComplexVector& targets,
                       double tolerance) {
   MatrixXd matrix = StressletSum({source}).matrix(targets);
@@ -25,6 +28,7 @@ MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed, const Comp
     }
   }
   if (near.empty()) return matrix;
+  // Rows of the scheme are in the frame of the curve: R rows R^T in the plane, with the rotation R.
   const Complex turn = std::polar(1.0, placed->orientation);
   const ComplexVector local = (targets(near).array() - placed->position) / turn;
   const MatrixXd rows =

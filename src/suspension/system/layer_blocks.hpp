@@ -11,14 +11,14 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Assembles near-corrected double layers between components.
+/// Returns a function that assembles near-corrected double layers between components.
 ///
-/// @param  problem    its components; must outlive the result
-/// @param  placed     the same components for near corrections, empty: none;
+/// @param  problem    problem with its components; must outlive the result
+/// @param  placed     placed curves of the components for near corrections, empty: none;
 ///                    must outlive the result
 /// @param  tolerance  of the near corrections, relative to the density
 /// @return            the layer between any two different components
-/// @par Cost        M N kernel evaluations a call, and a row of the scheme a near node
+/// @par Cost          M N kernel evaluations per call, and a row of the scheme per near node
 LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                         double tolerance);
 

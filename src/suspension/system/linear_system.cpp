@@ -1,4 +1,5 @@
-// Assembles operator and preconditioner of an instant, and solves by GMRES (chapters 05 and 12).
+// Assembles the operator (12.1) and the preconditioner of an instant, and solves the system by
+// GMRES (chapters 05 and 12).
 #include "suspension/system/linear_system.hpp"
 
 #include <stdexcept>
@@ -16,7 +17,8 @@ namespace stokesbook {
 
 namespace {
 
-// The inverse of a component's own block, or the reason why there is none.
+// Returns the inverse of a component's own block, or throws an error that explains why the block is
+// singular.
 std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::size_t component,
                                                      const DiscretisedShape& discretised) {
   try {
@@ -28,7 +30,7 @@ std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::si
   }
 }
 
-// Its clusters, or the reason why there are none.
+// Returns the preconditioner by clusters, or throws an error that explains why it is singular.
 ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configuration& configuration,
                                   const Discretisation& discretisation,
                                   const std::vector<PlacedCurve>& near) {
@@ -40,7 +42,7 @@ ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configurat
   }
 }
 
-// The curves near which the operator corrects its sums; empty: none.
+// Returns the curves near which the operator corrects its sums; empty if none is planned.
 std::vector<PlacedCurve> near_curves(const Plan& plan, const Configuration& configuration,
                                      const Discretisation& discretisation) {
   return plan.near_correction ? placed_schemes(configuration, discretisation)

@@ -16,8 +16,9 @@ namespace stokesbook {
 struct LinearSystem {
   StokesProblem problem;        ///< components with their nodes and data
   SuspensionOperator system;    ///< density in, velocity at the nodes out
-  LinearMap precondition = {};  ///< interleaved, as GMRES takes it; empty: none
-  bool is_factorised = false;   ///< the preconditioner solves, but for its near corrections' errors
+  LinearMap precondition = {};  ///< approximate inverse, interleaved; empty: none
+  bool is_factorised = false;   ///< whether the preconditioner solves the system, up to the
+                                ///< errors of its near corrections
 };
 
 /// Solves a system by GMRES.
@@ -25,7 +26,7 @@ struct LinearSystem {
 /// @param  discrete  the system, n nodes in all
 /// @param  rhs       velocities at all n nodes, length / time
 /// @param  options   when to stop
-/// @param  guess     density at all n nodes to begin with; empty: none
+/// @param  guess     density with which GMRES begins, at all n nodes; empty: zero
 /// @return           solution and history, interleaved
 /// @throws SolverError when gmres() breaks down, or meets numbers that are not finite
 /// @par Cost         that of gmres()
@@ -45,13 +46,13 @@ LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& prob
 
 /// Builds the linear system of a problem with the preconditioner that plan and gaps require.
 ///
-/// @param  scene           whose components messages name
+/// @param  scene           scene whose components are named in messages
 /// @param  plan            of the scene
 /// @param  problem         of an instant
 /// @param  configuration   where the components are
-/// @param  gaps            in it, as find_gaps() returns them
+/// @param  gaps            of the configuration, as find_gaps() returns them
 /// @param  discretisation  of each component
-/// @param  separation      that contact keeps, length; 0: no contact
+/// @param  separation      least gap that contact maintains, length; 0: no contact
 /// @return                 problem, operator and preconditioner
 /// @throws SolverError when the preconditioner is singular, as the block of a held component is
 ///                whose size is at the degenerate scale of flow.gauge_length

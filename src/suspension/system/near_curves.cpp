@@ -1,4 +1,5 @@
-// Places the near-singular schemes of shapes where the components are (chapter 12).
+// Places the near-singular schemes of shapes (chapter 06) at the poses of the components
+// (chapter 12).
 #include "suspension/system/near_curves.hpp"
 
 namespace stokesbook {

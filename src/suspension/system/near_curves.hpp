@@ -10,12 +10,12 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Places the near-singular scheme of each component: interpolation, where the scene asks for it,
-/// or else the Cauchy scheme.
+/// Places the near-singular scheme of each component: the interpolation scheme if the scene selects
+/// it, otherwise the Cauchy scheme.
 ///
 /// @param  configuration   where the components are
 /// @param  discretisation  of each component
-/// @return                 one a component
+/// @return                 one per component
 /// @par Cost               that of a CauchyCurve for each component that is prepared without one
 std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
                                         const Discretisation& discretisation);
@@ -24,7 +24,7 @@ std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
 ///
 /// @param  configuration   where the components are
 /// @param  discretisation  of each component
-/// @return                 one a component
+/// @return                 one per component
 /// @par Cost               as that of placed_schemes()
 std::vector<PlacedCurve> placed_cauchy_schemes(const Configuration& configuration,
                                                const Discretisation& discretisation);

@@ -1,3 +1,5 @@
+// Applies the operator (12.1) of one configuration to a density, without a matrix. Each line adds
+// the result of one chapter.
 #include "suspension/system/operator.hpp"
 
 #include "double_layer/double_layer.hpp"
@@ -40,6 +42,8 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
   }
 }
 
+// The terms of (12.1), in this order: the sum D and the singularities of the loads, the jump -1/2,
+// the smooth velocities of the closure, near corrections (06.17), diagonals (02.9), N_0 (04.6).
 // [operator]
 ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
   const ComplexVector rest = closure_.without_rigid_part(density);
@@ -63,6 +67,7 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
 ComplexVector SuspensionOperator::right_hand_side() const {
   const auto* fast = std::get_if<FastSum>(&sum_);
   if (fast == nullptr) return closure_.right_hand_side();
+  // g_k - u_inf - sum_p (S_p F_p + R_p L_p) as in (03.10).
   return closure_.boundary_data() -
          fast->velocity(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
 }

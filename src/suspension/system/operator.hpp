@@ -15,17 +15,17 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// The matrix-free operator of one configuration: density in, velocity at the nodes out.
+/// The matrix-free operator (12.1) of one configuration: maps a density to velocities at the nodes.
 ///
-/// \f$ (-\frac12 + D)(I-P)\eta \f$ as direct or fast sum, diagonal and near correction, plus what
-/// closure and null-space fix add.
+/// The layer \f$ (-\frac12 + D)(I-P)\eta \f$ is a direct or fast sum with diagonal and near
+/// correction. The closure and the null-space fix add their terms.
 class SuspensionOperator {
  public:
   /// Plans sum, near correction and closure of one configuration.
   ///
   /// @param  problem  the boundary value problem, n nodes in all
-  /// @param  placed   the same components for near corrections; empty: none
-  /// @param  plan     how nodes are summed, and to what tolerance; that of the near corrections
+  /// @param  placed   placed curves of the components for near corrections; empty: none
+  /// @param  plan     method and tolerance of the sums, and tolerance of the near corrections
   /// @throws std::invalid_argument when Closure refuses the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                      const Plan& plan);
@@ -34,24 +34,24 @@ class SuspensionOperator {
   ///
   /// @param  density  at all n nodes, length / time
   /// @return          velocities at all n nodes, length / time
-  /// @par Cost        n^2 kernel evaluations, or O(n) by FastSum; and those of NearCorrection
+  /// @par Cost        n^2 kernel evaluations, or O(n) by FastSum; and that of NearCorrection
   ComplexVector operator()(const ComplexVector& density) const;
 
   /// Assembles the right-hand side of the closure's system.
   /// @return velocities at all n nodes, length / time
-  /// @par Cost  a singularity a node and loaded component, or O(n) by FastSum
+  /// @par Cost  a Stokeslet and a rotlet per node and loaded component, or O(n) by FastSum
   ComplexVector right_hand_side() const;
 
   /// Returns the position of each component's first node.
-  /// @return one entry a component, and one more with the number of all nodes
+  /// @return one entry per component, and one more with the number of all nodes
   const std::vector<Eigen::Index>& offsets() const { return offsets_; }
 
   /// Returns the closure of the problem.
-  /// @return what ties motions and loads to the density
+  /// @return closure, which computes motions and loads from the density
   const Closure& closure() const { return closure_; }
 
  private:
-  // The trapezoid rule's layer and the singularities of loads.
+  // Evaluates the double layer by the trapezoid rule, and the singularities of loads.
   ComplexVector plain_velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
 
   std::vector<Curve> curves_;

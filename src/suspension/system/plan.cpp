@@ -1,3 +1,5 @@
+// Decides from the scene alone which parts of the solver are built and how accurate they are, and
+// records each decision with its reason (chapter 12, section "One way for the data").
 #include "suspension/system/plan.hpp"
 
 #include <algorithm>
@@ -17,10 +19,10 @@ std::string count(std::size_t n, const std::string& one, const std::string& many
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-// Rounding of a fast sum, relative.
+// Rounding error of a fast sum, relative to the sum.
 constexpr double least_sum_tolerance = 1e-14;
 
-// What the scene is made of.
+// The numbers of components of each kind in a scene.
 struct Census {
   std::size_t free = 0, held = 0, inner = 0, outer = 0, circles = 0, components = 0;
   bool loaded = false;
@@ -106,7 +108,7 @@ Plan::Line preconditioner_line(const Plan& plan, const Scene& scene, bool only_c
   return {"preconditioner", decision + "; where gaps are tight" + small + large, reason};
 }
 
-// Residuals do not fall below rounding.
+// Least relative residual that rounding allows.
 constexpr double rounding_of_residuals = 1e-14;
 
 Plan::Line gmres_line(const Plan& plan, const SolverSettings& solver) {
@@ -162,7 +164,7 @@ Plan make_plan(const Scene& scene) {
   Plan plan;
   plan.null_space_fix = census.outer > 0;
   plan.near_correction = scene.solver.near_singular != NearSingular::off && census.components > 1;
-  // A circle's own block has the eigenvalues -1 and -1/2 only: inverting it gains nothing.
+  // The own block of a circle has the eigenvalues -1 and -1/2 only: its inverse saves nothing.
   const bool only_circles = census.circles == census.components;
   const bool local = scene.solver.coupling == Coupling::local;
   const bool chosen_here = !local && scene.solver.preconditioner == PreconditionerKind::automatic;
@@ -170,20 +172,21 @@ Plan make_plan(const Scene& scene) {
                         : !chosen_here ? scene.solver.preconditioner
                         : only_circles ? PreconditionerKind::none
                                        : PreconditionerKind::block_diagonal;
-  // Below, rounding in the softest modes of held components shows in estimates; iterations that
-  // stop in time leave these modes alone.
+  // Below this tolerance, the rounding errors of a factorisation in the softest modes of held
+  // components show in the estimates. Iterations that stop in time hardly touch these modes.
   constexpr double least_tolerance_of_direct = 1e-8;
   plan.direct_at_tight_gaps =
       chosen_here && census.components > 1 && tolerance >= least_tolerance_of_direct;
-  // Among held components close to one another, GMRES with clusters breaks down.
+  // GMRES with clusters may break down if held components are close to each other (chapter 05).
   plan.clusters_at_tight_gaps = chosen_here && census.free > 1 && census.held + census.inner == 0;
-  // A hundredth of the tolerance leaves room for the condition number; no sum is better than
-  // rounding.
+  // A hundredth of the tolerance leaves room for the condition number. Rounding limits all
+  // tolerances from below.
   plan.gmres_tolerance =
       scene.solver.gmres_tol.value_or(std::max(rounding_of_residuals, 0.01 * tolerance));
-  // Densities of films under pressure exceed what velocities are compared with by orders of
-  // magnitude, and errors of sums are rough: as tails of densities they would ask for ever more
-  // nodes.
+  // With contact, the densities of films under pressure exceed the scale of velocities by orders of
+  // magnitude, and so do the errors of sums. These errors are rough: taken for unresolved tails of
+  // densities, they would make the node number grow without end. Sums are therefore a hundred times
+  // as accurate.
   const double closer = scene.contact ? 1e-2 : 1.0;
   plan.near_tolerance = std::max(1e-15, closer * 0.01 * tolerance);
   plan.summation = scene.solver.summation;

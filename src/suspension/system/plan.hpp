@@ -12,55 +12,57 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// How the double layer's nodes are summed.
+/// The ways in which the sum over all nodes of the double layer is computed.
 enum class SumMethod {
   stored,    ///< StressletSum with its kernel in a matrix
-  streamed,  ///< StressletSum that evaluates its kernel anew
+  streamed,  ///< StressletSum that evaluates its kernel in every application
   fast       ///< FastSum
 };
 
-/// What a scene needs, decided from the scene alone; nothing that is not in the plan is built.
+/// The parts and tolerances of the solver that a scene requires, decided from the scene alone. The
+/// solver builds nothing else.
 struct Plan {
-  /// One decision with its reason, for the reader.
+  /// One decision with its reason, as text for the user.
   struct Line {
-    std::string topic,  ///< what is decided
-        decision,       ///< how
-        reason;         ///< why
+    std::string topic,  ///< subject of the decision
+        decision,       ///< the decision
+        reason;         ///< its reason
   };
 
   bool null_space_fix = false;                                   ///< a wall encloses the fluid
   bool near_correction = false;                                  ///< components may come close
-  PreconditionerKind preconditioner = PreconditionerKind::none;  ///< where gaps are wide
+  PreconditionerKind preconditioner = PreconditionerKind::none;  ///< if no gaps are tight
   bool direct_at_tight_gaps = false;           ///< factorise small systems where gaps are tight
   bool clusters_at_tight_gaps = false;         ///< precondition by clusters where gaps are tight
   double gmres_tolerance = 0.0;                ///< relative residual
-  double near_tolerance = 0.0;                 ///< of the sums' quadrature, relative to the density
+  double near_tolerance = 0.0;                 ///< of the near corrections, relative to the density
   double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm
-  Summation summation = Summation::automatic;  ///< as the scene asks
-  std::vector<Line> lines;  ///< all decisions, in the order in which they are told
+  Summation summation = Summation::automatic;  ///< as the scene selects it
+  std::vector<Line> lines;  ///< all decisions, in the order in which a run prints them
 
-  /// Chooses how a number of nodes is summed: what is fastest, unless the scene asks otherwise.
+  /// Chooses the fastest sum for a number of nodes, unless the scene selects one.
   ///
-  /// @param  nodes  in all
-  /// @return        fast above break_even(), if the tolerance is not below what rounding allows
+  /// @param  nodes  number of all nodes
+  /// @return        fast above break_even() nodes, unless rounding errors of a fast sum exceed the
+  ///                tolerance; otherwise stored or streamed
   SumMethod sum_method(Eigen::Index nodes) const;
 
-  /// Chooses whether a flow is evaluated by FastSum, its plan included.
+  /// Returns whether FastSum, with its planning, evaluates a flow faster than the direct sum.
   ///
-  /// @param  targets  m
-  /// @param  nodes    n
-  /// @return          true where m n / (m + n) is above break_even(), unless the scene asks
-  ///                  otherwise
+  /// @param  targets  number of targets, m
+  /// @param  nodes    number of all nodes, n
+  /// @return          true if m n / (m + n) is above break_even(), unless the scene selects the
+  ///                  sum; false without targets
   bool is_fast_at(Eigen::Index targets, Eigen::Index nodes) const;
 
  private:
   bool is_fast(double pairs_a_point) const;
 };
 
-/// Decides what a scene needs.
+/// Decides which parts of the solver a scene requires.
 ///
 /// @param  scene  to be solved
-/// @return        what is to be built, and why
+/// @return        the decisions, with their reasons
 Plan make_plan(const Scene& scene);
 
 /// @}

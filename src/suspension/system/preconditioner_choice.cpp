@@ -1,4 +1,5 @@
-// Chooses the preconditioner that takes the least time for a configuration (chapters 05 and 12).
+// Chooses the preconditioner that takes the least time for a configuration, by its number of nodes
+// and its narrow gaps (chapter 05, section "Bodies that nearly touch").
 #include "suspension/system/preconditioner_choice.hpp"
 
 #include <algorithm>
@@ -9,12 +10,15 @@ namespace stokesbook {
 
 namespace {
 
-// In radii of gyration: gaps that slow GMRES down.
+// Gaps, over the smaller radius of gyration, that slow GMRES down so much that a factorisation
+// pays, or clusters, or clusters in a crowd.
 constexpr double tight_for_direct = 0.02, tight = 0.003, tight_in_crowd = 0.005;
 
-// In separations: pairs that a step may press.
+// Gaps of pairs that a step may press together, over the separation.
 constexpr double in_contact = 1.1;
 
+// Most nodes of a factorised system, its most nodes per contact, and most nodes of a component in
+// clusters.
 constexpr Eigen::Index most_nodes_of_direct = 1000, most_nodes_a_contact = 400,
                        most_nodes_in_clusters = 256;
 
@@ -22,7 +26,7 @@ bool is_inner(const std::shared_ptr<const DiscretisedShape>& discretised) {
   return discretised->kind != ComponentKind::enclosing_wall;
 }
 
-// In ascending order of gaps, so that the search ends with the first that is too wide.
+// Counts the pairs whose gap is less than `reach` times the smaller radius of gyration.
 std::size_t pairs_within(double reach, const std::vector<Gap>& gaps,
                          const Discretisation& discretisation) {
   return static_cast<std::size_t>(std::ranges::count_if(gaps, [&](const Gap& gap) {
