@@ -86,13 +86,9 @@ class LawCheck {
                       " within a factor " + short_number(law.factor) + " claimed");
   }
 
-  Verdict operator()(const Identity& law) {
-    if (!use(0.0)) return verdict_;
-    const double largest = std::ranges::max(used_errors());
-    return decide(largest <= law.tolerance, largest,
-                  "at most " + short_number(largest) + " measured, " + short_number(law.tolerance) +
-                      " claimed");
-  }
+  Verdict operator()(const Identity& law) { return at_most(law.tolerance); }
+
+  Verdict operator()(const AtMost& law) { return at_most(law.bound); }
 
   Verdict operator()(const ErrorBelowTolerance& law) {
     if (!use(0.0)) return verdict_;
@@ -108,6 +104,15 @@ class LawCheck {
  private:
   static double logarithm(double x) { return std::log(x); }
   static double identity(double x) { return x; }
+
+  /// Compares the largest error with a bound.
+  Verdict at_most(double bound) {
+    if (!use(0.0)) return verdict_;
+    const double largest = std::ranges::max(used_errors());
+    return decide(
+        largest <= bound, largest,
+        "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
+  }
 
   /// Selects the points to check. Returns false, with the verdict set, if no check is possible.
   bool use(double least_error) {

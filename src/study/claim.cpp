@@ -29,6 +29,7 @@ struct TextOfLaw {
   std::string operator()(const Identity& law) const {
     return "error <= " + short_number(law.tolerance);
   }
+  std::string operator()(const AtMost& law) const { return "value <= " + short_number(law.bound); }
   std::string operator()(const Cost& law) const { return "operations = C" + power(x, law.order); }
   std::string operator()(const ErrorBelowTolerance& law) const {
     const std::string most = "error <= " + short_number(law.most) + " " + x;
@@ -42,6 +43,7 @@ struct NumberOfLaw {
   double operator()(const Superalgebraic& law) const { return law.order; }
   double operator()(const Floor& law) const { return law.level; }
   double operator()(const Identity& law) const { return law.tolerance; }
+  double operator()(const AtMost& law) const { return law.bound; }
   double operator()(const Cost& law) const { return law.order; }
   double operator()(const ErrorBelowTolerance& law) const { return law.most; }
 };

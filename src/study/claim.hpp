@@ -45,6 +45,11 @@ struct Identity {
   double tolerance;  ///< largest error anywhere
 };
 
+/// The value is at most a bound, such as a number of iterations or a share of another method's work.
+struct AtMost {
+  double bound;  ///< largest value anywhere
+};
+
 /// Cost in counted operations, \f$ \mathrm{operations} = C x^p \f$.
 struct Cost {
   double order;        ///< p
@@ -61,8 +66,8 @@ struct ErrorBelowTolerance {
 /// @}
 
 /// The law of a claim.
-using Law =
-    std::variant<Algebraic, Geometric, Superalgebraic, Floor, Identity, Cost, ErrorBelowTolerance>;
+using Law = std::variant<Algebraic, Geometric, Superalgebraic, Floor, Identity, AtMost, Cost,
+                         ErrorBelowTolerance>;
 
 /// The range of x for which a law is claimed. Points outside are shown, but not checked.
 struct Window {
@@ -89,7 +94,7 @@ struct Claim {
 /// @return       one line
 std::string law_text(const Law& law, const std::string& axis);
 
-/// Returns the number that a law claims: order, rate, level or tolerance.
+/// Returns the number that a law claims: order, rate, level, tolerance or bound.
 ///
 /// @param  law  the law
 /// @return      the number that Verdict::measured is compared with

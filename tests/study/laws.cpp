@@ -70,8 +70,9 @@ BOOST_AUTO_TEST_CASE(two_points_are_inconclusive) {
   BOOST_TEST(outcome(Algebraic{2.0}, doubling(2, power(2.0))) == Outcome::inconclusive);
   BOOST_TEST(outcome(Algebraic{2.0}, doubling(8, power(2.0)), {.floor = 1e-2}) ==
              Outcome::inconclusive);
-  for (const Law& law : {Law{Geometric{1.0}}, Law{Superalgebraic{1.0}}, Law{Floor{1.0}},
-                         Law{Identity{1.0}}, Law{Cost{1.0}}, Law{ErrorBelowTolerance{1.0, 0.0}}}) {
+  for (const Law& law :
+       {Law{Geometric{1.0}}, Law{Superalgebraic{1.0}}, Law{Floor{1.0}}, Law{Identity{1.0}},
+        Law{AtMost{1.0}}, Law{Cost{1.0}}, Law{ErrorBelowTolerance{1.0, 0.0}}}) {
     BOOST_TEST(outcome(law, doubling(2, exponential(1.0))) == Outcome::inconclusive);
   }
 }
@@ -132,6 +133,15 @@ BOOST_AUTO_TEST_CASE(identity_holds_at_every_point) {
   const auto one_bad = [](double x) { return x == 32.0 ? 1e-10 : 1e-15; };
   BOOST_TEST(outcome(Identity{1e-12}, doubling(5, one_bad)) == Outcome::fails);
   BOOST_TEST(outcome(Identity{1e-9}, doubling(5, one_bad)) == Outcome::holds);
+}
+
+BOOST_AUTO_TEST_CASE(at_most_bounds_every_point) {
+  const auto counts = [](double x) { return x == 32.0 ? 9.0 : 2.0; };
+  BOOST_TEST(outcome(AtMost{9.0}, doubling(5, counts)) == Outcome::holds);
+  BOOST_TEST(outcome(AtMost{8.9}, doubling(5, counts)) == Outcome::fails);
+  BOOST_TEST(outcome(AtMost{9.0}, doubling(5, counts), {.to = 16.0}) == Outcome::inconclusive);
+  BOOST_TEST(law_text(AtMost{9.0}, "nodes N") == "value <= 9");
+  BOOST_TEST(claimed_number(AtMost{9.0}) == 9.0);
 }
 
 BOOST_AUTO_TEST_CASE(cost_is_of_counted_operations) {

@@ -179,7 +179,7 @@ Experiment contact_iterations() {
            .claim = Claim{.id = "05_30",
                           .statement = "Where the whole system is factorised, GMRES takes two "
                                        "iterations at most, however narrow the gaps are.",
-                          .law = Identity{2.0},
+                          .law = AtMost{2.0},
                           .reason = "near corrections are those of the operator, and rounding is "
                                     "far below 1e-8",
                           .api = {"stokesbook::DirectPreconditioner"}},

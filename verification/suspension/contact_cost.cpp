@@ -155,7 +155,7 @@ Experiment cost_of_contact() {
                .claim = Claim{.id = "12_17",
                               .statement = "Contact that lasts takes a few solves a step, not one "
                                            "for each pair.",
-                              .law = Identity{0.2},
+                              .law = AtMost{0.2},
                               .reason = "responses are those of the step before, and their sum is "
                                         "corrected; only new pairs ask for their own",
                               .api = {"stokesbook::ContactMobility"}},

@@ -168,7 +168,7 @@ Experiment random_crowds() {
            .claim = Claim{.id = "12_18",
                           .statement = "No written state of a random crowd is closer than the "
                                        "separation, less a thousandth.",
-                          .law = Identity{1e-3},
+                          .law = AtMost{1e-3},
                           .reason = "steps are accepted by the closest points of the curves; "
                                     "measured by formulas that share no code with them",
                           .api = {"stokesbook::SuspensionContact"}},
@@ -210,7 +210,7 @@ Experiment random_crowds() {
            .claim = Claim{.id = "12_23",
                           .statement = "A step in contact takes fewer than three linear problems "
                                        "on average, in every flow.",
-                          .law = Identity{3.0},
+                          .law = AtMost{3.0},
                           .reason = "Newton's method for gaps that are nearly linear where the "
                                     "step before ended; two stages of Heun's method count "
                                     "both, tries that are not taken do not",
@@ -221,7 +221,7 @@ Experiment random_crowds() {
            .measure = over_families(most_iterations),
            .claim = Claim{.id = "12_24",
                           .statement = "No step takes more than nine linear problems.",
-                          .law = Identity{9.0},
+                          .law = AtMost{9.0},
                           .reason = "one that needs more is halved; the published most is nine",
                           .api = {"stokesbook::SuspensionContact"}},
            .control = Control{"pairs seen to one by one", over_families(most_one_by_one)}},

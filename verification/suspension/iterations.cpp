@@ -89,7 +89,7 @@ Experiment lobed_iterations() {
                      .claim = Claim{.id = "12_32",
                                     .statement = "Lobed bodies in a row take no more than eleven "
                                                  "iterations, whatever the number of nodes.",
-                                    .law = Identity{11.0},
+                                    .law = AtMost{11.0},
                                     .reason = "an equation of the second kind, with neighbours "
                                               "solved together; 11.1 is what the published code "
                                               "takes for a step",

@@ -123,7 +123,7 @@ Experiment lagged_growth() {
                                 .statement = "In a crowd the lagged coupling multiplies its error "
                                              "by the spectral radius of block Jacobi in each step, "
                                              "however short.",
-                                .law = Identity{0.1},
+                                .law = AtMost{0.1},
                                 .reason = "a step is a sweep; in the few of them that it takes, "
                                           "bodies hardly move",
                                 .api = {"stokesbook::SuspensionSolver::solve_lagged"}},

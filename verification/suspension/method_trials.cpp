@@ -291,7 +291,7 @@ Line share_of_work(const std::string& id, const std::string& label, const Trial&
           .claim = Claim{.id = id,
                          .statement = "For the error of a published run, " + label +
                                       " take no more than this share of its work.",
-                         .law = Identity{share},
+                         .law = AtMost{share},
                          .reason = "steps of a higher order, where they are needed; nodes where "
                                    "they are needed",
                          .api = {"stokesbook::Simulation"}},
