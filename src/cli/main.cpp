@@ -37,34 +37,33 @@ const CLI::Range number_of_threads(1, 1024);
 
 void add_scene_options(CLI::App& command, RunOptions& options) {
   command.add_option("scene", options.scene, "scene file (TOML)")->required();
-  command.add_option("--out", options.out, "directory of the results [out/<name of the scene>]");
-  command
-      .add_option("--set", options.overrides, "replace a value of the scene, as in time.dt=0.01")
+  command.add_option("--out", options.out, "directory for the results [out/<scene name>]");
+  command.add_option("--set", options.overrides, "set a value of the scene, such as time.dt=0.01")
       ->allow_extra_args(false);
   command.add_option("--threads", options.threads, "number of threads [all processors]")
       ->check(number_of_threads);
-  command.add_flag("--overwrite", options.overwrite, "replace a run in the directory");
+  command.add_flag("--overwrite", options.overwrite, "replace the run in the directory");
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
 void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_option("sweep", options.file, "sweep file (TOML): a scene, values, seeds")
       ->required();
-  command.add_option("--out", options.out, "directory of the results [out/<name of the sweep>]");
+  command.add_option("--out", options.out, "directory for the results [out/<sweep name>]");
   CLI::Option* jobs =
-      command.add_option("--jobs", options.jobs, "tasks at a time [all processors]")
+      command.add_option("--jobs", options.jobs, "number of tasks at a time [all processors]")
           ->check(CLI::PositiveNumber);
-  command.add_option("--threads", options.threads, "number of threads of each task [1]")
+  command.add_option("--threads", options.threads, "number of threads per task [1]")
       ->check(number_of_threads);
   CLI::Option* task =
-      command.add_option("--task", options.task, "run this task only, counted from 0")
+      command.add_option("--task", options.task, "run only this task, numbered from 0")
           ->check(CLI::NonNegativeNumber)
           ->excludes(jobs);
   CLI::Option* plan =
-      command.add_flag("--plan", options.plan, "list the tasks and how to run them elsewhere")
+      command.add_flag("--plan", options.plan, "list the tasks, with commands for clusters")
           ->excludes(jobs)
           ->excludes(task);
-  command.add_flag("--collect", options.collect, "write the table of the tasks that are done")
+  command.add_flag("--collect", options.collect, "write the table of the finished tasks")
       ->excludes(jobs)
       ->excludes(task)
       ->excludes(plan);
@@ -87,10 +86,10 @@ int run_program(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   RunOptions options;
-  CLI::App& run = *app.add_subcommand("run", "move a scene from t = 0 to its end");
+  CLI::App& run = *app.add_subcommand("run", "simulate a scene from t = 0 to its end");
   add_scene_options(run, options);
   CLI::Option* resume =
-      run.add_flag("--resume", options.resume, "go on from the directory's last checkpoint");
+      run.add_flag("--resume", options.resume, "continue from the last checkpoint");
   resume->excludes("--overwrite");
   run.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
@@ -98,7 +97,7 @@ int run_program(int argc, char** argv) {
   solve.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   SweepOptions sweep_options;
   sweep_options.program = argv[0];
-  CLI::App& sweep = *app.add_subcommand("sweep", "run a scene with many values, with error bars");
+  CLI::App& sweep = *app.add_subcommand("sweep", "run a scene for many values, with error bars");
   add_sweep_options(sweep, sweep_options);
   for (CLI::App* command : {&run, &solve, &sweep}) {
     command->set_version_flag("--version", version_text());
@@ -134,7 +133,7 @@ int main(int argc, char** argv) {
     const int status = stokesbook::run_program(argc, argv);
     const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (printed || status != stokesbook::exit_done) return status;
-    std::cerr << "stokes: standard output: not all of it could be written\n";
+    std::cerr << "stokes: standard output: could not be written completely\n";
     return stokesbook::exit_io;
   } catch (const std::bad_alloc&) {
     std::cerr << "stokes: out of memory\n";

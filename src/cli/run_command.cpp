@@ -35,8 +35,9 @@ namespace {
 Scene load_scene(const RunOptions& options) {
   const SceneFile file = read_scene(options.scene, options.overrides);
   if (!options.once && !file.scene.time) {
-    throw SceneError(options.scene.string() +
-                     ": stokes run needs [time] with t_final; stokes solve does without");
+    throw SceneError(
+        options.scene.string() +
+        ": stokes run requires [time] with t_final; use stokes solve for a scene without [time]");
   }
   try {
     return place_fills(file);
@@ -135,7 +136,7 @@ void go_on_from(const Checkpoint& checkpoint, Simulation& simulation,
   try {
     simulation.resume(checkpoint);
   } catch (const std::out_of_range&) {
-    throw RecordError(out / "checkpoint", "lacks what this version goes on from");
+    throw RecordError(out / "checkpoint", "lacks data that this version requires to resume");
   }
 }
 
@@ -189,7 +190,7 @@ void warn_of_estimate(const RunInfo& info, double tolerance) {
     if (error <= tolerance) continue;
     std::fprintf(stderr,
                  "stokes: the error estimate of the field %s is up to %s, above solver.tolerance = "
-                 "%s: given nodes are too few, or automatic ones have come to their limit\n",
+                 "%s: n_nodes is too small, or automatic nodes have reached their limit\n",
                  quantity.c_str(), short_number(error).c_str(), short_number(tolerance).c_str());
   }
   if (info.resolution.velocity_error <= tolerance) return;

@@ -37,8 +37,7 @@ constexpr int most_tries = 3;  // attempts at a task whose worker is killed
 int run_task(const Sweep& sweep, const SweepOptions& options) {
   if (*options.task >= task_count(sweep)) {
     throw SceneError(options.file.string() + ": has " + std::to_string(task_count(sweep)) +
-                     " tasks, counted from 0; " + std::to_string(*options.task) +
-                     " is none of them");
+                     " tasks, numbered from 0; there is no task " + std::to_string(*options.task));
   }
   require_task(options.out, sweep, *options.task);
   const TaskFolder folder(options.out, *options.task);
@@ -146,7 +145,7 @@ class LocalSweep {
   void take_note_of_kill(const WorkerEnd& end, const std::string& task) {
     const std::string cause = "killed by signal " + std::to_string(end.signal);
     if (++kills_[end.task] < most_tries) {
-      std::fprintf(stderr, "stokes: %s: %s, goes on from its checkpoint\n", task.c_str(),
+      std::fprintf(stderr, "stokes: %s: %s; the task continues from its checkpoint\n", task.c_str(),
                    cause.c_str());
       waiting_.push_back(end.task);
       return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -111,7 +112,11 @@ Closure::Closure(const StokesProblem& problem)
   free_uniform_velocity_ = has_free_uniform_velocity(problem);
   if (!is_bounded(problem) && !problem.gauge_length && prescribed_count_ == 0 &&
       has_net_force(problem)) {
-    throw std::invalid_argument("a net force in unbounded flow needs a gauge length");
+    const Complex force = total_given_force(problem);
+    std::ostringstream message;
+    message << "the forces in an unbounded fluid add up to (" << force.real() << ", "
+            << force.imag() << "), not zero: give a gauge length or balance the forces";
+    throw std::invalid_argument(message.str());
   }
 }
 

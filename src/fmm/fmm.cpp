@@ -131,8 +131,9 @@ void Fmm::check_distances() const {
             continue;
           }
           std::ostringstream message;
-          message << "target " << target << " of an FMM is at point " << source - node_count_
-                  << ", (" << tree.x()[i] << ", " << tree.y()[i] << ")";
+          message << "target " << target << " of an FMM coincides with point force "
+                  << source - node_count_ << " at (" << tree.x()[i] << ", " << tree.y()[i]
+                  << "): move one of them";
           throw std::invalid_argument(message.str());
         }
       }
@@ -142,7 +143,8 @@ void Fmm::check_distances() const {
 
 FmmWorkspace Fmm::workspace(Index fields) const {
   if (fields < 1) {
-    throw std::invalid_argument("an FMM sums at least one field, got " + std::to_string(fields));
+    throw std::invalid_argument("an FMM workspace requires at least one field, got " +
+                                std::to_string(fields));
   }
   return {*this, fields};
 }
@@ -163,12 +165,12 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
     return;
   }
   std::ostringstream message;
-  message << "an FMM of " << node_count_ << " nodes, " << point_count_ << " points and "
-          << target_count_ << " targets, with a workspace for " << fields << " fields and "
-          << work.velocity_.rows() << " targets, got densities of size " << strengths.density.rows()
-          << " x " << strengths.density.cols() << ", forces " << strengths.force.rows() << " x "
-          << strengths.force.cols() << ", torques " << strengths.torque.rows() << " x "
-          << strengths.torque.cols();
+  message << "sizes do not agree: the plan has " << node_count_ << " nodes, " << point_count_
+          << " points and " << target_count_ << " targets; the workspace has " << fields
+          << " fields and " << work.velocity_.rows() << " targets; the densities are "
+          << strengths.density.rows() << " x " << strengths.density.cols() << ", the forces "
+          << strengths.force.rows() << " x " << strengths.force.cols() << ", the torques "
+          << strengths.torque.rows() << " x " << strengths.torque.cols();
   throw std::invalid_argument(message.str());
 }
 

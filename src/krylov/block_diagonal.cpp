@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include <Eigen/LU>
 
@@ -47,8 +47,9 @@ MatrixXd invert_block(const MatrixXd& block) {
   const Eigen::PartialPivLU<MatrixXd> lu(block);
   const double rcond = lu.rcond();
   if (!(rcond > 1e-14)) {
-    throw std::domain_error("a diagonal block is singular (reciprocal condition number " +
-                            std::to_string(rcond) + ")");
+    std::ostringstream message;
+    message << "a diagonal block is singular (reciprocal condition number " << rcond << ")";
+    throw std::domain_error(message.str());
   }
   return lu.inverse();
 }

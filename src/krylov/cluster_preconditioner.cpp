@@ -278,7 +278,8 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alon
   const auto resistance = std::make_shared<Resistance>();
   resistance->compute(matrix);
   if (resistance->info() != Eigen::Success) {
-    throw std::domain_error("the clusters' resistance matrix is singular");
+    throw std::domain_error(
+        "the resistance matrix of the clusters is singular: use another preconditioner");
   }
   resistance_ = resistance;
 }

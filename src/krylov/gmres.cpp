@@ -20,8 +20,9 @@ namespace {
 
 void require_finite(const VectorXd& v, const char* what, int iteration) {
   if (!v.allFinite()) {
-    throw std::domain_error(std::string("GMRES met a number that is not finite in ") + what +
-                            " at iteration " + std::to_string(iteration));
+    throw std::domain_error(std::string("GMRES: ") + what +
+                            " has an entry that is not finite, at iteration " +
+                            std::to_string(iteration));
   }
 }
 
@@ -101,7 +102,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     //! [arnoldi]
     if (precondition) preconditioned.push_back(precondition(basis.col(k)));
     VectorXd w = apply(precondition ? preconditioned.back() : basis.col(k));
-    require_finite(w, "the operator", static_cast<int>(k + 1));
+    require_finite(w, "the product with the operator", static_cast<int>(k + 1));
     VectorXd column = VectorXd::Zero(k + 2);
     // Two passes of classical Gram-Schmidt, w -= V (V^T w).
     for (int pass = 0; pass < 2; ++pass) {
@@ -135,8 +136,8 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   // singular, the residual of the recurrence vanishes, but the true one does not.
   if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {
     std::ostringstream message;
-    message << "GMRES broke down: its residual is " << result.history.back()
-            << ", that of its solution " << result.residual
+    message << "GMRES broke down: the recurrence has the residual " << result.history.back()
+            << ", but the solution has the residual " << result.residual
             << "; the operator is singular to rounding";
     throw std::domain_error(message.str());
   }

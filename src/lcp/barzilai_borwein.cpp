@@ -4,6 +4,7 @@
 #include "lcp/barzilai_borwein.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "lcp/scaled_problem.hpp"
 
@@ -33,7 +34,8 @@ double step_length(const VectorXd& s, const VectorXd& y, int turn, double before
 LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOptions& options) {
   const auto m = problem.offset.size();
   if (problem.diagonal.size() != 0 && problem.diagonal.size() != m) {
-    throw std::invalid_argument("the diagonal and the offset differ in length");
+    throw std::invalid_argument("the diagonal has " + std::to_string(problem.diagonal.size()) +
+                                " entries, but the offset has " + std::to_string(m));
   }
   const VectorXd diagonal = problem.diagonal.size() == 0 ? VectorXd::Ones(m) : problem.diagonal;
   const LcpUnits units =
@@ -41,7 +43,10 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
   const auto gradient = [&](const VectorXd& z) {
     const VectorXd product = problem.apply(units.size * units.scale.cwiseProduct(z));
     const VectorXd w = (product + problem.offset).cwiseProduct(units.scale) / units.size;
-    if (!w.allFinite()) throw std::domain_error("a complementarity problem is not finite");
+    if (!w.allFinite()) {
+      throw std::domain_error(
+          "M z + q of the complementarity problem has an entry that is not finite");
+    }
     return w;
   };
 

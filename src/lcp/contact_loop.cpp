@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "lcp/fischer_newton.hpp"
@@ -34,10 +35,14 @@ using Cuts = std::map<ContactKey, Cut>;
 void require_valid(const ContactStep& step) {
   if (!(step.dt > 0.0) || !(step.tolerance > 0.0)) {
     std::ostringstream message;
-    message << "contact needs a time step and a tolerance > 0, not " << step.dt << " and "
-            << step.tolerance;
+    message << "the contact loop requires a time step and a tolerance > 0, not " << step.dt
+            << " and " << step.tolerance;
     throw std::invalid_argument(message.str());
   }
+}
+
+std::string contact_point(const ContactKey& key) {
+  return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
 }
 
 // Evaluates the rows at a velocity, and checks their sizes.
@@ -50,9 +55,17 @@ ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
   };
   if (!fits(rows.gradient) || !fits(rows.force_gradient) ||
       static_cast<Index>(rows.keys.size()) != m) {
-    throw std::invalid_argument("gaps, their gradients and their keys differ in number");
+    std::ostringstream message;
+    message << m << " gaps have gradients of " << rows.gradient.rows() << " x "
+            << rows.gradient.cols() << " (forces " << rows.force_gradient.rows() << " x "
+            << rows.force_gradient.cols() << ") and " << rows.keys.size() << " keys";
+    throw std::invalid_argument(message.str());
   }
-  if (!rows.gap.allFinite()) throw std::domain_error("a gap is not finite");
+  for (Index i = 0; i < m; ++i) {
+    if (std::isfinite(rows.gap[i])) continue;
+    throw std::domain_error("the gap of " + contact_point(rows.keys[static_cast<std::size_t>(i)]) +
+                            " is not finite");
+  }
   return rows;
 }
 
@@ -64,8 +77,7 @@ Cuts linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
     const Cut cut{clearance[i], rows.gradient.row(i), rows.force_gradient.row(i)};
     if (!cuts.emplace(key, cut).second) {
-      throw std::invalid_argument("two rows of contact " + std::to_string(key.contact) +
-                                  " are point " + std::to_string(key.point));
+      throw std::invalid_argument("two rows have the same key: " + contact_point(key));
     }
   }
   return cuts;
@@ -110,7 +122,10 @@ LinearProblem linear_problem(const Cuts& cuts, const ContactStep& step) {
   }
   problem.velocities = step.respond(problem.force_gradient.transpose());
   if (problem.velocities.rows() != n || problem.velocities.cols() != m) {
-    throw std::invalid_argument("the response to forces has another size than the forces");
+    std::ostringstream message;
+    message << "respond() returned " << problem.velocities.rows() << " x "
+            << problem.velocities.cols() << " velocities for " << n << " x " << m << " forces";
+    throw std::invalid_argument(message.str());
   }
   problem.matrix = step.dt * (problem.gradient * problem.velocities);
   return problem;
@@ -284,7 +299,7 @@ class ContactLoop {
 
   std::string name(const ContactKey& key) const {
     if (step_.name) return step_.name(key);
-    return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
+    return contact_point(key);
   }
 
   std::string name(Index i) const { return name(result_.keys[static_cast<std::size_t>(i)]); }
@@ -292,8 +307,8 @@ class ContactLoop {
   bool give_up_on_response(Index i) {
     std::ostringstream reason;
     reason << name(i) << ": a unit force opens its own gap by " << result_.response[i]
-           << ", which must be positive: the quadrature does not resolve the gap, or nothing there "
-              "can move";
+           << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
+              "neither body can move there";
     result_.status = ContactStatus::response_not_seen;
     result_.reason = reason.str();
     return false;
@@ -317,7 +332,7 @@ class ContactLoop {
     std::ostringstream reason;
     reason << name(i) << ": the force " << result_.multipliers[i] << " acts across ";
     if (std::isinf(result_.gaps[i])) {
-      reason << "a contact that is gone";
+      reason << "a contact that has no row any more";
     } else {
       reason << "a gap of " << result_.gaps[i] << " beyond the separation";
     }

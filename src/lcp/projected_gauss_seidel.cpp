@@ -21,8 +21,8 @@ void require_positive_diagonal(const LcpProblem& problem) {
   for (Index i = 0; i < problem.offset.size(); ++i) {
     if (problem.matrix(i, i) > 0.0) continue;
     std::ostringstream message;
-    message << "projected Gauss-Seidel divides by the diagonal, whose entry " << i << " is "
-            << problem.matrix(i, i);
+    message << "projected Gauss-Seidel requires a positive diagonal, but M_ii is "
+            << problem.matrix(i, i) << " for i = " << i << "; use lemke()";
     throw std::invalid_argument(message.str());
   }
 }

@@ -22,13 +22,13 @@ constexpr double zero = 1e-9;
 void require_valid(const LcpProblem& problem) {
   const Index m = problem.offset.size();
   if (problem.matrix.rows() != m || problem.matrix.cols() != m) {
-    throw std::invalid_argument("a complementarity problem with an offset of " + std::to_string(m) +
-                                " numbers has a matrix of " +
-                                std::to_string(problem.matrix.rows()) + " x " +
-                                std::to_string(problem.matrix.cols()));
+    throw std::invalid_argument(
+        "M must be m x m with m = " + std::to_string(m) + " entries in the offset, not " +
+        std::to_string(problem.matrix.rows()) + " x " + std::to_string(problem.matrix.cols()));
   }
   if (!problem.matrix.allFinite() || !problem.offset.allFinite()) {
-    throw std::domain_error("a complementarity problem has numbers that are not finite");
+    throw std::domain_error(
+        "the matrix or the offset of a complementarity problem has an entry that is not finite");
   }
 }
 
@@ -63,8 +63,8 @@ VectorXd scaled_guess(const LcpUnits& units, const VectorXd& guess) {
   const Index m = units.scale.size();
   if (guess.size() == 0) return VectorXd::Zero(m);
   if (guess.size() != m) {
-    throw std::invalid_argument("a guess of " + std::to_string(guess.size()) + " numbers for " +
-                                std::to_string(m));
+    throw std::invalid_argument("the guess has " + std::to_string(guess.size()) +
+                                " numbers, but the problem has " + std::to_string(m) + " rows");
   }
   return guess.cwiseQuotient(units.size * units.scale).cwiseMax(0.0);
 }

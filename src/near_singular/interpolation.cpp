@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include "double_layer/double_layer.hpp"
 #include "near_singular/closest_points.hpp"
@@ -22,10 +22,10 @@ namespace {
 
 void require_in_range(const InterpolationSettings& settings) {
   if (settings.degree >= 1 && settings.step > 0.0 && settings.upsampling >= 1) return;
-  throw std::invalid_argument(
-      "interpolation wants degree >= 1, step > 0 and upsampling >= 1, got " +
-      std::to_string(settings.degree) + ", " + std::to_string(settings.step) + " and " +
-      std::to_string(settings.upsampling));
+  std::ostringstream message;
+  message << "the interpolation scheme requires degree >= 1, step > 0 and upsampling >= 1, got "
+          << settings.degree << ", " << settings.step << " and " << settings.upsampling;
+  throw std::invalid_argument(message.str());
 }
 
 // Assembles the matrix that maps node values to fine node values: column j holds the fine values of

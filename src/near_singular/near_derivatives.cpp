@@ -15,7 +15,8 @@ namespace {
 const CauchyCurve& cauchy_of(const PlacedCurve& placed) {
   const auto* cauchy = std::get_if<std::shared_ptr<const CauchyCurve>>(&placed.scheme);
   if (cauchy == nullptr) {
-    throw std::invalid_argument("pressure and strain near a curve want the Cauchy scheme");
+    throw std::invalid_argument(
+        "pressure and strain near a curve require the Cauchy scheme, not the interpolation scheme");
   }
   return **cauchy;
 }

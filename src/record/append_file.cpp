@@ -26,8 +26,10 @@ AppendFile::AppendFile(const std::filesystem::path& path, int flags)
       descriptor_(::open(path.c_str(),
                          O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags, 0666)) {
   if (descriptor_ >= 0) return;
-  if (errno == ELOOP) throw RecordError(path, "is a symbolic link, which files of a run are not");
-  if (errno == ENXIO) throw RecordError(path, "is no regular file");
+  if (errno == ELOOP) {
+    throw RecordError(path, "is a symbolic link; files of a run must be regular files");
+  }
+  if (errno == ENXIO) throw RecordError(path, "is not a regular file");
   throw RecordError(path, "opening", last_error());
 }
 
@@ -55,7 +57,7 @@ AppendFile AppendFile::reopen(const std::filesystem::path& path, std::uintmax_t 
   AppendFile file(path, 0);
   struct stat status {};
   if (::fstat(file.descriptor_, &status) != 0) throw RecordError(path, "reading", last_error());
-  if (S_ISFIFO(status.st_mode)) throw RecordError(path, "is no regular file");
+  if (S_ISFIFO(status.st_mode)) throw RecordError(path, "is not a regular file");
   const auto found = static_cast<std::uintmax_t>(status.st_size);
   if (found < size) {
     throw RecordError(path, "has " + std::to_string(found) + " bytes, should have at least " +

@@ -11,7 +11,7 @@ namespace {
 void require_party(const ContactParty& party, const Frame& frame) {
   if (party.number < (party.is_wall ? frame.walls.size() : frame.bodies.size())) return;
   throw std::invalid_argument("contact of " + std::string(party.is_wall ? "wall " : "body ") +
-                              std::to_string(party.number) + ", which the frame has not");
+                              std::to_string(party.number) + ", which is not in the frame");
 }
 
 }  // namespace

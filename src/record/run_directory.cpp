@@ -93,7 +93,7 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
   const auto found = std::ranges::find_if(
       names, [](const std::string& name) { return belongs_to_run(name) || name == scene_name; });
   if (found == names.end()) return;
-  throw RecordError(directory, "holds a run already (" + found->string() + "): give " + ways_out +
+  throw RecordError(directory, "already contains a run (" + found->string() + "); use " + ways_out +
                                    " or another directory");
 }
 
@@ -174,7 +174,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
 void RunDirectory::write_frame(const Frame& frame) {
   require_outlines(frame, contents_.bodies, contents_.walls);
   if (frame.field.has_value() != contents_.fields) {
-    throw std::invalid_argument("a frame has a field if the run writes fields, and only then");
+    throw std::invalid_argument("a frame must have a field exactly if the run writes fields");
   }
   if (!contents_.contacts && !frame.contacts.empty()) {
     throw std::invalid_argument("a frame has contacts only if the run writes them");

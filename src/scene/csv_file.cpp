@@ -11,7 +11,7 @@ CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
                        std::initializer_list<std::string_view> headers) {
   const std::filesystem::path path = directory / read(name, csv_file_name);
   const std::optional<std::string> text = text_of(path);
-  if (!text) fail(name, "there is no file to read at " + path.string());
+  if (!text) fail(name, "the file " + path.string() + " does not exist or cannot be read");
   return parse_csv(*text, path.string(), headers);
 }
 

@@ -32,7 +32,7 @@ double parse_number(std::string_view field, std::string_view column, const std::
   if (status == std::errc::invalid_argument || stop != end ||
       !(std::abs(value) <= largest_number)) {
     throw SceneError(where + ": " + std::string(column) + " = " + std::string(field) +
-                     ": must be a number of at most 1e100 in size");
+                     ": must be a number with magnitude at most 1e100");
   }
   return value;
 }

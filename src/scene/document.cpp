@@ -119,7 +119,7 @@ Node parse_document(std::string_view text, std::string_view file_name) {
 Node parse_value(std::string_view text, const std::string& path, const std::string& where) {
   const Locate locate = [&](const toml::source_position&) { return where; };
   const std::string problem = where + ": " + path + " = " + std::string(text) +
-                              ": must be a TOML value (text stands in double quotes)";
+                              ": must be a TOML value (write text in double quotes)";
   bound_keys(text, locate);
   try {
     const toml::table document = toml::parse("value = " + std::string(text));

@@ -28,7 +28,8 @@ Node& element(Node& parent, std::string_view index, const std::string& where) {
   const auto [end, status] = std::from_chars(index.data(), index.data() + index.size(), k);
   if (status != std::errc{} || end != index.data() + index.size() || k >= elements.size()) {
     throw SceneError(where + ": " + parent.path + " has " + std::to_string(elements.size()) +
-                     " elements, counted from 0; '" + std::string(index) + "' is none of them");
+                     " elements, numbered from 0; there is no element '" + std::string(index) +
+                     "'");
   }
   return elements[k];
 }

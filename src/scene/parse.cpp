@@ -57,7 +57,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
 
 SceneFile read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
   const std::optional<std::string> text = text_of(path);
-  if (!text) throw SceneError(path.string() + ": there is no file to read");
+  if (!text) throw SceneError(path.string() + ": the file does not exist or cannot be read");
   return parse_scene(*text, path.string(), path.parent_path(), overrides);
 }
 

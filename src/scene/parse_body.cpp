@@ -15,10 +15,10 @@ Body read_body(const Node& node, const std::filesystem::path& directory) {
   body.held = table.get("held", any_flag).value_or(body.held);
   if (body.held) {
     table.refuse({"force", "torque"},
-                 "the load on a held body comes out: leave it out, or set held = false");
+                 "force and torque of a held body are results; remove them, or set held = false");
   } else {
     table.refuse({"velocity", "omega"},
-                 "the velocity of a free body comes out: leave it out, or set held = true");
+                 "velocity and omega of a free body are results; remove them, or set held = true");
   }
   body.force = table.get("force", any_vector).value_or(body.force);
   body.torque = table.get("torque", any_number).value_or(body.torque);

@@ -31,7 +31,7 @@ std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& 
   const bool ellipses = rows.header == ellipses_header;
   Body body;
   if (ellipses) {
-    table.refuse({"shape"}, "the file gives each body its own ellipse: leave the shape out");
+    table.refuse({"shape"}, "the file gives each body its own ellipse; remove shape");
   } else {
     body.shape = read_shape(table, directory);
   }

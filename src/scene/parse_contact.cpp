@@ -51,10 +51,11 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
   ContactSettings contact = read_separation(given);
   contact.allow_close = table.get("allow_close", any_flag).value_or(contact.allow_close);
   if (scene.bodies.empty() && fills.empty()) {
-    fail_at_key(*node, "there is no body to keep apart: write [[bodies]], or leave [contact] out");
+    fail_at_key(*node, "there are no bodies; add [[bodies]] or remove [contact]");
   }
   if (contact.in_spacings && (has_automatic_nodes(scene.bodies) || has_automatic_nodes(fills))) {
-    fail(given, "needs given n_nodes, as h is their spacing: a body has \"auto\"");
+    fail(given,
+         "requires numbers for all n_nodes, since h is the node spacing; a body has \"auto\"");
   }
   if (scene.time && !resolves_contact(scene.time->method)) {
     fail(*TableReader(*root.find("time")).find("method"),

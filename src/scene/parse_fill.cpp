@@ -15,7 +15,7 @@ constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return 
 std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
   const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
   const std::string expected =
-      enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" needs an outer wall)";
+      enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" requires an outer wall)";
   const Node* given = fill.find("region");
   if (given == nullptr && enclosed) return std::nullopt;
   const Node& region = fill.at("region", expected);

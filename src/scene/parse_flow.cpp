@@ -66,7 +66,7 @@ constexpr Words<FlowReader, 6> flow_kinds{{
 BackgroundFlow read_enclosed(const Node& node) {
   flow_table(node, {"rate", "velocity", "gradient"})
       .refuse({"kind", "rate", "velocity", "gradient", "gauge_length"},
-              "the enclosing wall drives the flow: only reverse_at may stand here");
+              "not allowed with an outer wall, which drives the flow; only reverse_at is");
   return QuiescentFlow{};
 }
 

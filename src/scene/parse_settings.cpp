@@ -101,8 +101,8 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   time.method = method.value_or(time.method);
   if (is_embedded(time.method)) {
     table.refuse({"effort"},
-                 "belongs to methods of fixed steps, such as \"euler\": this one adapts them to "
-                 "the error");
+                 "requires a method with fixed steps, such as \"euler\"; this method adapts steps "
+                 "to the error");
     time.dt = table.get("dt", positive_number);
     time.tolerance = table.get("tolerance", step_tolerance).value_or(default_step_tolerance);
   } else {
@@ -112,16 +112,17 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
       const bool by_default = !method && table.find("effort") == nullptr;
       if (by_default && !time.tolerance) time.tolerance = default_contact_step_tolerance;
     } else {
-      table.refuse({"tolerance"}, "belongs to " + adaptive_methods() +
-                                      ", and to heun with [contact]: this method has fixed steps");
+      table.refuse({"tolerance"}, "requires one of " + adaptive_methods() +
+                                      ", or heun with [contact]; this method has fixed steps");
     }
     time.dt = table.require("dt", positive_number);
     if (time.tolerance) {
-      table.refuse({"effort"}, "does not go with time.tolerance, which adapts steps to the error");
+      table.refuse({"effort"},
+                   "cannot be combined with time.tolerance, which adapts steps to the error");
     }
     time.effort = read_effort(table);
     if (!adapts_steps(time) && !time.effort) {
-      table.refuse({"dt_max"}, "belongs to " + adaptive_methods() + ", and to time.effort");
+      table.refuse({"dt_max"}, "requires one of " + adaptive_methods() + ", or time.effort");
     }
   }
   time.dt_min = table.get("dt_min", positive_number);

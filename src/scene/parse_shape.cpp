@@ -81,7 +81,7 @@ Shape read_nodes(const Node& node, const std::filesystem::path& directory) {
     const std::string file = describe(csv_file_name);
     return nodes_of_file(table.at("file", file + ", or points = [[x, y], ...]"), directory);
   }
-  table.refuse({"file"}, "the curve has its points already: give file or points, not both");
+  table.refuse({"file"}, "give file or points, not both");
   return inline_nodes(*points);
 }
 

@@ -42,7 +42,7 @@ WallMotion read_motion(const TableReader& wall, const Shape& shape) {
   const MotionReader read_kind = TableReader(*node).require("kind", motion_kinds);
   const WallMotion motion = read_kind(*node);
   if (std::holds_alternative<RadialWall>(motion) && !std::holds_alternative<Circle>(shape)) {
-    fail(*node, "radial motion needs a wall whose shape is a circle");
+    fail(*node, "radial motion requires a wall whose shape is a circle");
   }
   return motion;
 }

@@ -94,7 +94,7 @@ double value_as(const Node& node, std::string_view expected) {
   const double value = scalar_as<double>(node, expected);
   if (!std::isfinite(value)) fail(node, "must be " + std::string(expected) + ", and finite");
   if (value != 0.0 && (std::abs(value) < smallest_number || std::abs(value) > largest_number)) {
-    fail(node, "must be 0, or of a size from 1e-100 to 1e100: choose units in which it is");
+    fail(node, "must be 0 or have a magnitude from 1e-100 to 1e100; change the units");
   }
   return value;
 }

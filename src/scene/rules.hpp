@@ -170,7 +170,9 @@ std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
   std::vector<T> meanings;
   for (const Node& element : elements_of(node, expected)) {
     const T meaning = read(element, words);
-    if (std::ranges::find(meanings, meaning) != meanings.end()) fail(element, "is there already");
+    if (std::ranges::find(meanings, meaning) != meanings.end()) {
+      fail(element, "is repeated in the list");
+    }
     meanings.push_back(meaning);
   }
   if (meanings.empty()) fail(node, "must be " + expected);

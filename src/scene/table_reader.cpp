@@ -26,7 +26,7 @@ TableReader::TableReader(const Node& node, std::span<const std::string_view> kno
     if (std::ranges::find(known, entry.key) != known.end()) continue;
     const std::optional<std::string_view> meant = nearest_word(entry.key, known);
     fail_at_key(entry, meant ? "unknown key, did you mean '" + std::string(*meant) + "'?"
-                             : "unknown key; known here: " + joined(known));
+                             : "unknown key; valid keys: " + joined(known));
   }
 }
 

@@ -17,13 +17,13 @@ constexpr double watched_separations = 4.0;
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                    const ContactRules& rules) {
   if (shapes.size() != paths.size()) {
-    throw std::invalid_argument("contact needs a path for each shape, got " +
+    throw std::invalid_argument("contact requires a path for each shape, got " +
                                 std::to_string(shapes.size()) + " shapes and " +
                                 std::to_string(paths.size()) + " paths");
   }
   const auto require_positive = [](double value, const std::string& what) {
     if (value > 0.0) return;
-    throw std::invalid_argument("contact needs a positive " + what + ", got " +
+    throw std::invalid_argument("contact requires a positive " + what + ", got " +
                                 std::to_string(value));
   };
   require_positive(rules.separation.everywhere, "separation");
@@ -33,7 +33,7 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
   }
   require_positive(rules.tolerance, "tolerance");
   if (!(rules.dip >= 0.0 && rules.dip <= 1.0)) {
-    throw std::invalid_argument("contact needs a dip from 0 to 1, got " +
+    throw std::invalid_argument("contact requires a dip from 0 to 1, got " +
                                 std::to_string(rules.dip));
   }
 }

@@ -55,7 +55,7 @@ struct Polygon::Nearest {
 
 Polygon::Polygon(const ComplexVector& vertices, Side side) : vertices_(vertices), side_(side) {
   if (vertices.size() < 3 || !vertices.allFinite()) {
-    throw std::invalid_argument("a polygon needs three or more finite vertices, got " +
+    throw std::invalid_argument("a polygon requires three or more finite vertices, got " +
                                 std::to_string(vertices.size()));
   }
   while (static_cast<Index>(leaf_count_) * EdgeRun::size < size()) leaf_count_ *= 2;

@@ -89,7 +89,7 @@ PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, d
 std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vector<Pose>& poses,
                                      double reach) {
   if (shapes.size() != poses.size()) {
-    throw std::invalid_argument("contact needs a pose for each shape, got " +
+    throw std::invalid_argument("contact requires a pose for each shape, got " +
                                 std::to_string(shapes.size()) + " shapes and " +
                                 std::to_string(poses.size()) + " poses");
   }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include <gsl/gsl_integration.h>
 
@@ -110,8 +111,11 @@ double strip_width(const std::vector<Curve>& curves) {
 FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
                                  const FluidQuadratureSettings& settings) {
   const auto encloses = [](const Curve& curve) { return curve.side == Side::fluid_inside; };
-  if (std::ranges::count_if(curves, encloses) != 1) {
-    throw std::invalid_argument("a quadrature of the fluid wants one enclosing wall");
+  const auto walls = std::ranges::count_if(curves, encloses);
+  if (walls != 1) {
+    throw std::invalid_argument(
+        "a quadrature over the fluid requires exactly one enclosing wall, got " +
+        std::to_string(walls));
   }
   const double width = settings.width > 0.0 ? settings.width : strip_width(curves);
   Rule rule;

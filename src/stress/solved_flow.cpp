@@ -3,6 +3,7 @@
 #include "stress/solved_flow.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -69,7 +70,9 @@ ComplexVector SolvedFlow::velocity(const ComplexVector& targets) const {
 
 std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& targets) const {
   if (placed_.size() != problem_.components.size()) {
-    throw std::invalid_argument("derivatives want the Cauchy scheme of every component");
+    throw std::invalid_argument("derivatives require a Cauchy scheme for every component: got " +
+                                std::to_string(placed_.size()) + " schemes for " +
+                                std::to_string(problem_.components.size()) + " components");
   }
   std::vector<FlowDerivatives> flow = settings_.sum.derivatives(*this, targets);
   const std::vector<FlowDerivatives> corrections =

@@ -23,8 +23,8 @@ ComplexVector boundary_traction(const StokesProblem& problem,
                                 const std::vector<FlowDerivatives>& at_nodes) {
   const Index n = node_offsets(problem).back();
   if (static_cast<Index>(at_nodes.size()) != n) {
-    throw std::invalid_argument("traction wants derivatives at " + std::to_string(n) +
-                                " nodes, not at " + std::to_string(at_nodes.size()));
+    throw std::invalid_argument("the traction requires derivatives at all " + std::to_string(n) +
+                                " nodes, got " + std::to_string(at_nodes.size()));
   }
   ComplexVector result(n);
   Index first = 0;

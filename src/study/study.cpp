@@ -117,9 +117,8 @@ StudyResult run(const Study& study, Size size, std::ostream& progress) {
     std::vector<LineResult>& lines = result.experiments.emplace_back();
     for (const Line& line : experiment.lines) {
       lines.push_back(measure(line, size));
-      require(
-          !experiment.operation.empty() || !counts_operations(lines.back()),
-          experiment.key + '.' + line.key + " counts operations: name them as the experiment's");
+      require(!experiment.operation.empty() || !counts_operations(lines.back()),
+              experiment.key + '.' + line.key + " counts operations; set Experiment::operation");
       report(progress, line, lines.back());
     }
   }

@@ -36,13 +36,13 @@ std::string in_slurm(std::string_view path) {
 std::string batch_commands(const Batch& batch) {
   const std::string last = std::to_string(batch.tasks - 1);
   const std::string task = shell_command(batch.task);
-  return "# Slurm: a job a task; given again, it does what is not done\n"
+  return "# Slurm: one job per task; submit again to run the tasks that are not done\n"
          "sbatch --array=0-" +
          last + " --cpus-per-task=" + std::to_string(batch.threads) +
          " --requeue --open-mode=append --output=" + shell_quoted(batch.output) +
          " --wrap=" + shell_quoted(task + " $SLURM_ARRAY_TASK_ID") +
          "\n"
-         "# GNU parallel: a task a processor; --sshlogin adds machines that see the same files\n"
+         "# GNU parallel: one task per processor; --sshlogin adds machines with the same files\n"
          "seq 0 " +
          last + " | parallel --quote " + task +
          " {}\n"

@@ -20,12 +20,12 @@ namespace {
 
 constexpr const char* manifest_name = "tasks.csv";
 constexpr const char* another_sweep =
-    "is of another sweep, or the scene has changed since: give another --out";
+    "belongs to another sweep, or the scene has changed; choose another --out";
 
 void require_manifest(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error)) return;
-  throw RecordError(path, "is not there: stokes sweep with --plan writes it");
+  throw RecordError(path, "does not exist; run stokes sweep --plan first");
 }
 
 void require_same(const std::filesystem::path& path, std::string_view manifest) {

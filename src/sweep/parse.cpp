@@ -89,7 +89,7 @@ std::vector<AxisValue> read_values(const Node& node) {
   for (const Node& element : elements_of(node, "a list of values")) {
     AxisValue value{toml_text(element), element.where};
     if (std::ranges::find(values, value.value, &AxisValue::value) != values.end()) {
-      fail(element, "is there already");
+      fail(element, "is repeated in the list");
     }
     values.push_back(std::move(value));
   }
@@ -122,7 +122,9 @@ Axis read_axis(const Node& node) {
   const TableReader table(node, {"key", "name", "values", "range"});
   Axis axis;
   axis.key = table.require("key", scene_key);
-  if (axis.key == "seed") fail(*table.find("key"), "seeds stand in a list of their own: seeds");
+  if (axis.key == "seed") {
+    fail(*table.find("key"), "seeds are not an axis; list them in the key seeds");
+  }
   axis.name = table.get("name", column_name).value_or(axis.key);
   const Node* values = table.find("values");
   const Node* range = table.find("range");
@@ -155,7 +157,8 @@ void read_column(const TableReader& table, std::string_view header, Quantity& qu
   quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
   if (std::ranges::find(columns, quantity.column) == columns.end()) {
     const auto meant = nearest_word(quantity.column, columns);
-    fail(node, "is no column of " + quantity.table + (meant ? ", did you mean '" : ", whose are ") +
+    fail(node, "is not a column of " + quantity.table +
+                   (meant ? ", did you mean '" : "; its columns are ") +
                    (meant ? std::string(*meant) + "'?" : std::string(header)));
   }
   for (const std::string_view item : {"body", "wall"}) {
@@ -191,7 +194,7 @@ Quantity read_quantity(const Node& node) {
 void require_distinct(const std::string& column, std::vector<std::string>& columns,
                       const Node& node) {
   if (std::ranges::find(columns, column) != columns.end()) {
-    fail(node, "gives tables a second column '" + column + "': give it a name of its own");
+    fail(node, "would give the tables two columns '" + column + "'; set another name");
   }
   columns.push_back(column);
 }
@@ -209,13 +212,14 @@ void require_few_tasks(const Node& document, const Sweep& sweep) {
 
 Sweep read_sweep(const std::filesystem::path& path) {
   const std::optional<std::string> text = text_of(path);
-  if (!text) throw SceneError(path.string() + ": there is no file to read");
+  if (!text) throw SceneError(path.string() + ": the file does not exist or cannot be read");
   const Node document = parse_document(*text, path.string());
   const TableReader root(document, {"scene", "seeds", "axes", "collect"});
   Sweep sweep;
   sweep.scene = path.parent_path() / root.require("scene", file_name);
   if (!text_of(sweep.scene)) {
-    fail(*root.find("scene"), "there is no file to read at " + sweep.scene.string());
+    fail(*root.find("scene"),
+         "the file " + sweep.scene.string() + " does not exist or cannot be read");
   }
   // Column names that are taken: the tables of every sweep have these columns.
   std::vector<std::string> columns{"task", "folder", "seed",      "scene",
@@ -225,7 +229,7 @@ Sweep read_sweep(const std::filesystem::path& path) {
     const Axis& axis = sweep.axes.emplace_back(read_axis(node));
     require_distinct(axis.name, columns, node);
     if (std::ranges::find(keys, axis.key) != keys.end()) {
-      fail(node, "sets " + axis.key + ", as another axis does");
+      fail(node, "another axis already sets " + axis.key);
     }
     keys.push_back(axis.key);
   }

@@ -43,8 +43,8 @@ void require_quantity(const Quantity& quantity, const SceneFile& file) {
   }
   const auto require_item = [&](const std::string& items, std::size_t count) {
     if (std::cmp_less(*quantity.item, count)) return;
-    fail(quantity, "the scene has " + std::to_string(count) + " " + items + ", counted from 0; " +
-                       std::to_string(*quantity.item) + " is none of them");
+    fail(quantity, "the scene has " + std::to_string(count) + " " + items +
+                       ", numbered from 0; there is no number " + std::to_string(*quantity.item));
   };
   if (quantity.table == "walls.csv") require_item("walls", scene.walls.size());
   // The number of bodies in a fill is unknown until they are placed.
@@ -56,8 +56,8 @@ void require_quantity(const Quantity& quantity, const SceneFile& file) {
 void require_use_of_seeds(const std::vector<AxisValue>& seeds, bool has_fills) {
   if (seeds.size() < 2 || has_fills) return;
   throw SceneError(seeds[1].where +
-                   ": seeds: the scene has no [[fill]], and seeds change nothing else: runs would "
-                   "be the same, and no independent samples; leave all but one out");
+                   ": seeds: the scene has no [[fill]], so all seeds give the same run; keep one "
+                   "seed");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ WorkerEnd Workers::wait() {
   while (true) {
     int status = 0;
     const pid_t child = ::wait(&status);
-    if (child < 0 && errno != EINTR) throw std::logic_error("no process runs that could end");
+    if (child < 0 && errno != EINTR) throw std::logic_error("no process is running");
     const auto found = tasks_.find(child);
     if (found == tasks_.end()) continue;
     const std::size_t task = found->second;

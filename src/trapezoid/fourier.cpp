@@ -45,7 +45,7 @@ double* packed(ComplexVector& v) {
 
 void require_even(Index n) {
   if (n < 2 || n % 2 != 0) {
-    throw std::invalid_argument("a Fourier grid needs an even number of nodes, got " +
+    throw std::invalid_argument("a Fourier grid requires an even number of nodes, got " +
                                 std::to_string(n));
   }
 }
@@ -170,7 +170,9 @@ double fourier_tail(const ComplexVector& f) {
 
 TrigonometricPolynomial::TrigonometricPolynomial(const ComplexVector& values) {
   const Index n = values.size(), highest = n / 2;
-  if (n == 0) throw std::invalid_argument("a trigonometric polynomial needs a value, got none");
+  if (n == 0) {
+    throw std::invalid_argument("a trigonometric polynomial requires at least one value, got 0");
+  }
   const ComplexVector c = fourier_coefficients(values);
   coefficients_.resize(2 * highest + 1);
   for (Index k = -highest; k <= highest; ++k) {

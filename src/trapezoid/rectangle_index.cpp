@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -33,7 +34,10 @@ Box to_box(const Rectangle& rectangle) {
 
 Entry to_entry(const Rectangle& rectangle, std::size_t number) {
   if (!std::isfinite(std::abs(rectangle.lower)) || !std::isfinite(std::abs(rectangle.upper))) {
-    throw std::invalid_argument("rectangle " + std::to_string(number) + " is not finite");
+    std::ostringstream message;
+    message << "rectangle " << number << " has a corner that is not finite: " << rectangle.lower
+            << " and " << rectangle.upper;
+    throw std::invalid_argument(message.str());
   }
   return {to_box(rectangle), number};
 }

@@ -44,7 +44,7 @@ Curve resample(const Curve& curve, Index m) {
 
 Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
   if (n < 4 || n % 2 != 0) {
-    throw std::invalid_argument("a curve needs an even number of nodes >= 4, got " +
+    throw std::invalid_argument("a curve requires an even number of nodes >= 4, got " +
                                 std::to_string(n));
   }
   const std::vector<GradedParameter> parameters = graded_parameters(grading, n);

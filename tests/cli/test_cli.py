@@ -471,7 +471,7 @@ class Records(Program):
         path.write_text(rewritten(text, r"\nestimate 2\n", "\nguess 2\n"))
         refused = self.run_scene("--out", "a", "--resume", code=3)
         self.assertEqual(refused.stderr,
-                         "stokes: a/checkpoint: lacks what this version goes on from\n")
+                         "stokes: a/checkpoint: lacks data that this version requires to resume\n")
 
     def test_the_scene_is_not_written_over(self):
         self.scene(name="scene.toml")

@@ -84,7 +84,7 @@ class FrontEnd(unittest.TestCase):
 
     def test_bad_usage(self):
         self.install_all()
-        self.assertIn("needs a name", self.stokes("test", "--preset", code=1).stderr)
+        self.assertIn("requires a name", self.stokes("test", "--preset", code=1).stderr)
 
     def test_tiers(self):
         self.install_all()
@@ -108,7 +108,7 @@ class FrontEnd(unittest.TestCase):
                          r"stokes: release, testing: \d+ CPU seconds\n(.*\n)*"
                          r"stokes: asan, building: \d+ CPU seconds\n"
                          r"stokes: asan, testing: \d+ CPU seconds\n"
-                         r"stokes: in all: \d+ CPU seconds\n$")
+                         r"stokes: total: \d+ CPU seconds\n$")
         self.assertEqual(asked("--full")[1], [f"--build {builds}/release --target all", "ctest ",
                                               f"--build {builds}/asan --target all",
                                               "ctest -LE full",

@@ -268,7 +268,7 @@ class Interruptions(unittest.TestCase):
             process = subprocess.run([PROGRAM, "run", *map(str, RUN), "--out", self.folder / "mute"],
                                      stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual((process.returncode, process.stderr),
-                         (3, "stokes: standard output: not all of it could be written\n"))
+                         (3, "stokes: standard output: could not be written completely\n"))
         self.assertEqual(contents(self.folder / "mute"), self.whole)
 
 

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(no_solution_is_never_reported_as_one) {
 BOOST_AUTO_TEST_CASE(gauss_seidel_names_the_entry_that_it_cannot_divide_by) {
   BOOST_CHECK_EXCEPTION(projected_gauss_seidel(two(1.0, 0.0, 0.0, -2.0, -1.0, -1.0)),
                         std::invalid_argument, [](const std::invalid_argument& error) {
-                          return std::string(error.what()).find("entry 1 is -2") !=
+                          return std::string(error.what()).find("M_ii is -2 for i = 1") !=
                                  std::string::npos;
                         });
 }

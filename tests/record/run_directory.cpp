@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_run_is_not_overwritten_unasked) {
                                  "configuration.svg", "fields_pressure.svg", "scene.toml"}) {
     const Folder folder;
     write(folder.at(name), "precious");
-    BOOST_CHECK_EXCEPTION(create(folder), RecordError, mentions("holds a run already", name));
+    BOOST_CHECK_EXCEPTION(create(folder), RecordError, mentions("already contains a run", name));
     BOOST_TEST((read_all(folder.path()) == std::map<std::string, std::string>{{name, "precious"}}));
   }
 }
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_restart_takes_the_place_of_a_run_only) {
   };
   const std::map<std::string, std::string> mine{{"animation.html", "mine"}, {"walls.csv", "mine"}};
   for (const auto& [name, text] : mine) write(folder.at(name), text);
-  BOOST_CHECK_EXCEPTION(restart(), RecordError, mentions("holds a run already", "--overwrite"));
+  BOOST_CHECK_EXCEPTION(restart(), RecordError, mentions("already contains a run", "--overwrite"));
   BOOST_TEST((read_all(folder.path()) == mine));
   write(folder.at("steps.csv"), "of a run that was killed");
   restart();
@@ -298,7 +298,7 @@ BOOST_AUTO_TEST_CASE(pipes_and_folders_are_no_files_of_a_run) {
   BOOST_REQUIRE(::mkfifo(folder.at("pipe").c_str(), 0600) == 0);
   std::filesystem::create_directory(folder.at("folder"));
   BOOST_CHECK_EXCEPTION(AppendFile::reopen(folder.at("pipe"), 0), RecordError,
-                        mentions("pipe", "no regular file"));
+                        mentions("pipe", "not a regular file"));
   BOOST_CHECK_THROW(AppendFile::reopen(folder.at("folder"), 0), RecordError);
   BOOST_CHECK_THROW(read_text(folder.at("pipe")), RecordError);
   BOOST_CHECK_THROW(read_text(folder.at("folder")), RecordError);

@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(flow) {
       {"[flow]\nkind = 'taylor_green'\nrate = 'fast'\n",
        "s.toml:3:8: flow.rate = \"fast\": must be a number, not a string"},
       {"[flow]\nkind = 'uniform'\nrate = 1\n",
-       "s.toml:3:1: flow.rate = 1: unknown key; known here: kind, velocity, gauge_length, "
+       "s.toml:3:1: flow.rate = 1: unknown key; valid keys: kind, velocity, gauge_length, "
        "reverse_at"},
       {"[flow]\nkind = 'uniform'\n",
        "s.toml:1:1: flow.velocity is missing: must be two numbers [x, y]"},
@@ -34,12 +34,12 @@ BOOST_AUTO_TEST_CASE(flow) {
       {"[flow]\nkind = 'uniform'\nvelocity = [1, inf]\n",
        "s.toml:3:16: flow.velocity[1] = inf: must be a number, and finite"},
       {"[flow]\nkind = 'shear'\nrate = 1e-200\n" + disk(),
-       "s.toml:3:8: flow.rate = 1e-200: must be 0, or of a size from 1e-100 to 1e100: choose units "
-       "in which it is"},
+       "s.toml:3:8: flow.rate = 1e-200: must be 0 or have a magnitude from 1e-100 to 1e100; change "
+       "the units"},
       {"[flow]\nrate = 1\n",
-       "s.toml:2:1: flow.rate = 1: unknown key; known here: kind, gauge_length, reverse_at"},
+       "s.toml:2:1: flow.rate = 1: unknown key; valid keys: kind, gauge_length, reverse_at"},
       {"[flow]\nkind = 'shear'\nrate = 1\nvelocity = [1, 0]\n",
-       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; known here: kind, rate, gauge_length, "
+       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; valid keys: kind, rate, gauge_length, "
        "reverse_at"},
       {"[flow]\nkind = 'linear'\n",
        "s.toml:1:1: flow.gradient is missing: must be two rows of two numbers [[a, b], [c, d]]"},
@@ -66,23 +66,23 @@ BOOST_AUTO_TEST_CASE(flow) {
       {"[flow]\nreverse_at = [1, 'later']\n",
        "s.toml:2:18: flow.reverse_at[1] = \"later\": must be a number, not a string"},
       {tank() + "[flow]\nkind = 'shear'\nrate = 1\n",
-       "s.toml:6:1: flow.kind = \"shear\": the enclosing wall drives the flow: only reverse_at may "
-       "stand here"},
+       "s.toml:6:1: flow.kind = \"shear\": not allowed with an outer wall, which drives the flow; "
+       "only reverse_at is"},
       {tank() + "[flow]\nkind = 'quiescent'\n",
-       "s.toml:6:1: flow.kind = \"quiescent\": the enclosing wall drives the flow: only reverse_at "
-       "may stand here"},
+       "s.toml:6:1: flow.kind = \"quiescent\": not allowed with an outer wall, which drives the "
+       "flow; only reverse_at is"},
       {tank() + "[flow]\nrate = 1\n",
-       "s.toml:6:1: flow.rate = 1: the enclosing wall drives the flow: only reverse_at may stand "
-       "here"},
+       "s.toml:6:1: flow.rate = 1: not allowed with an outer wall, which drives the flow; only "
+       "reverse_at is"},
       {tank() + "[flow]\nvelocity = [1, 0]\n",
-       "s.toml:6:1: flow.velocity = [1, 0]: the enclosing wall drives the flow: only reverse_at "
-       "may stand here"},
+       "s.toml:6:1: flow.velocity = [1, 0]: not allowed with an outer wall, which drives the flow; "
+       "only reverse_at is"},
       {tank() + "[flow]\ngradient = [[0, 1], [0, 0]]\n",
-       "s.toml:6:1: flow.gradient = [[0, 1], [0, 0]]: the enclosing wall drives the flow: only "
-       "reverse_at may stand here"},
+       "s.toml:6:1: flow.gradient = [[0, 1], [0, 0]]: not allowed with an outer wall, which drives "
+       "the flow; only reverse_at is"},
       {tank() + "[flow]\ngauge_length = 1\n",
-       "s.toml:6:1: flow.gauge_length = 1: the enclosing wall drives the flow: only reverse_at may "
-       "stand here"},
+       "s.toml:6:1: flow.gauge_length = 1: not allowed with an outer wall, which drives the flow; "
+       "only reverse_at is"},
       {tank() + "[flow]\nreverse_at = [-1]\n",
        "s.toml:6:14: flow.reverse_at = [-1]: must be a list of ascending times > 0"},
       {tank() + "[flow]\nreverse = [1]\n",

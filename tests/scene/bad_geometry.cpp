@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(walls) {
       {wall("orientation = [1]\n"),
        "s.toml:5:15: walls[0].orientation = [1]: must be a number, not an array of 1"},
       {wall("force = [0, 0]\n"),
-       "s.toml:5:1: walls[0].force = [0, 0]: unknown key; known here: role, shape, position, "
+       "s.toml:5:1: walls[0].force = [0, 0]: unknown key; valid keys: role, shape, position, "
        "orientation, n_nodes, motion"},
       {wall("motion = 'fixed'\n"),
        "s.toml:5:10: walls[0].motion = \"fixed\": must be a table, not a string"},
@@ -55,28 +55,28 @@ BOOST_AUTO_TEST_CASE(walls) {
        "s.toml:5:19: walls[0].motion.kind = \"sliding\": must be one of fixed, rotating, "
        "translating, linear, radial"},
       {wall("motion = { kind = 'fixed', omega = 1 }\n"),
-       "s.toml:5:28: walls[0].motion.omega = 1: unknown key; known here: kind"},
+       "s.toml:5:28: walls[0].motion.omega = 1: unknown key; valid keys: kind"},
       {wall("motion = { kind = 'rotating' }\n"),
        "s.toml:5:10: walls[0].motion.omega is missing: must be a number"},
       {wall("motion = { kind = 'rotating', omega = 'fast' }\n"),
        "s.toml:5:39: walls[0].motion.omega = \"fast\": must be a number, not a string"},
       {wall("motion = { kind = 'rotating', velocity = [1, 0] }\n"),
-       "s.toml:5:31: walls[0].motion.velocity = [1, 0]: unknown key; known here: kind, omega"},
+       "s.toml:5:31: walls[0].motion.velocity = [1, 0]: unknown key; valid keys: kind, omega"},
       {wall("motion = { kind = 'translating' }\n"),
        "s.toml:5:10: walls[0].motion.velocity is missing: must be two numbers [x, y]"},
       {wall("motion = { kind = 'translating', omega = 1 }\n"),
-       "s.toml:5:34: walls[0].motion.omega = 1: unknown key; known here: kind, velocity"},
+       "s.toml:5:34: walls[0].motion.omega = 1: unknown key; valid keys: kind, velocity"},
       {wall("motion = { kind = 'linear', gradient = [[1, 0]] }\n"),
        "s.toml:5:40: walls[0].motion.gradient = [[1, 0]]: must be two rows of two numbers [[a, b], "
        "[c, d]], not an array of 1"},
       {wall("motion = { kind = 'linear', rate = 1 }\n"),
-       "s.toml:5:29: walls[0].motion.rate = 1: unknown key; known here: kind, gradient"},
+       "s.toml:5:29: walls[0].motion.rate = 1: unknown key; valid keys: kind, gradient"},
       {wall("motion = { kind = 'radial', speed = 1 }\n"),
-       "s.toml:5:10: walls[0].motion: radial motion needs a wall whose shape is a circle"},
+       "s.toml:5:10: walls[0].motion: radial motion requires a wall whose shape is a circle"},
       {tank() + "motion = { kind = 'radial' }\n",
        "s.toml:5:10: walls[0].motion.speed is missing: must be a number"},
       {tank() + "motion = { kind = 'radial', velocity = [1, 1] }\n",
-       "s.toml:5:29: walls[0].motion.velocity = [1, 1]: unknown key; known here: kind, speed"},
+       "s.toml:5:29: walls[0].motion.velocity = [1, 1]: unknown key; valid keys: kind, speed"},
   });
 }
 
@@ -118,23 +118,23 @@ BOOST_AUTO_TEST_CASE(bodies) {
       {disk("torque = [1, 0]\n"),
        "s.toml:3:10: bodies[0].torque = [1, 0]: must be a number, not an array of 2"},
       {disk("held = true\nforce = [1, 0]\n"),
-       "s.toml:4:1: bodies[0].force = [1, 0]: the load on a held body comes out: leave it out, or "
-       "set held = false"},
+       "s.toml:4:1: bodies[0].force = [1, 0]: force and torque of a held body are results; remove "
+       "them, or set held = false"},
       {disk("torque = 0.0\nheld = true\n"),
-       "s.toml:3:1: bodies[0].torque = 0.0: the load on a held body comes out: leave it out, or "
-       "set held = false"},
+       "s.toml:3:1: bodies[0].torque = 0.0: force and torque of a held body are results; remove "
+       "them, or set held = false"},
       {disk("velocity = [1, 0]\n"),
-       "s.toml:3:1: bodies[0].velocity = [1, 0]: the velocity of a free body comes out: leave it "
-       "out, or set held = true"},
+       "s.toml:3:1: bodies[0].velocity = [1, 0]: velocity and omega of a free body are results; "
+       "remove them, or set held = true"},
       {disk("held = false\nomega = 1\n"),
-       "s.toml:4:1: bodies[0].omega = 1: the velocity of a free body comes out: leave it out, or "
-       "set held = true"},
+       "s.toml:4:1: bodies[0].omega = 1: velocity and omega of a free body are results; remove "
+       "them, or set held = true"},
       {disk("held = true\nvelocity = 1\n"),
        "s.toml:4:12: bodies[0].velocity = 1: must be two numbers [x, y], not an integer"},
       {disk("held = true\nomega = [1]\n"),
        "s.toml:4:9: bodies[0].omega = [1]: must be a number, not an array of 1"},
       {disk("mass = 1\n"),
-       "s.toml:3:1: bodies[0].mass = 1: unknown key; known here: shape, position, orientation, "
+       "s.toml:3:1: bodies[0].mass = 1: unknown key; valid keys: shape, position, orientation, "
        "force, torque, held, velocity, omega, n_nodes"},
       {disk() + disk("n_nodes = 9\n"),
        "s.toml:6:11: bodies[1].n_nodes = 9: must be an even integer >= 8 or \"auto\" (try 10)"},
@@ -155,10 +155,10 @@ BOOST_AUTO_TEST_CASE(fills) {
        "s.toml:4:9: fill[0].count = 2.5: must be an integer >= 1, not a float"},
       {fill("count = 5\n"),
        "s.toml:1:1: fill[0].region is missing: must be { box = [xmin, ymin, xmax, ymax] } "
-       "(\"fluid\" needs an outer wall)"},
+       "(\"fluid\" requires an outer wall)"},
       {fill("count = 5\nregion = 'fluid'\n"),
        "s.toml:5:10: fill[0].region = \"fluid\": must be { box = [xmin, ymin, xmax, ymax] } "
-       "(\"fluid\" needs an outer wall)"},
+       "(\"fluid\" requires an outer wall)"},
       {tank() + fill("count = 5\nregion = 'all'\n"),
        "s.toml:9:10: fill[0].region = \"all\": must be \"fluid\" or { box = [xmin, ymin, xmax, "
        "ymax] }"},
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(fills) {
       {tank() + fill("count = 5\nclearance = -0.1\n"),
        "s.toml:9:13: fill[0].clearance = -0.1: must be a number >= 0"},
       {tank() + fill("count = 5\nposition = [0, 0]\n"),
-       "s.toml:9:1: fill[0].position = [0, 0]: unknown key; known here: shape, area_fraction, "
+       "s.toml:9:1: fill[0].position = [0, 0]: unknown key; valid keys: shape, area_fraction, "
        "count, region, clearance, n_nodes"},
       {tank() + "[[fill]]\nshape = { kind = 'circle', radius = 1 }\ncount = 5\n",
        "s.toml:5:1: fill[0].n_nodes is missing: must be an even integer >= 8 or \"auto\""},

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(no_scene_file) {
   const Folder folder;
   for (const std::string& path : {folder.at("missing.toml"), folder.path().string()}) {
     BOOST_CHECK_EXCEPTION(read_scene(path), SceneError, [&](const SceneError& error) {
-      return error.what() == path + ": there is no file to read";
+      return error.what() == path + ": the file does not exist or cannot be read";
     });
   }
 }
@@ -150,33 +150,33 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
   BOOST_TEST(error_with_csv(list, one + "4,5,6,7\n") ==
              "a.csv:3: must hold 3 values (x,y,theta), not 4");
   BOOST_TEST(error_with_csv(list, one + "4,five,6\n") ==
-             "a.csv:3: y = five: must be a number of at most 1e100 in size");
+             "a.csv:3: y = five: must be a number with magnitude at most 1e100");
   BOOST_TEST(error_with_csv(list, one + "4,5 5,6\n") ==
-             "a.csv:3: y = 5 5: must be a number of at most 1e100 in size");
+             "a.csv:3: y = 5 5: must be a number with magnitude at most 1e100");
   BOOST_TEST(error_with_csv(list, one + "4,5,\n") ==
-             "a.csv:3: theta = : must be a number of at most 1e100 in size");
+             "a.csv:3: theta = : must be a number with magnitude at most 1e100");
   BOOST_TEST(error_with_csv(list, one + "nan,5,6\n") ==
-             "a.csv:3: x = nan: must be a number of at most 1e100 in size");
+             "a.csv:3: x = nan: must be a number with magnitude at most 1e100");
   BOOST_TEST(error_with_csv(list, one + "4,5,inf\n") ==
-             "a.csv:3: theta = inf: must be a number of at most 1e100 in size");
+             "a.csv:3: theta = inf: must be a number with magnitude at most 1e100");
   BOOST_TEST(error_with_csv(list, one + "4,5,1e999\n") ==
-             "a.csv:3: theta = 1e999: must be a number of at most 1e100 in size");
+             "a.csv:3: theta = 1e999: must be a number with magnitude at most 1e100");
   for (const std::string number : {"+-1", "++1", "+", "-", "1e400", "-1e400", "1e-400x"}) {
     BOOST_TEST(error_with_csv(list, one + "4," + number + ",6\n") ==
-               "a.csv:3: y = " + number + ": must be a number of at most 1e100 in size");
+               "a.csv:3: y = " + number + ": must be a number with magnitude at most 1e100");
   }
   BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,0,4,5\n") ==
              "a.csv:3: semi_a = 0.0: must be a number > 0");
   BOOST_TEST(error_with_csv(list_of_ellipses, ellipse + "1,2,3,-4.5,5\n") ==
              "a.csv:3: semi_b = -4.5: must be a number > 0");
-  BOOST_TEST(error_with_csv(list, ellipse) ==
-             "s.toml:3:1: body_lists[0].shape: the file gives each body its own ellipse: leave the "
-             "shape out");
+  BOOST_TEST(
+      error_with_csv(list, ellipse) ==
+      "s.toml:3:1: body_lists[0].shape: the file gives each body its own ellipse; remove shape");
   BOOST_TEST(error_with_csv(list_of_ellipses, one) ==
              "s.toml:1:1: body_lists[0].shape is missing: must be a table, such as { kind = "
              "\"circle\", radius = 1.0 }");
   BOOST_TEST(error_with_csv(list + "held = true\n", one) ==
-             "s.toml:5:1: body_lists[0].held = true: unknown key; known here: file, shape, force, "
+             "s.toml:5:1: body_lists[0].held = true: unknown key; valid keys: file, shape, force, "
              "torque, n_nodes");
   BOOST_TEST(error_with_csv(list + "force = 1\n", one) ==
              "s.toml:5:9: body_lists[0].force = 1: must be two numbers [x, y], not an integer");
@@ -188,7 +188,8 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
   BOOST_TEST(error_with_csv("[[body_lists]]\nn_nodes = 32\n", one) ==
              "s.toml:1:1: body_lists[0].file is missing: must be the name of a CSV file");
   BOOST_TEST(error_with_csv("[[body_lists]]\nfile = 'b.csv'\n", one) ==
-             "s.toml:2:8: body_lists[0].file = \"b.csv\": there is no file to read at b.csv");
+             "s.toml:2:8: body_lists[0].file = \"b.csv\": the file b.csv does not exist or cannot "
+             "be read");
 }
 
 BOOST_AUTO_TEST_CASE(bad_nodal_curves) {
@@ -204,7 +205,7 @@ BOOST_AUTO_TEST_CASE(bad_nodal_curves) {
              "s.toml:2:34: bodies[0].shape.file = \"a.csv\": the curve must go around the origin: "
              "loads act there");
   BOOST_TEST(error_with_csv(nodal_body, "x,y\n1,0\n0,x\n") ==
-             "a.csv:3: y = x: must be a number of at most 1e100 in size");
+             "a.csv:3: y = x: must be a number with magnitude at most 1e100");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -31,8 +31,9 @@ BOOST_AUTO_TEST_CASE(paths_may_be_written_as_messages_write_them) {
   BOOST_TEST(scene.bodies[0].n_nodes == 32);
   BOOST_TEST(scene.bodies[1].n_nodes == 64);
   BOOST_TEST((scene.bodies[0].shape == Shape(Circle{0.25})));
-  BOOST_TEST(error_of(two_disks, {"bodies[2].n_nodes=8"}) ==
-             "--set bodies[2].n_nodes: bodies has 2 elements, counted from 0; '2' is none of them");
+  BOOST_TEST(
+      error_of(two_disks, {"bodies[2].n_nodes=8"}) ==
+      "--set bodies[2].n_nodes: bodies has 2 elements, numbered from 0; there is no element '2'");
 }
 
 BOOST_AUTO_TEST_CASE(add_values_and_tables) {
@@ -91,7 +92,7 @@ BOOST_AUTO_TEST_CASE(errors_of_form) {
   BOOST_TEST(message("time.dt") == "--set time.dt: " + form);
   BOOST_TEST(message("=1") == "--set : " + form);
   BOOST_TEST(message("") == "--set : " + form);
-  const std::string value = "must be a TOML value (text stands in double quotes)";
+  const std::string value = "must be a TOML value (write text in double quotes)";
   BOOST_TEST(message("time.method=rk 4") == "--set time.method: time.method = rk 4: " + value);
   BOOST_TEST(message("time.dt=") == "--set time.dt: time.dt = : " + value);
   BOOST_TEST(message("time.dt=1\nseed=2") == "--set time.dt: time.dt = 1\nseed=2: " + value);
@@ -99,19 +100,15 @@ BOOST_AUTO_TEST_CASE(errors_of_form) {
 
 BOOST_AUTO_TEST_CASE(errors_of_path) {
   const auto message = [](const std::string& setting) { return error_of(two_disks, {setting}); };
-  const std::string two = "bodies has 2 elements, counted from 0; ";
-  BOOST_TEST(message("bodies.2.n_nodes=8") ==
-             "--set bodies.2.n_nodes: " + two + "'2' is none of them");
-  BOOST_TEST(message("bodies.-1.n_nodes=8") ==
-             "--set bodies.-1.n_nodes: " + two + "'-1' is none of them");
-  BOOST_TEST(message("bodies.1x.n_nodes=8") ==
-             "--set bodies.1x.n_nodes: " + two + "'1x' is none of them");
-  BOOST_TEST(message("bodies.n_nodes=8") ==
-             "--set bodies.n_nodes: " + two + "'n_nodes' is none of them");
+  const std::string two = "bodies has 2 elements, numbered from 0; there is no element ";
+  BOOST_TEST(message("bodies.2.n_nodes=8") == "--set bodies.2.n_nodes: " + two + "'2'");
+  BOOST_TEST(message("bodies.-1.n_nodes=8") == "--set bodies.-1.n_nodes: " + two + "'-1'");
+  BOOST_TEST(message("bodies.1x.n_nodes=8") == "--set bodies.1x.n_nodes: " + two + "'1x'");
+  BOOST_TEST(message("bodies.n_nodes=8") == "--set bodies.n_nodes: " + two + "'n_nodes'");
   BOOST_TEST(message("time.dt.first=8") ==
              "--set time.dt.first: time.dt = 0.1: has no 'first' in it");
   BOOST_TEST(message("time..dt=8") ==
-             "--set time..dt: time.: unknown key; known here: t_final, dt, method, tolerance, "
+             "--set time..dt: time.: unknown key; valid keys: t_final, dt, method, tolerance, "
              "dt_min, dt_max, effort");
 }
 

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(top) {
       {"seeds = []\n", "2:9: seeds = []: must be a list of one or more values"},
       {"seeds = [1, -2]\n", "2:13: seeds[1] = -2: must be an integer >= 0"},
       {"seeds = [1, 0.5]\n", "2:13: seeds[1] = 0.5: must be an integer >= 0, not a float"},
-      {"seeds = [3, 3]\n", "2:13: seeds[1] = 3: is there already"},
+      {"seeds = [3, 3]\n", "2:13: seeds[1] = 3: is repeated in the list"},
       {"seeds = 3\n",
        "2:9: seeds = 3: must be a list of integers or { first, count }, not an integer"},
       {"seeds = { first = 1 }\n",
@@ -71,13 +71,14 @@ BOOST_AUTO_TEST_CASE(files) {
     const auto path = folder.write("sweep.toml", text);
     return message_of<SceneError>(folder, [&] { read_sweep(path); });
   };
-  BOOST_TEST(error_of("scene = 'none.toml'\nseeds = [1]\n") ==
-             "sweep.toml:1:9: scene = \"none.toml\": there is no file to read at none.toml");
+  BOOST_TEST(
+      error_of("scene = 'none.toml'\nseeds = [1]\n") ==
+      "sweep.toml:1:9: scene = \"none.toml\": the file none.toml does not exist or cannot be read");
   BOOST_TEST(error_of("seeds = [1]\n") ==
              "sweep.toml:1:1: scene is missing: must be the name of a scene file, relative to this "
              "file");
   BOOST_TEST(message_of<SceneError>(folder, [&] { read_sweep(folder.path() / "no.toml"); }) ==
-             "no.toml: there is no file to read");
+             "no.toml: the file does not exist or cannot be read");
 }
 
 BOOST_AUTO_TEST_CASE(axes) {
@@ -89,26 +90,27 @@ BOOST_AUTO_TEST_CASE(axes) {
        "3:7: axes[0].key = \"time dt\": must be a key of the scene, such as \"time.dt\" or "
        "\"fill.0.area_fraction\""},
       {"[[axes]]\nkey = 'seed'\nvalues = [1]\n",
-       "3:7: axes[0].key = \"seed\": seeds stand in a list of their own: seeds"},
+       "3:7: axes[0].key = \"seed\": seeds are not an axis; list them in the key seeds"},
       {axis(""), "2:1: axes[0]: must hold values or range, not both"},
       {axis("values = [1]\nrange = { from = 0, to = 1, count = 2 }\n"),
        "2:1: axes[0]: must hold values or range, not both"},
       {axis("values = []\n"), "4:10: axes[0].values = []: must be a list of one or more values"},
       {axis("values = 1\n"), "4:10: axes[0].values = 1: must be a list of values, not an integer"},
-      {axis("values = [0.1, 0.2, 0.1]\n"), "4:21: axes[0].values[2] = 0.1: is there already"},
+      {axis("values = [0.1, 0.2, 0.1]\n"),
+       "4:21: axes[0].values[2] = 0.1: is repeated in the list"},
       {axis("value = [1]\n"), "4:1: axes[0].value = [1]: unknown key, did you mean 'values'?"},
       {axis("name = 'a b'\nvalues = [1]\n"),
        "4:8: axes[0].name = \"a b\": must be a name of letters, digits and _"},
       {axis("values = [0.1]\n") + axis("values = [0.2]\n"),
-       "5:1: axes[1]: gives tables a second column 'time.dt': give it a name of its own"},
+       "5:1: axes[1]: would give the tables two columns 'time.dt'; set another name"},
       {axis("name = 'seed'\nvalues = [0.1]\n"),
-       "2:1: axes[0]: gives tables a second column 'seed': give it a name of its own"},
+       "2:1: axes[0]: would give the tables two columns 'seed'; set another name"},
       {axis("name = 'runs'\nvalues = [0.1]\n"),
-       "2:1: axes[0]: gives tables a second column 'runs': give it a name of its own"},
+       "2:1: axes[0]: would give the tables two columns 'runs'; set another name"},
       {axis("name = 'folder'\nvalues = [0.1]\n"),
-       "2:1: axes[0]: gives tables a second column 'folder': give it a name of its own"},
+       "2:1: axes[0]: would give the tables two columns 'folder'; set another name"},
       {axis("values = [0.1]\n") + axis("name = 'dt'\nvalues = [0.2]\n"),
-       "5:1: axes[1]: sets time.dt, as another axis does"},
+       "5:1: axes[1]: another axis already sets time.dt"},
   });
 }
 
@@ -137,10 +139,10 @@ BOOST_AUTO_TEST_CASE(quantities) {
        "4:9: collect[0].table = \"rheology\": must be one of rheology.csv, steps.csv, "
        "trajectory.csv, walls.csv"},
       {quantity("table = 'rheology.csv'\ncolumn = 'torque'\n"),
-       "5:10: collect[0].column = \"torque\": is no column of rheology.csv, whose are "
+       "5:10: collect[0].column = \"torque\": is not a column of rheology.csv; its columns are "
        "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y"},
       {quantity("table = 'rheology.csv'\ncolumn = 's21'\ntake = 'last'\n"),
-       "5:10: collect[0].column = \"s21\": is no column of rheology.csv, did you mean 's11'?"},
+       "5:10: collect[0].column = \"s21\": is not a column of rheology.csv, did you mean 's11'?"},
       {quantity("table = 'rheology.csv'\n"),
        "3:1: collect[0].column is missing: must be a column of rheology.csv"},
       {quantity("table = 'rheology.csv'\ncolumn = 's11'\n"),
@@ -158,21 +160,21 @@ BOOST_AUTO_TEST_CASE(quantities) {
       {quantity("table = 'trajectory.csv'\ncolumn = 'x'\ntake = 'last'\n"),
        "3:1: collect[0].body is missing: must be an integer >= 0"},
       {quantity("table = 'trajectory.csv'\ncolumn = 'x'\nbody = 1\ntake = 'last'\n"),
-       "3:1: collect x: the scene has 1 bodies, counted from 0; 1 is none of them"},
+       "3:1: collect x: the scene has 1 bodies, numbered from 0; there is no number 1"},
       {quantity("table = 'walls.csv'\ncolumn = 'fx'\nwall = 0\ntake = 'last'\n"),
-       "3:1: collect fx: the scene has 0 walls, counted from 0; 0 is none of them"},
+       "3:1: collect fx: the scene has 0 walls, numbered from 0; there is no number 0"},
       {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
                 "table = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
-       "7:1: collect[1]: gives tables a second column 's11': give it a name of its own"},
+       "7:1: collect[1]: would give the tables two columns 's11'; set another name"},
       {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
                 "name = 's11_interval'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
-       "7:1: collect[1]: gives tables a second column 's11_interval': give it a name of its own"},
+       "7:1: collect[1]: would give the tables two columns 's11_interval'; set another name"},
       {quantity("name = 's_interval'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n"
                 "[[collect]]\nname = 's'\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n"),
-       "8:1: collect[1]: gives tables a second column 's_interval': give it a name of its own"},
+       "8:1: collect[1]: would give the tables two columns 's_interval'; set another name"},
       {axis("name = 's11'\nvalues = [0.1]\n") +
            "[[collect]]\ntable = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n",
-       "6:1: collect[0]: gives tables a second column 's11': give it a name of its own"},
+       "6:1: collect[0]: would give the tables two columns 's11'; set another name"},
   });
 }
 
@@ -184,7 +186,7 @@ BOOST_AUTO_TEST_CASE(values_that_the_scene_refuses_are_found_in_the_sweep_file) 
       {"[[axes]]\nkey = 'time.dtt'\nvalues = [1]\n",
        "4:11: time.dtt = 1: unknown key, did you mean 'dt'?"},
       {"[[axes]]\nkey = 'bodies.1.n_nodes'\nvalues = [64]\n",
-       "4:11: bodies has 1 elements, counted from 0; '1' is none of them"},
+       "4:11: bodies has 1 elements, numbered from 0; there is no element '1'"},
       {"[[axes]]\nkey = 'bodies.0.shape'\nvalues = [{ kind = 'circle', radius = 'big' }]\n",
        "4:11: bodies[0].shape.radius = \"big\": must be a number > 0, not a string"},
       {"seeds = [1]\n[[axes]]\nkey = 'output.formats'\nvalues = [['csv'], ['vtk']]\n"
@@ -207,8 +209,7 @@ BOOST_AUTO_TEST_CASE(no_two_tasks_have_the_same_scene) {
 
 BOOST_AUTO_TEST_CASE(seeds_must_change_something) {
   const std::string problem =
-      ": seeds: the scene has no [[fill]], and seeds change nothing else: runs would be the same, "
-      "and no independent samples; leave all but one out";
+      ": seeds: the scene has no [[fill]], so all seeds give the same run; keep one seed";
   check({
       {"seeds = [1, 2]\n", "2:13" + problem},
       {"seeds = { first = 1, count = 2 }\n", "2:9" + problem},

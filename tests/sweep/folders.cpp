@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   const auto require_all = [&](const Sweep& asked) {
     return message_of<RecordError>(folder, [&] { require_sweep(out, manifest(asked)); });
   };
-  const std::string none = "out/tasks.csv: is not there: stokes sweep with --plan writes it";
+  const std::string none = "out/tasks.csv: does not exist; run stokes sweep --plan first";
   BOOST_TEST(require(sweep, 0) == none);
   BOOST_TEST(require_all(sweep) == none);
   open_sweep(out, manifest(sweep));
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   BOOST_TEST(require_all(sweep) == "no error");
 
   const std::string other =
-      "out/tasks.csv: is of another sweep, or the scene has changed since: give another --out";
+      "out/tasks.csv: belongs to another sweep, or the scene has changed; choose another --out";
   const Sweep changed = folder.sweep(axis + "[0.5, 0.125]\n");
   BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep: no harm
   BOOST_TEST(require(changed, 1) == other);

@@ -125,7 +125,7 @@ class Losses(Sweeping):
         task = self.kill_one_with_a_checkpoint("a")
         told, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 0, errors)
-        self.assertRegex(errors, rf"^stokes: task {task}: .*killed by signal 9, goes on from its")
+        self.assertRegex(errors, rf"^stokes: task {task}: .*killed by signal 9; the task continues")
         self.assertRegex(told, rf"\ntask {task}: .*: done")
         # It has gone on, not begun anew.
         self.assertLess(self.solves("a", task), self.solves("a", 0 if task > 0 else TASKS - 1))
@@ -141,7 +141,7 @@ class Losses(Sweeping):
             self.wait_until("its end", lambda: self.workers("a").get(0) != worker)
         told, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 2, errors)
-        self.assertEqual(errors.count("goes on from its checkpoint"), 2)
+        self.assertEqual(errors.count("the task continues from its checkpoint"), 2)
         self.assertRegex(errors, r"task 0: .*: failed: killed by signal 9, the last of 3 tries\n")
         self.assertEqual(len(self.done("a")), TASKS - 1)
         self.assertIn(b"\n2,0.5,4,1,0,", self.results("a"))
@@ -251,7 +251,8 @@ n_nodes = 48
                 ("seeds =", "seed =", "sweep.toml:3:1: seed: unknown key, did you mean 'seeds'?"),
                 ("[2, 3]", "[]", "sweep.toml:7:10: axes[0].values = []: must be a list of one or"),
                 ("to = 1.0", "to = 0.5", "sweep.toml:10:28: axes[1].range.to = 0.5: must differ"),
-                ("scene.toml", "none.toml", 'sweep.toml:2:9: scene = "none.toml": there is no file'),
+                ("scene.toml", "none.toml", 'sweep.toml:2:9: scene = "none.toml": the file none.toml '
+                                          'does not exist or cannot be read'),
                 ("[2, 3]", "[2, -3]", "sweep.toml:7:14: fill[0].count = -3: must be an integer >= 1"),
                 ("flow.rate", "flow.rat", "sweep.toml:10:9: flow.rat = 0.5: unknown key, did you "
                                           "mean 'rate'?")):
@@ -269,7 +270,7 @@ n_nodes = 48
                           ["--task", 0, "--jobs", 2], ["--plan", "--collect"], ["--threads", 0]):
             self.sweep("--out", "a", *arguments, code=1)
         result = self.sweep("--out", "a", "--task", TASKS, code=1)
-        self.assertIn("has 20 tasks, counted from 0; 20 is none of them", result.stderr)
+        self.assertIn("has 20 tasks, numbered from 0; there is no task 20", result.stderr)
 
     def test_folders(self):
         self.write("file", "")
@@ -280,14 +281,14 @@ n_nodes = 48
         self.sweep("--out", "a", "--plan")
         self.write("scene.toml", SCENE.replace("t_final = 1.0", "t_final = 1.1"))
         for how in [], ["--plan"], ["--task", 0], ["--collect"]:
-            self.assertIn("tasks.csv: is of another sweep, or the scene has changed",
+            self.assertIn("tasks.csv: belongs to another sweep, or the scene has changed",
                           self.sweep("--out", "a", *how, code=3).stderr)
         self.write("scene.toml", SCENE)
         # The first task is the same: of old results, some would get new labels.
         for old, new in ("to = 1.0", "to = 9.0"), ("count = 5", "count = 2"), ("[2, 3]", "[2, 4]"):
             self.write("sweep.toml", SWEEP.replace(old, new))
             refused = self.sweep("--out", "a", "--collect", code=3)
-            self.assertIn("tasks.csv: is of another sweep", refused.stderr)
+            self.assertIn("tasks.csv: belongs to another sweep", refused.stderr)
         self.assertFalse((self.folder / "a/results.csv").exists())
         self.write("sweep.toml", SWEEP)
         self.sweep("--out", "a", "--collect")
