@@ -17,11 +17,10 @@ namespace stokesbook {
 /// The velocity of a step is the one that keeps the separation at the step's end; the forces of
 /// contact act from its beginning, and frames show them. By Heun's method contact is resolved a
 /// second time, at the state that the first half leads to. Steps whose contact is not resolved are
-/// halved. With time.tolerance steps are adapted: the error of a step is the largest distance of a
-/// boundary point between the first half, which is Euler's method, and the whole step, and the next
-/// step is \f$ 0.9\,(tol/err)^{1/2} \f$ times as long, at least 0.3 and at most 1.5 times. A step
-/// is also so short that bodies near each other do not move past each other by more than the ratio
-/// of the smaller one's area and perimeter.
+/// halved. With time.tolerance steps are adapted by step_factor(): the error of a step is the
+/// largest distance of a boundary point between the first half, which is Euler's method, and the
+/// whole step. A step is also so short that bodies near each other do not move past each other by
+/// more than the ratio of the smaller one's area and perimeter.
 class ContactSteps {
  public:
   /// Takes the settings of a scene.
