@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 namespace stokesbook {
 

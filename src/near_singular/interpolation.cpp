@@ -10,7 +10,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "near_singular/closest_points.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 namespace stokesbook {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {

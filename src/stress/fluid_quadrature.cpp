@@ -13,7 +13,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "near_singular/closest_points.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {

@@ -33,11 +33,11 @@ const Tableau& tableau_of(SteppingMethod method) {
   }
 }
 
-StepRefused too_short(double dt, double error) {
+StepError too_short(double dt, double error) {
   std::ostringstream message;
   message << "the estimated error of a step of " << dt << " is " << error
           << " times what is allowed";
-  return StepRefused(message.str());
+  return StepError(message.str());
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Rates {
 };
 
 /// Thrown when no step of at least the smallest allowed length has an error within the bound.
-class StepRefused : public std::runtime_error {
+class StepError : public std::runtime_error {
  public:
   /// Stores the message.
   using std::runtime_error::runtime_error;
@@ -101,7 +101,7 @@ class Stepper {
   /// @param  event   time > start.t that no step may pass
   /// @return         the step, which ends at the event if the event is near enough
   /// @throws InadmissibleState when all steps down to dt_min meet such a state
-  /// @throws StepRefused when all steps down to dt_min have errors above the bound
+  /// @throws StepError when all steps down to dt_min have errors above the bound
   /// @par Cost       for each step that is tried, one evaluation of f at the end and those of the
   ///                 stages; the cost of first_step() if no length of the first step is given
   Advance advance(const TimePoint& start, StepMemory memory, double event) const;

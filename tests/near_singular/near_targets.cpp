@@ -8,7 +8,7 @@
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

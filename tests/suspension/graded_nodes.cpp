@@ -40,7 +40,7 @@ class NearlyTouching {
       const Curve even = sample(shapes_[k], 128, Side::fluid_outside);
       curves.push_back(test::smooth_curve(even, positions_[k], turns_[k]));
     }
-    std::vector<std::vector<GapDemand>> demands(3);
+    std::vector<std::vector<GapRequirement>> demands(3);
     for (std::size_t k : {1u, 2u}) {
       const ClosestPoints closest = closest_points(curves[0], curves[k]);
       const DensityDecay decay = density_decay(curves[0], curves[k], closest);
@@ -102,8 +102,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
   for (double tolerance : {1e-4, 1e-10}) {
-    for (const std::vector<GapDemand>& gaps :
-         {std::vector<GapDemand>{}, {{0.3, 2.0}}, {{0.3, infinite}, {1.0, 1.5}}}) {
+    for (const std::vector<GapRequirement>& gaps :
+         {std::vector<GapRequirement>{}, {{0.3, 2.0}}, {{0.3, infinite}, {1.0, 1.5}}}) {
       const Resolution nodes = nodes_for_gaps(gaps, 64, tolerance);
       BOOST_TEST(nodes.n_nodes == 64);
       BOOST_TEST(!nodes.is_graded());
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(counts_grow_as_the_logarithm_of_the_depth) {
 }
 
 BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
-  const std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {4.0, 0.2}, {5.0, infinite}};
+  const std::vector<GapRequirement> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {4.0, 0.2}, {5.0, infinite}};
   const double tolerance = 1e-9;
   const Resolution nodes = nodes_for_gaps(gaps, 96, tolerance);
   const double needed = std::log(1e5 / tolerance);
@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
 }
 
 BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
-  const GapDemand narrow{1.0, 1e-4}, beside{1.05, 0.1}, apart{1.2, 0.1}, far{4.0, 1e-3};
-  const auto places = [](const std::vector<GapDemand>& gaps) {
+  const GapRequirement narrow{1.0, 1e-4}, beside{1.05, 0.1}, apart{1.2, 0.1}, far{4.0, 1e-3};
+  const auto places = [](const std::vector<GapRequirement>& gaps) {
     std::vector<double> parameters;
     for (const Cluster& cluster : nodes_for_gaps(gaps, 32, 1e-8).grading.clusters) {
       parameters.push_back(cluster.parameter);
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_gaps_does_not_matter) {
-  std::vector<GapDemand> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {2.005, 1e-2}, {4.0, 0.2}};
+  std::vector<GapRequirement> gaps{{0.3, 1e-3}, {2.0, 1e-2}, {2.005, 1e-2}, {4.0, 0.2}};
   const Resolution nodes = nodes_for_gaps(gaps, 48, 1e-8);
   std::reverse(gaps.begin(), gaps.end());
   const Resolution again = nodes_for_gaps(gaps, 48, 1e-8);

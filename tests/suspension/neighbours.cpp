@@ -7,7 +7,7 @@
 #include <omp.h>
 
 #include "near_singular/barycentric.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/scenes.hpp"
 #include "suspension/solver/fluid_mask.hpp"

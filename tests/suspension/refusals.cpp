@@ -85,10 +85,10 @@ BOOST_AUTO_TEST_CASE(memory_that_is_not_there) {
   // A shape counts once.
   const Scene twins = scene({body(Circle{1.0}, 1000, {}), body(Circle{1.0}, 1000, 4.0)});
   const Resolutions nodes(2, {1000, {}});
-  BOOST_TEST(memory_error(twins, nodes, 1.1 * memory_of_reference(1000)).empty());
+  BOOST_TEST(memory_error(twins, nodes, 1.1 * memory_of_discretised_shape(1000)).empty());
   Scene others = twins;
   others.bodies[1].shape = Circle{2.0};
-  BOOST_TEST(!memory_error(others, nodes, 1.1 * memory_of_reference(1000)).empty());
+  BOOST_TEST(!memory_error(others, nodes, 1.1 * memory_of_discretised_shape(1000)).empty());
   BOOST_TEST(available_memory() > 1e8);
 }
 
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(separations_are_compared_with_lengths_of_the_scene) {
     const SuspensionSolver solver(disks);
     const auto refusal = [&](double separation) {
       return separation_error(separation * unit, solver.start().configuration,
-                                solver.discretisation());
+                              solver.discretisation());
     };
     BOOST_TEST(refusal(1.01e-8).empty());
     BOOST_TEST(!refusal(0.99e-8).empty());

@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_that_no_step_of_the_least_length_meets_is_refus
   settings.dt = 1.0;
   settings.dt_min = 0.5;
   const Stepper stepper(settings, {problem_rate, problem_rate});
-  BOOST_CHECK_THROW(stepper.advance(problem_at(0.0), {}, 8.0), StepRefused);
+  BOOST_CHECK_THROW(stepper.advance(problem_at(0.0), {}, 8.0), StepError);
 }
 
 BOOST_AUTO_TEST_CASE(a_state_at_rest_is_stepped_over) {

@@ -7,7 +7,7 @@
 #include <gsl/gsl_integration.h>
 
 #include "double_layer/kernels.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::near_singular {

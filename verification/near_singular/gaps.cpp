@@ -4,7 +4,7 @@
 
 #include "experiments.hpp"
 #include "near_singular/closest_points.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "set_ups.hpp"
 #include "support/smooth_curve.hpp"
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "stiv/component_pair.hpp"
 #include "trapezoid/rectangle_index.hpp"
 

@@ -83,7 +83,7 @@ Advance FreeSteps::take_step(const TimePoint& start, const StepMemory& memory,
   } catch (const InadmissibleState& error) {
     throw ConfigurationError(std::string(error.what()) + "; steps down to " + dt_min +
                              " lead there");
-  } catch (const StepRefused& error) {
+  } catch (const StepError& error) {
     throw SolverError(at_time(start.t) + error.what() + ", and steps are not to be shorter than " +
                       dt_min);
   }

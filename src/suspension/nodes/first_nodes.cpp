@@ -36,7 +36,7 @@ std::vector<int> recommended_nodes(const Discretisation& discretisation, double 
 Resolutions first_resolutions(const Scene& scene, const Discretisation& discretisation,
                               const Configuration& configuration, const std::vector<Gap>& gaps) {
   Resolutions resolutions = resolutions_of(discretisation);
-  std::vector<std::vector<GapDemand>> demands(resolutions.size());
+  std::vector<std::vector<GapRequirement>> demands(resolutions.size());
   for (const Gap& gap : gaps) {
     if (gap.points.gap <= 0.0) continue;
     const DensityDecay decay = gap_resolution(gap, configuration, discretisation).decay;

@@ -39,12 +39,12 @@ void require_positive(double value, const std::string& what) {
 
 // Returns clusters at the gaps that the nodes of the shape do not resolve. The narrowest gaps come
 // first, because the nodes around their clusters are dense enough for wider gaps nearby.
-std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_depth) {
-  std::sort(gaps.begin(), gaps.end(), [](const GapDemand& a, const GapDemand& b) {
+std::vector<Cluster> clusters_for(std::vector<GapRequirement> gaps, double resolved_depth) {
+  std::sort(gaps.begin(), gaps.end(), [](const GapRequirement& a, const GapRequirement& b) {
     return a.depth != b.depth ? a.depth < b.depth : a.parameter < b.parameter;
   });
   std::vector<Cluster> clusters;
-  for (const GapDemand& gap : gaps) {
+  for (const GapRequirement& gap : gaps) {
     if (gap.depth >= resolved_depth) break;
     const bool served = std::any_of(clusters.begin(), clusters.end(), [&](const Cluster& cluster) {
       return std::abs(std::remainder(cluster.parameter - gap.parameter, period)) < gap.depth;
@@ -57,7 +57,7 @@ std::vector<Cluster> clusters_for(std::vector<GapDemand> gaps, double resolved_d
 // Returns for each strength the least graded_depth() of all gaps, and of a shape whose
 // singularities have the same depth all around the curve.
 std::vector<double> least_rates(const std::vector<Cluster>& clusters,
-                                const std::vector<GapDemand>& gaps, double shape_depth) {
+                                const std::vector<GapRequirement>& gaps, double shape_depth) {
   constexpr int places = 64;
   std::vector<double> rates(strengths.size(), shape_depth);
   const auto look_at = [&](double parameter, double depth) {
@@ -73,11 +73,12 @@ std::vector<double> least_rates(const std::vector<Cluster>& clusters,
 
 }  // namespace
 
-Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance) {
+Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nodes,
+                          double tolerance) {
   require_positive(shape_nodes, "the nodes of a shape");
   require_positive(tolerance, "a tolerance");
   int even = multiple_of_16(shape_nodes);
-  for (const GapDemand& gap : gaps) {
+  for (const GapRequirement& gap : gaps) {
     require_positive(gap.depth, "the depth of a gap");
     even = std::max(even, recommended_nodes(gap.depth, tolerance));
   }

@@ -10,7 +10,7 @@ namespace stokesbook {
 /// @{
 
 /// The requirement of one gap on the nodes of one of its curves.
-struct GapDemand {
+struct GapRequirement {
   double parameter;  ///< of the closest point, radians
   double depth;      ///< the density's rate of decay there, from density_decay(); may be infinite
 };
@@ -34,7 +34,8 @@ struct GapDemand {
 /// @ref claim_03_39, @ref claim_03_40
 /// @par Cost            an evaluation of graded_depths() per gap, and 64 more
 /// @par Not for         tolerances below the effect of rounding, about 1e-16 gap^(-3/2)
-Resolution nodes_for_gaps(const std::vector<GapDemand>& gaps, int shape_nodes, double tolerance);
+Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nodes,
+                          double tolerance);
 
 /// @}
 

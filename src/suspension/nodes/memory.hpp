@@ -20,7 +20,7 @@ double available_memory();
 ///
 /// @param  n_nodes  N
 /// @return          bytes of three dense matrices, 2 N x 2 N each
-constexpr double memory_of_reference(int n_nodes) {
+constexpr double memory_of_discretised_shape(int n_nodes) {
   return 3.0 * 8.0 * (2.0 * n_nodes) * (2.0 * n_nodes);
 }
 

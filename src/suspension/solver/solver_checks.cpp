@@ -9,7 +9,7 @@
 
 #include "closure/bordered_system.hpp"
 #include "krylov/block_diagonal.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "null_space/null_space.hpp"
 #include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"

@@ -4,7 +4,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "double_layer/stresslet_sum.hpp"
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 namespace stokesbook {
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 #include "trapezoid/curve.hpp"
 
 using namespace stokesbook;

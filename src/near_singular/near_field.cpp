@@ -1,6 +1,6 @@
 // Decides at which targets the trapezoid rule of a curve is too coarse (06.5), from the error of
 // the rule for a Cauchy integral with a known value (06.2). Expands preimages of targets (06.4).
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 #include <algorithm>
 #include <cmath>

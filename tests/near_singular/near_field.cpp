@@ -1,6 +1,6 @@
 // The a-priori near test is honest: the trapezoid rule errs by no more than 200 exp(-N |Im s|), so
 // where the test calls a target far, the plain sum is good to the tolerance.
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 #include <algorithm>
 #include <cmath>

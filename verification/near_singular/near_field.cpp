@@ -1,5 +1,5 @@
 // The near test against what the rule does at random targets.
-#include "near_singular/near_test.hpp"
+#include "near_singular/near_field.hpp"
 
 #include <algorithm>
 #include <random>
