@@ -144,8 +144,8 @@ class Plan(Program):
 
     def test_dry_run_reports_nodes_and_estimate(self):
         result = self.run_scene("--dry-run", text=PAIR.replace("n_nodes = 48", 'n_nodes = "auto"'))
-        self.assertRegex(result.stdout, r"components +1 x circle 1, \d+ nodes to begin with, chosen")
-        found = re.search(r"resolution +estimated error (\S+) of the velocities.*, 1e-05 asked; "
+        self.assertRegex(result.stdout, r"components +1 x circle 1, \d+ nodes initially, chosen")
+        found = re.search(r"resolution +estimated error (\S+) of the velocities.*, 1e-05 required; "
                           r"nodes (\d+ x \d+)", result.stdout)
         self.assertIsNotNone(found, result.stdout)
         self.assertTrue(0.0 < float(found[1]) <= 1e-5)

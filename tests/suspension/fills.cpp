@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(more_bodies_than_can_be_counted_are_refused) {
   SceneFile file = filled_cell(1);
   file.fills[0].box = {0.0, 0.0, 1e12, 1e12};
   const auto tells = [](const std::invalid_argument& error) {
-    return std::string(error.what()).find("area_fraction = 0.2 asks for ") != std::string::npos;
+    return std::string(error.what()).find("area_fraction = 0.2 requires ") != std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(place_fills(file), std::invalid_argument, tells);
 }

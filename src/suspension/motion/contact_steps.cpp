@@ -128,7 +128,7 @@ double ContactSteps::end_within_scene(const RunState& state, const Solution& flo
     throw SolverError(at_time(t) + component_of(solver_.scene(), component).name() + " moves by " +
                       short_number(speed * settings_.dt_min) + " in a step of time.dt_min = " +
                       short_number(settings_.dt_min) + ", and all components lie within " +
-                      short_number(size) + ": give shorter steps, or drive it less");
+                      short_number(size) + ": reduce time.dt_min, the loads or the flow");
   }
   return t + longest;
 }

@@ -82,7 +82,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
         std::to_string(members) + " x " + shape_name(discretisation[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
             (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
-            (is_chosen(k) ? " to begin with, chosen for shape and gaps" : recommendation(most))));
+            (is_chosen(k) ? " initially, chosen for shape and gaps" : recommendation(most))));
   }
   return lines;
 }
@@ -93,7 +93,7 @@ std::string sum_text(const Plan& plan, Eigen::Index nodes) {
     case SumMethod::stored:
       return "direct, stored matrix: few nodes, the matrix stays in the cache";
     case SumMethod::streamed:
-      return "direct, streamed: evaluating the kernel beats reading a stored matrix";
+      return "direct, streamed: evaluating the kernel is faster than reading a stored matrix";
     case SumMethod::fast:
       break;
   }
@@ -137,7 +137,7 @@ std::string steps_line(const Scene& scene) {
     const double velocities = scene.solver.tolerance, positions = step_tolerance(time);
     return method + ", steps for a tolerance of " + short_number(positions) + end +
            (positions < velocities ? "; solver.tolerance = " + short_number(velocities) +
-                                         " is above it, and limits what is reached"
+                                         " is larger, and limits the accuracy"
                                    : "");
   }
   if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
@@ -186,7 +186,7 @@ std::string describe(const SuspensionSolver& solver, const Solution& solution) {
   return aligned("resolution",
                  "estimated error " + short_number(solution.error_estimate) +
                      " of the velocities at the start, " +
-                     short_number(solver.scene().solver.tolerance) + " asked; nodes " + nodes +
+                     short_number(solver.scene().solver.tolerance) + " required; nodes " + nodes +
                      "; " + std::to_string(solution.cost.gmres_iterations) + " GMRES iterations");
 }
 

@@ -82,7 +82,7 @@ Advance FreeSteps::take_step(const TimePoint& start, const StepMemory& memory,
     return Stepper(settings_, rates).advance(start, memory, schedule_.next_event(start.t));
   } catch (const InadmissibleState& error) {
     throw ConfigurationError(std::string(error.what()) + "; steps down to " + dt_min +
-                             " lead there");
+                             " lead to it");
   } catch (const StepError& error) {
     throw SolverError(at_time(start.t) + error.what() + ", and steps are not to be shorter than " +
                       dt_min);

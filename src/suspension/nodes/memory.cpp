@@ -55,8 +55,8 @@ std::string memory_error(const Scene& scene, const Resolutions& resolutions, dou
   const int most = resolutions[largest].n_nodes;
   return component_of(scene, largest).name() + " has " + std::to_string(most) +
          " nodes, whose matrices take " + gigabytes(memory_of_discretised_shape(most)) +
-         ", and those of all shapes " + gigabytes(bytes) + " of the " + gigabytes(available) +
-         " there are: give fewer n_nodes, or raise solver.tolerance = " +
+         ", and those of all shapes " + gigabytes(bytes) + ", but only " + gigabytes(available) +
+         " are available: reduce n_nodes, or raise solver.tolerance = " +
          short_number(scene.solver.tolerance);
 }
 

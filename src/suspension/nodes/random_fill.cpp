@@ -120,14 +120,16 @@ long count_of(const Fill& fill, double region_area, double body_area) {
   const double bodies = *fill.area_fraction * region_area / body_area;
   if (bodies < 0.5) {
     throw std::invalid_argument("[[fill]]: area_fraction = " + short_number(*fill.area_fraction) +
-                                " is less than half a body, which has " +
+                                " is less than half a body; one body takes " +
                                 short_number(body_area / region_area) +
-                                " of the region's area: give at least half of that, or count");
+                                " of the region's area: set area_fraction to at least " +
+                                short_number(0.5 * body_area / region_area) + ", or set count");
   }
   if (bodies > most_bodies) {
     throw std::invalid_argument("[[fill]]: area_fraction = " + short_number(*fill.area_fraction) +
-                                " asks for " + short_number(bodies) + " bodies: give a smaller " +
-                                "region, or a count of at most " + short_number(most_bodies));
+                                " requires " + short_number(bodies) +
+                                " bodies: reduce the region, or set count to at most " +
+                                short_number(most_bodies));
   }
   return std::lround(bodies);
 }
@@ -169,7 +171,7 @@ Scene place_fills(const SceneFile& file) {
       if (++attempts > attempts_per_body) {
         throw std::invalid_argument(
             "[[fill]]: found room for " + std::to_string(placed) + " of " + std::to_string(count) +
-            " bodies; lower area_fraction, count or clearance, or take another seed");
+            " bodies; lower area_fraction, count or clearance, or change the seed");
       }
       const Complex position{uniform(random, box[0], box[2]), uniform(random, box[1], box[3])};
       const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);

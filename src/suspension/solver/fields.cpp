@@ -81,7 +81,7 @@ constexpr int most_raised = 6;
 
 Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   if (!solver.scene().output.fields) {
-    throw std::invalid_argument("evaluate_field: the scene asks for no fields");
+    throw std::invalid_argument("evaluate_field: the scene requests no fields (output.fields)");
   }
   const FieldSettings& settings = *solver.scene().output.fields;
   const auto asked = [&](FieldQuantity quantity) {

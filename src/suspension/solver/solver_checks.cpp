@@ -89,7 +89,7 @@ std::string shape_message(const Scene& scene, std::size_t component,
   return component_of(scene, component).name() + ": " + std::to_string(discretised.curve.size()) +
          " nodes resolve its shape to " + short_number(discretised.shape_residual) + " only" +
          (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
-                          "; give it n_nodes = " + std::to_string(nodes) + " at least"
+                          "; set n_nodes to at least " + std::to_string(nodes)
                     : "; " + unresolved_shape(discretised.shape, tolerance));
 }
 
@@ -152,9 +152,9 @@ std::string separation_error(double separation, const Configuration& start,
   }
   const double least = std::max(least_in_radii * radius, least_in_distances * distance);
   if (separation == 0.0 || !(separation < least)) return {};
-  return "contact.minimum_separation asks for gaps of " + short_number(separation) +
-         ", too narrow beside a radius of " + short_number(radius) + " and a distance of " +
-         short_number(distance) + " from the origin: give at least " + short_number(least);
+  return "contact.minimum_separation gives a separation of " + short_number(separation) +
+         ", too small for the radius " + short_number(radius) + " and the distance " +
+         short_number(distance) + " from the origin: set at least " + short_number(least);
 }
 
 std::string data_error(const Scene& scene, const StokesProblem& problem) {
@@ -162,13 +162,15 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
     const double flux = net_flux(problem);
     if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
     return "the walls' velocities drive a net flux of " + short_number(flux) +
-           " out of the enclosed fluid, which is incompressible: make them balance";
+           " out of the enclosed fluid, which is incompressible: change the velocities so that the "
+           "net "
+           "flux is zero";
   }
   const auto* uniform = std::get_if<UniformFlow>(&scene.flow);
   if (uniform != nullptr && uniform->velocity != 0.0 && has_free_uniform_velocity(problem)) {
     return "flow.kind = \"uniform\" has no effect beside a held body or inner wall without "
-           "flow.gauge_length: the fluid moves at infinity as it must for zero net force, "
-           "whatever the stream; give flow.gauge_length, the distance at which the stream is felt";
+           "flow.gauge_length: the velocity at infinity follows from zero net force and cancels "
+           "the uniform flow; set flow.gauge_length";
   }
   const double extent = prescribed_extent(problem);
   if (scene.gauge_length && extent > 0.5 * *scene.gauge_length) {
@@ -183,7 +185,7 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
     return component_of(scene, k).name() +
            " would move against its force with flow.gauge_length = " +
            short_number(*scene.gauge_length) +
-           ", which is to be large against bodies (Stokes' paradox); give at least " +
+           ", which must be large compared with the bodies (Stokes' paradox); set at least " +
            short_number(2.0 *
                         outer_radius(problem.components[k].curve, problem.components[k].centre));
   }
@@ -202,23 +204,23 @@ std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
                            double error, const std::vector<Gap>& gaps) {
   const double tolerance = scene.solver.tolerance;
   if (!std::isfinite(error)) {
-    return "nothing is known of the error of the velocities: what more nodes would change is lost "
-           "in rounding; move the closest bodies apart, or raise solver.tolerance = " +
+    return "the error of the velocities cannot be estimated, because the effect of more nodes is "
+           "below rounding: move the closest bodies apart, or raise solver.tolerance = " +
            short_number(tolerance);
   }
   const std::string estimate = "estimated error " + short_number(error) +
                                " of the velocities, solver.tolerance = " + short_number(tolerance);
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     if (resolutions[k].n_nodes >= least[k].n_nodes) continue;
-    return component_of(scene, k).name() + " has densities that " +
+    return component_of(scene, k).name() + " is slender or lobed, and " +
            std::to_string(resolutions[k].n_nodes) +
-           " nodes do not see, as it is slender or lobed: " + estimate +
-           "; give it n_nodes = " + std::to_string(least[k].n_nodes) + " at least";
+           " nodes do not resolve its densities: " + estimate + "; set n_nodes to at least " +
+           std::to_string(least[k].n_nodes);
   }
   const auto worst = std::ranges::max_element(tails, {}, &TailEstimate::error);
   if (worst->error < tolerance) {
     return estimate +
-           ": nodes resolve the densities, rounding or GMRES leaves this error; lower "
+           ": the nodes resolve the densities, and the error is due to rounding or GMRES; lower "
            "solver.gmres_tol if it is given, or raise solver.tolerance";
   }
   const auto component = static_cast<std::size_t>(worst - tails.begin());
@@ -226,7 +228,7 @@ std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
   const int advice = rounded_nodes(extrapolated_nodes(nodes, worst->decay, error / tolerance));
   return "the density on " + component_of(scene, component).name() + " is not resolved" +
          nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
-         std::to_string(nodes) + " nodes; give it n_nodes = " + std::to_string(advice) + " or so";
+         std::to_string(nodes) + " nodes; set n_nodes = " + std::to_string(advice);
 }
 
 std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
@@ -248,16 +250,16 @@ std::string limit_error(const Scene& scene, const Resolutions& resolutions,
     return component_of(scene, k).name() + nearest_neighbour(scene, k, gaps) +
            " would need n_nodes = " + std::to_string(nodes) +
            " for solver.tolerance = " + short_number(scene.solver.tolerance) +
-           "; \"auto\" takes up to " + std::to_string(most_nodes_of_a_component) +
-           ": give the number yourself, or raise the tolerance";
+           "; the limit of \"auto\" is " + std::to_string(most_nodes_of_a_component) +
+           " for a component: set n_nodes, or raise the tolerance";
   }
   if (!chosen || all <= most_nodes_in_all) {
     return memory_error(scene, resolutions, available_memory());
   }
   return "the components would need " + std::to_string(all) +
          " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
-         "; \"auto\" takes up to " + std::to_string(most_nodes_in_all) +
-         ": give the numbers yourself, or raise the tolerance";
+         "; the limit of \"auto\" is " + std::to_string(most_nodes_in_all) +
+         " in all: set n_nodes, or raise the tolerance";
 }
 
 std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,

@@ -61,7 +61,7 @@ GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
     return gmres(apply, discrete.precondition, interleaved(rhs), options, interleaved(guess));
   } catch (const std::domain_error& error) {
     throw SolverError(std::string(error.what()) +
-                      "; components may be too close to each other for rounding");
+                      "; components may be so close to each other that rounding errors dominate");
   }
 }
 

@@ -116,7 +116,7 @@ Plan::Line gmres_line(const Plan& plan, const SolverSettings& solver) {
   if (solver.gmres_tol) return {"GMRES", decision, "solver.gmres_tol"};
   const std::string asked = "solver.tolerance = " + short_number(solver.tolerance) + " / 100";
   const bool is_met = 0.01 * solver.tolerance >= rounding_of_residuals;
-  return {"GMRES", decision, is_met ? asked : "rounding allows no less: " + asked};
+  return {"GMRES", decision, is_met ? asked : "limited by rounding: " + asked};
 }
 
 Plan::Line fields_line(const FieldSettings& fields) {
@@ -203,7 +203,7 @@ Plan make_plan(const Scene& scene) {
   const std::string near_reason =
       scene.solver.near_singular == NearSingular::off ? "solver.near_singular = \"off\""
       : census.components == 1                        ? "a single component"
-                               : scheme + " scheme where the trapezoid rule errs by more than " +
+                               : scheme + " scheme where the error of the trapezoid rule exceeds " +
                                      short_number(plan.near_tolerance);
   plan.lines.push_back({"near correction", plan.near_correction ? "yes" : "no", near_reason});
   plan.lines.push_back(preconditioner_line(plan, scene, only_circles));
