@@ -15,9 +15,9 @@
 #include "cli/message.hpp"
 #include "cli/run_command.hpp"
 #include "record/atomic_file.hpp"
+#include "record/file_lock.hpp"
 #include "scene/error.hpp"
 #include "sweep/batch.hpp"
-#include "sweep/file_lock.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/parse.hpp"
 #include "sweep/results.hpp"
@@ -42,7 +42,7 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   require_task(options.out, sweep, *options.task);
   const TaskFolder folder(options.out, *options.task);
   folder.make();
-  const FileLock lock(folder.lock());
+  const FileLock lock = FileLock::wait_for(folder.lock());
   if (folder.state() == TaskState::done) return exit_done;
   folder.remove_failure();
   try {
@@ -173,7 +173,7 @@ class LocalSweep {
 };
 
 void write_results(const Sweep& sweep, const SweepOptions& options) {
-  const FileLock lock(sweep_lock(options.out));
+  const FileLock lock = FileLock::wait_for(sweep_lock(options.out));
   const std::vector<ResultRow> rows = collect(options.out, sweep);
   const fs::path path = options.out / "results.csv";
   write_atomically(path, to_csv(sweep, rows), SafeFrom::power_cut);

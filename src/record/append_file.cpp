@@ -1,4 +1,5 @@
-// Appends records to a file by POSIX calls, and cuts off incomplete records.
+// Appends records to a file by POSIX calls, all records of a written time by one call, and cuts off
+// incomplete records.
 #include "record/append_file.hpp"
 
 #include <cerrno>
@@ -36,17 +37,24 @@ AppendFile::AppendFile(const std::filesystem::path& path, int flags)
 AppendFile::AppendFile(AppendFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      size_(other.size_) {}
+      size_(other.size_),
+      waiting_(std::move(other.waiting_)) {}
 
 AppendFile& AppendFile::operator=(AppendFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(size_, other.size_);
+  std::swap(waiting_, other.waiting_);
   return *this;
 }
 
 AppendFile::~AppendFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  try {
+    flush();
+  } catch (const RecordError&) {  // earlier records stay
+  }
+  ::close(descriptor_);
 }
 
 AppendFile AppendFile::create(const std::filesystem::path& path) {
@@ -68,8 +76,9 @@ AppendFile AppendFile::reopen(const std::filesystem::path& path, std::uintmax_t 
   return file;
 }
 
-void AppendFile::append(std::string_view record) {
-  std::string_view rest = record;
+void AppendFile::flush() {
+  const std::string records = std::exchange(waiting_, {});
+  std::string_view rest = records;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
     if (written >= 0) {
@@ -80,10 +89,11 @@ void AppendFile::append(std::string_view record) {
       throw RecordError(path_, "writing", cause);
     }
   }
-  size_ += record.size();
+  size_ += records.size();
 }
 
 void AppendFile::sync() {
+  flush();
   if (::fsync(descriptor_) != 0) throw RecordError(path_, "writing to disk", last_error());
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace stokesbook {
@@ -11,8 +12,8 @@ namespace stokesbook {
 
 /// A file that grows by records and can be cut back to an earlier length.
 ///
-/// A program that is killed while it appends a record may leave a part of the record in the file;
-/// GrowingFile avoids this.
+/// append() keeps records in memory; flush() writes all of them by one call. A program that is killed
+/// during this call may leave an incomplete record at the end of the file, which reopen() cuts off.
 class AppendFile {
  public:
   /// Makes a new, empty file.
@@ -40,37 +41,39 @@ class AppendFile {
   /// @return        this object
   AppendFile& operator=(AppendFile&& other) noexcept;
 
-  /// Closes the file.
+  /// Writes the remaining records, unless the disk refuses them, and closes the file.
   ~AppendFile();
 
-  /// Appends a record.
+  /// Appends a record, which the file contains after flush().
   ///
   /// @param  record  bytes of the record, including the end of its line
-  /// @throws RecordError when the record cannot be written completely; its written part is cut off
-  void append(std::string_view record);
+  void append(std::string_view record) { waiting_ += record; }
 
-  /// Waits until all records are on the disk.
+  /// Writes all records to the file.
+  ///
+  /// @throws RecordError when the records cannot be written completely; their written part is cut
+  ///         off, and they are lost
+  void flush();
+
+  /// Writes all records to the file, and waits until they are on the disk.
   ///
   /// @throws RecordError when the disk refuses the data
   void sync();
 
-  /// Returns whether the object has an open file.
-  /// @return false after another object has taken the file over
-  bool is_open() const { return descriptor_ >= 0; }
-
-  /// Returns the length of the file.
-  /// @return bytes of all complete records
-  std::uintmax_t size() const { return size_; }
+  /// Returns the length.
+  /// @return bytes of all records, including those that are not in the file yet
+  std::uintmax_t size() const { return size_ + waiting_.size(); }
 
  private:
   AppendFile(const std::filesystem::path& path, int flags);
 
-  /// Cuts off everything after the last complete record, and returns whether this succeeded.
+  /// Cuts the file back to size_ bytes, and returns whether this succeeded.
   bool cut_back();
 
   std::filesystem::path path_;
   int descriptor_;
-  std::uintmax_t size_ = 0;
+  std::uintmax_t size_ = 0;  ///< length of the file
+  std::string waiting_;      ///< records that are not in the file yet
 };
 
 /// @}

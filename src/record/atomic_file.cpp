@@ -25,7 +25,7 @@ void write_atomically(const std::filesystem::path& path, std::string_view text, 
   std::filesystem::remove(partial, none);
   AppendFile file = AppendFile::create(partial);
   file.append(text);
-  if (danger == SafeFrom::power_cut) file.sync();
+  danger == SafeFrom::power_cut ? file.sync() : file.flush();
   rename_file(partial, path);
   if (danger == SafeFrom::power_cut) sync_names(path.parent_path());
 }

@@ -122,7 +122,7 @@ void remove_run(const fs::path& directory) {
 
 }  // namespace
 
-RunDirectory::RunDirectory(FolderLock lock, const fs::path& path, RunContents contents)
+RunDirectory::RunDirectory(FileLock lock, const fs::path& path, RunContents contents)
     : lock_(std::move(lock)), path_(path), contents_(std::move(contents)) {}
 
 RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
@@ -130,7 +130,7 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw RecordError(path, "making the directory", error);
-  FolderLock lock(path);
+  FileLock lock = FileLock::of_folder(path);
   if (existing == ExistingRun::refuse) {
     require_no_run(path, "--resume, --overwrite");
   } else if (existing == ExistingRun::restart && !fs::exists(path / steps_name, error)) {
@@ -146,11 +146,11 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
 
 void RunDirectory::begin(const std::string& name, std::string_view head) {
   write_atomically(path_ / name, head, SafeFrom::kill);
-  tables_.try_emplace(name, path_ / name, head.size());
+  tables_.try_emplace(name, AppendFile::reopen(path_ / name, head.size()));
 }
 
 ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
-  FolderLock lock(path);
+  FileLock lock = FileLock::of_folder(path);
   SavedRun saved = read_saved_run(path / checkpoint_name);
   if (saved.scene != fingerprint(contents.scene)) {
     throw RecordError(path / checkpoint_name, "was written by a run of another scene");
@@ -158,7 +158,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
   RunDirectory directory(std::move(lock), path, std::move(contents));
   require_own_tables(path, saved, directory.contents_);
   for (const auto& [name, size] : saved.table_sizes) {
-    directory.tables_.try_emplace(name, path / name, size);
+    directory.tables_.try_emplace(name, AppendFile::reopen(path / name, size));
   }
   directory.frame_times_ = std::move(saved.frame_times);
   // Collections are shortened first, so that they never name a missing file.
@@ -223,7 +223,7 @@ void RunDirectory::write_step(const StepInfo& step) {
 void RunDirectory::save(const Checkpoint& checkpoint) {
   SavedRun saved{fingerprint(contents_.scene), contents_.program, {}, frame_times_, checkpoint};
   for (auto& [name, table] : tables_) {
-    table.publish();
+    table.sync();
     saved.table_sizes[name] = table.size();
   }
   for (const std::string& name : unsynced_) sync_file(path_ / name);

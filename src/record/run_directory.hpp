@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "record/append_file.hpp"
 #include "record/checkpoint.hpp"
-#include "record/folder_lock.hpp"
-#include "record/growing_file.hpp"
+#include "record/file_lock.hpp"
 #include "record/outline.hpp"
 #include "record/run_data.hpp"
 
@@ -111,7 +111,7 @@ class RunDirectory {
   std::size_t frame_count() const { return frame_times_.size(); }
 
  private:
-  RunDirectory(FolderLock lock, const std::filesystem::path& path, RunContents contents);
+  RunDirectory(FileLock lock, const std::filesystem::path& path, RunContents contents);
 
   /// Starts a growing file with its header.
   void begin(const std::string& name, std::string_view head);
@@ -128,10 +128,10 @@ class RunDirectory {
   /// Replaces a file of a frame; the file is safe from a power cut only after the next save().
   void replace(const std::string& name, std::string_view text);
 
-  FolderLock lock_;
+  FileLock lock_;
   std::filesystem::path path_;
   RunContents contents_;
-  std::map<std::string, GrowingFile> tables_;  ///< by file name
+  std::map<std::string, AppendFile> tables_;  ///< by file name
   std::vector<double> frame_times_;
   std::set<std::string> unsynced_;  ///< names of files written since the last save()
 };

@@ -7,10 +7,10 @@
 
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
+#include "record/file_lock.hpp"
 #include "record/record_error.hpp"
 #include "scene/error.hpp"
 #include "scene/write.hpp"
-#include "sweep/file_lock.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
 
@@ -89,7 +89,8 @@ void open_sweep(const std::filesystem::path& out, std::string_view manifest) {
   std::error_code error;
   std::filesystem::create_directories(out / "runs", error);
   if (error) throw RecordError(out / "runs", "making the directory", error);
-  const FileLock lock(sweep_lock(out));  // if two sweeps begin at once, one writes
+  const FileLock lock =
+      FileLock::wait_for(sweep_lock(out));  // if two sweeps begin at once, one writes
   const std::filesystem::path path = out / manifest_name;
   if (!std::filesystem::exists(path, error)) {
     write_atomically(path, manifest, SafeFrom::power_cut);

@@ -1,46 +1,14 @@
 /// Files that grow by records, and files that are replaced as a whole.
 
-#include <array>
-#include <cerrno>
-#include <cstddef>
-
 #include <boost/test/unit_test.hpp>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "folder.hpp"
 #include "record/append_file.hpp"
 #include "record/atomic_file.hpp"
-#include "record/growing_file.hpp"
 #include "record/record_error.hpp"
 
 using namespace stokesbook;
 using namespace stokesbook::test;
-
-namespace {
-
-/// From now on this process is told that files cannot have second names; false if it cannot be told.
-bool forbid_hard_links() {
-#ifdef SYS_link
-  constexpr unsigned link = SYS_link;
-#else
-  constexpr unsigned link = SYS_linkat;
-#endif
-  std::array<sock_filter, 5> filter{{BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-                                     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, link, 1, 0),
-                                     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_linkat, 0, 1),
-                                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM),
-                                     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)}};
-  const sock_fprog program{filter.size(), filter.data()};
-  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_SUITE(files)
 
@@ -61,6 +29,7 @@ BOOST_AUTO_TEST_CASE(reopening_cuts_back) {
   AppendFile file = AppendFile::reopen(folder.at("a"), 4);
   BOOST_TEST(read(folder.at("a")) == "one\n");
   file.append("2\n");
+  file.flush();
   BOOST_TEST(read(folder.at("a")) == "one\n2\n");
 }
 
@@ -82,18 +51,17 @@ BOOST_AUTO_TEST_CASE(an_existing_file_is_not_created) {
 
 BOOST_AUTO_TEST_CASE(a_full_disk_is_an_error) {
   AppendFile file = AppendFile::reopen("/dev/full", 0);
-  BOOST_CHECK_EXCEPTION(file.append("a row\n"), RecordError, [](const RecordError& error) {
+  file.append("a row\n");
+  BOOST_CHECK_EXCEPTION(file.flush(), RecordError, [](const RecordError& error) {
     return std::string(error.what()) == "/dev/full: writing failed: No space left on device";
   });
 }
 
-BOOST_AUTO_TEST_CASE(records_show_when_they_are_published) {
+BOOST_AUTO_TEST_CASE(records_are_written_together) {
   const Folder folder;
-  write(folder.at("a"), "head\nleft");
-  write(folder.at("a.partial"), "head\nleft by a ki");
-  write(folder.at("a.partial.partial"), "head\n");
+  write(folder.at("a"), "head\nleft by a ki");
   {
-    GrowingFile file(folder.at("a"), 5);
+    AppendFile file = AppendFile::reopen(folder.at("a"), 5);
     std::string whole = "head\n";
     BOOST_TEST(read(folder.at("a")) == whole);
     std::string many_pages(100'001, 'x');
@@ -106,48 +74,17 @@ BOOST_AUTO_TEST_CASE(records_show_when_they_are_published) {
       }
       BOOST_TEST((read(folder.at("a")) == before));
       BOOST_TEST(file.size() == whole.size());
-      file.publish();
+      k % 2 == 0 ? file.flush() : file.sync();
       BOOST_TEST((read(folder.at("a")) == whole));
+      BOOST_TEST(file.size() == whole.size());
     }
     file.append("last\n");
-    GrowingFile moved = std::move(file);
+    AppendFile moved = std::move(file);
     moved.append("of all\n");
   }
   const std::string text = read(folder.at("a"));
   BOOST_TEST(text.size() == 5u + 5u * 100'003u + 12u);
   BOOST_TEST(text.ends_with("x\nlast\nof all\n"));
-  BOOST_TEST(read_all(folder.path()).size() == 1u);
-}
-
-BOOST_AUTO_TEST_CASE(a_file_grows_where_files_have_one_name) {
-  const Folder folder;
-  write(folder.at("a"), "head\n");
-  const pid_t child = ::fork();
-  if (child == 0) {
-    if (!forbid_hard_links()) ::_exit(1);
-    std::error_code error;
-    std::filesystem::create_hard_link(folder.at("a"), folder.at("b"), error);
-    if (!error) ::_exit(2);
-    GrowingFile file(folder.at("a"), 5);
-    for (const char* record : {"one\n", "two\n", "three\n"}) {
-      file.append(record);
-      file.publish();
-    }
-    ::_exit(0);  // as if it were killed
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  BOOST_TEST((WIFEXITED(status) && WEXITSTATUS(status) == 0), status);
-  const std::string whole = "head\none\ntwo\nthree\n";
-  BOOST_TEST((read_all(folder.path()) ==
-              std::map<std::string, std::string>{{"a", whole}, {"a.partial", whole}}));
-}
-
-BOOST_AUTO_TEST_CASE(a_growing_file_is_not_begun_on_less_than_it_had) {
-  const Folder folder;
-  write(folder.at("a"), "one");
-  BOOST_CHECK_THROW(GrowingFile(folder.at("a"), 4), RecordError);
-  BOOST_TEST((read_all(folder.path()) == std::map<std::string, std::string>{{"a", "one"}}));
 }
 
 BOOST_AUTO_TEST_CASE(names_of_partial_files) {

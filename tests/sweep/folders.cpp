@@ -3,8 +3,8 @@
 #include <csignal>
 #include <thread>
 
+#include "record/file_lock.hpp"
 #include "record/record_error.hpp"
-#include "sweep/file_lock.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/task_folder.hpp"
 #include "sweep/workers.hpp"
@@ -50,13 +50,13 @@ BOOST_AUTO_TEST_CASE(one_holds_a_lock_at_a_time) {
   const std::filesystem::path path = folder.path() / "lock";
   BOOST_TEST(!FileLock::is_taken(path));
   {
-    const FileLock lock(path);
+    const FileLock lock = FileLock::wait_for(path);
     BOOST_TEST(FileLock::is_taken(path));
     BOOST_TEST(!FileLock::is_taken(folder.path() / "other"));
   }
   BOOST_TEST(!FileLock::is_taken(path));
-  const std::string message =
-      message_of<RecordError>(folder, [&] { const FileLock lock(folder.path() / "no/lock"); });
+  const std::string message = message_of<RecordError>(
+      folder, [&] { const FileLock lock = FileLock::wait_for(folder.path() / "no/lock"); });
   BOOST_TEST(message == "no/lock: opening failed: No such file or directory");
 }
 
