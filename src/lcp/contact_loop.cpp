@@ -164,6 +164,87 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   return gaps;
 }
 
+// Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity.
+double complementarity_residual(const ContactResult& result) {
+  if (result.gaps.size() == 0) return 0.0;
+  const VectorXd opened = result.response.cwiseProduct(result.multipliers);
+  return std::max(0.0, result.gaps.cwiseMin(opened).maxCoeff());
+}
+
+// Returns the row with the widest gap across which a force acts; -1 if no force acts.
+Index widest_with_force(const ContactResult& result, double tolerance) {
+  Index widest = -1;
+  for (Index i = 0; i < result.gaps.size(); ++i) {
+    if (result.response[i] * result.multipliers[i] <= tolerance) continue;
+    if (widest < 0 || result.gaps[i] > result.gaps[widest]) widest = i;
+  }
+  return widest;
+}
+
+std::string name(const ContactStep& step, const ContactKey& key) {
+  return step.name ? step.name(key) : contact_point(key);
+}
+
+std::string name(const ContactStep& step, const ContactResult& result, Index i) {
+  return name(step, result.keys[static_cast<std::size_t>(i)]);
+}
+
+std::string unresponsive_row(const ContactStep& step, const ContactResult& result, Index i) {
+  std::ostringstream reason;
+  reason << name(step, result, i) << ": a unit force opens its own gap by " << result.response[i]
+         << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
+            "neither body can move there";
+  return reason.str();
+}
+
+std::string unsolved_problem(const ContactStep& step, const ContactResult& result,
+                             const LcpResult& solution) {
+  std::ostringstream reason;
+  reason << "the linear problem of iteration " << result.iterations << " with "
+         << result.keys.size() << " rows was not solved, its residual is " << solution.residual
+         << ":";
+  for (Index i = 0; i < result.response.size(); ++i) {
+    reason << (i == 0 ? " " : ", ") << name(step, result, i)
+           << " (a unit force opens its own gap by " << result.response[i] << ")";
+  }
+  return reason.str();
+}
+
+std::string force_across_gap(const ContactStep& step, const ContactResult& result, Index i) {
+  std::ostringstream reason;
+  reason << name(step, result, i) << ": the force " << result.multipliers[i] << " acts across ";
+  if (std::isinf(result.gaps[i])) {
+    reason << "a contact that has no row any more";
+  } else {
+    reason << "a gap of " << result.gaps[i] << " beyond the separation";
+  }
+  reason << " after " << result.iterations << " iterations; a unit force opens it by "
+         << result.response[i];
+  return reason.str();
+}
+
+// Names the deepest row of each contact that is violated.
+std::string violated_rows(const ContactStep& step, const ContactResult& result,
+                          const ContactRows& rows) {
+  std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
+  for (Index i = 0; i < rows.gap.size(); ++i) {
+    if (rows.gap[i] >= -step.tolerance) continue;
+    const auto [row, first] = worst.emplace(rows.keys[static_cast<std::size_t>(i)].contact, i);
+    if (!first && rows.gap[i] < rows.gap[row->second]) row->second = i;
+  }
+  std::ostringstream reason;
+  reason << "the separation is violated after " << result.iterations << " iterations:";
+  const char* before = " ";
+  for (const auto& [contact, row] : worst) {
+    const ContactKey& key = rows.keys[static_cast<std::size_t>(row)];
+    reason << std::exchange(before, ", ") << name(step, key) << " by " << -rows.gap[row];
+    const auto known = std::ranges::find(result.keys, key);
+    if (known == result.keys.end()) continue;
+    reason << " (a unit force opens it by " << result.response[known - result.keys.begin()] << ")";
+  }
+  return reason.str();
+}
+
 // Runs Newton's method for (11.9): solves the linear problem (11.10), moves to its velocity, and
 // repeats.
 class ContactLoop {
@@ -175,17 +256,19 @@ class ContactLoop {
   }
 
   ContactResult run() {
-    bool ended = settled();
+    bool ended = is_finished();
     const bool guessed = step_.guess.size() > 0 && options_.max_iterations > 0;
     if (!ended && guessed) rows_ = rows_at(step_, result_.velocity = step_.guess);
     while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const Cuts cuts = next_cuts();
       do {
-        ended = !apply(linear_problem(cuts, step_)) || settled();
+        ended = !apply(linear_problem(cuts, step_)) || is_finished();
       } while (ended && is_refined());
     }
-    if (!ended) give_up_on_violation();
+    if (!ended) {
+      give_up(ContactStatus::not_converged, violated_rows(step_, result_, rows_));
+    }
     return result_;
   }
 
@@ -236,10 +319,15 @@ class ContactLoop {
     result_.gaps = gaps_now(problem.keys, rows_);
     result_.columns += static_cast<int>(problem.keys.size());
     for (Index i = 0; i < result_.response.size(); ++i) {
-      if (!(result_.response[i] > 0.0)) return give_up_on_response(i);
+      if (result_.response[i] > 0.0) continue;
+      give_up(ContactStatus::response_not_seen, unresponsive_row(step_, result_, i));
+      return false;
     }
     const LcpResult solution = solve(problem, guess);
-    if (solution.status != LcpStatus::solved) return give_up_on_linear_problem(solution);
+    if (solution.status != LcpStatus::solved) {
+      give_up(ContactStatus::no_linear_solution, unsolved_problem(step_, result_, solution));
+      return false;
+    }
     result_.multipliers = solution.z;
     result_.force = problem.force_gradient.transpose() * solution.z;
     move_to(step_.free_velocity + problem.velocities * solution.z);
@@ -267,102 +355,26 @@ class ContactLoop {
   // Returns whether the loop ends: contact is resolved, or a force acts across an open gap. A gap
   // with a force must be closed to the tolerance; after `open_gap_after` iterations a gap below
   // `open_gap` separations suffices.
-  bool settled() {
-    const Index widest = widest_with_force();
+  bool is_finished() {
+    const Index widest = widest_with_force(result_, step_.tolerance);
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
-    result_.kkt_residual = std::max(result_.violations.back(), uncomplementary_gap());
+    result_.kkt_residual = std::max(result_.violations.back(), complementarity_residual(result_));
     if (result_.violations.back() > step_.tolerance) return false;
     const int last = std::min(options_.open_gap_after, options_.max_iterations);
     const bool closed = open <= step_.tolerance;
     if (!closed && result_.iterations < last) return false;
-    if (!closed && open > options_.open_gap * step_.separation) return give_up_on_open_gap(widest);
-    result_.status = ContactStatus::resolved;
-    return true;
-  }
-
-  // Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity.
-  double uncomplementary_gap() const {
-    if (result_.gaps.size() == 0) return 0.0;
-    const VectorXd opened = result_.response.cwiseProduct(result_.multipliers);
-    return std::max(0.0, result_.gaps.cwiseMin(opened).maxCoeff());
-  }
-
-  // Returns the row with the widest gap across which a force acts; -1 if no force acts.
-  Index widest_with_force() const {
-    Index widest = -1;
-    for (Index i = 0; i < result_.gaps.size(); ++i) {
-      if (result_.response[i] * result_.multipliers[i] <= step_.tolerance) continue;
-      if (widest < 0 || result_.gaps[i] > result_.gaps[widest]) widest = i;
-    }
-    return widest;
-  }
-
-  std::string name(const ContactKey& key) const {
-    if (step_.name) return step_.name(key);
-    return contact_point(key);
-  }
-
-  std::string name(Index i) const { return name(result_.keys[static_cast<std::size_t>(i)]); }
-
-  bool give_up_on_response(Index i) {
-    std::ostringstream reason;
-    reason << name(i) << ": a unit force opens its own gap by " << result_.response[i]
-           << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
-              "neither body can move there";
-    result_.status = ContactStatus::response_not_seen;
-    result_.reason = reason.str();
-    return false;
-  }
-
-  bool give_up_on_linear_problem(const LcpResult& solution) {
-    std::ostringstream reason;
-    reason << "the linear problem of iteration " << result_.iterations << " with "
-           << result_.keys.size() << " rows was not solved, its residual is " << solution.residual
-           << ":";
-    for (Index i = 0; i < result_.response.size(); ++i) {
-      reason << (i == 0 ? " " : ", ") << name(i) << " (a unit force opens its own gap by "
-             << result_.response[i] << ")";
-    }
-    result_.status = ContactStatus::no_linear_solution;
-    result_.reason = reason.str();
-    return false;
-  }
-
-  bool give_up_on_open_gap(Index i) {
-    std::ostringstream reason;
-    reason << name(i) << ": the force " << result_.multipliers[i] << " acts across ";
-    if (std::isinf(result_.gaps[i])) {
-      reason << "a contact that has no row any more";
+    if (!closed && open > options_.open_gap * step_.separation) {
+      give_up(ContactStatus::open_gap, force_across_gap(step_, result_, widest));
     } else {
-      reason << "a gap of " << result_.gaps[i] << " beyond the separation";
+      result_.status = ContactStatus::resolved;
     }
-    reason << " after " << result_.iterations << " iterations; a unit force opens it by "
-           << result_.response[i];
-    result_.status = ContactStatus::open_gap;
-    result_.reason = reason.str();
     return true;
   }
 
-  void give_up_on_violation() {
-    std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
-    for (Index i = 0; i < rows_.gap.size(); ++i) {
-      if (rows_.gap[i] >= -step_.tolerance) continue;
-      const auto [row, first] = worst.emplace(rows_.keys[static_cast<std::size_t>(i)].contact, i);
-      if (!first && rows_.gap[i] < rows_.gap[row->second]) row->second = i;
-    }
-    std::ostringstream reason;
-    reason << "the separation is violated after " << result_.iterations << " iterations:";
-    const char* before = " ";
-    for (const auto& [contact, row] : worst) {
-      const ContactKey& key = rows_.keys[static_cast<std::size_t>(row)];
-      reason << std::exchange(before, ", ") << name(key) << " by " << -rows_.gap[row];
-      const auto known = std::ranges::find(result_.keys, key);
-      if (known == result_.keys.end()) continue;
-      reason << " (a unit force opens it by " << result_.response[known - result_.keys.begin()]
-             << ")";
-    }
-    result_.status = ContactStatus::not_converged;
-    result_.reason = reason.str();
+  // Ends the loop without success.
+  void give_up(ContactStatus status, std::string reason) {
+    result_.status = status;
+    result_.reason = std::move(reason);
   }
 
   const ContactStep& step_;

@@ -38,6 +38,14 @@ std::string about(double measured, double claimed, double band) {
          short_number(band) + " claimed";
 }
 
+double logarithm(double x) {
+  return std::log(x);
+}
+
+double identity(double x) {
+  return x;
+}
+
 /// Checks one law against the points of the window. The class is the visitor of the variant Law.
 class LawCheck {
  public:
@@ -102,9 +110,6 @@ class LawCheck {
   }
 
  private:
-  static double logarithm(double x) { return std::log(x); }
-  static double identity(double x) { return x; }
-
   /// Compares the largest error with a bound.
   Verdict at_most(double bound) {
     if (!use(0.0)) return verdict_;

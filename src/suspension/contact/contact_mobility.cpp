@@ -88,6 +88,27 @@ StokesProblem under_loads(StokesProblem problem, const SparseVector<double>& loa
   return problem;
 }
 
+// Completes densities of the same components at rest, under a load alone.
+Closure closure_under(const StokesProblem& problem, const SparseVector<double>& load) {
+  return Closure(under_loads(problem, load));
+}
+
+// Returns the cosine of the angle between the forces of two loads.
+double similarity(const SparseVector<double>& p, const SparseVector<double>& q) {
+  return std::abs(p.dot(q)) / (p.norm() * q.norm());
+}
+
+// Returns the largest velocity of a free body, or angular velocity times radius of gyration.
+double fastest(const VectorXd& velocities, const VectorXd& over_lengths) {
+  double largest = 0.0;
+  for (Index i = 0; i < velocities.size(); i += 3) {
+    if (over_lengths[i] == 0.0) continue;
+    const double omega = velocities[i + 2] / over_lengths[i + 2];
+    largest = std::max({largest, std::hypot(velocities[i], velocities[i + 1]), std::abs(omega)});
+  }
+  return largest;
+}
+
 }  // namespace
 
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
@@ -121,24 +142,15 @@ void ContactMobility::begin() {
   }
 }
 
-Closure ContactMobility::closure(const SparseVector<double>& load) const {
-  return Closure(under_loads(discrete_->problem, load));
-}
-
-// Cosine of the angle between two loads.
-double ContactMobility::similarity(const Column& p, const Column& q) {
-  return std::abs(p.forces.dot(q.forces)) / (p.forces.norm() * q.forces.norm());
-}
-
 void ContactMobility::reuse_similar(Column& asked) const {
   const Column* nearest = nullptr;
   double most = 0.0;
   for (const std::vector<Column>& known : {std::cref(columns_), std::cref(earlier_columns_)}) {
-    for (const Column& answer : known) {
-      const double similarity = this->similarity(asked, answer);
-      if (!(similarity > most)) continue;
-      most = similarity;
-      nearest = &answer;
+    for (const Column& column : known) {
+      const double cosine = similarity(asked.forces, column.forces);
+      if (!(cosine > most)) continue;
+      most = cosine;
+      nearest = &column;
     }
   }
   if (nearest == nullptr) return;
@@ -151,16 +163,16 @@ void ContactMobility::reuse_similar(Column& asked) const {
 }
 
 void ContactMobility::solve_by_factors(Column& asked) const {
-  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  const ComplexVector rhs = closure_under(discrete_->problem, asked.load).right_hand_side();
   asked.density = deinterleaved(discrete_->precondition(interleaved(rhs)));
   asked.tolerance = exact_;
   complete(asked, rhs.norm());
 }
 
 // The motions of free bodies are functionals of the density; they do not depend on the load.
-void ContactMobility::complete(Column& answer, double flow) const {
-  answer.flow = flow;
-  answer.motions = discrete_->system.closure().complete(answer.density).motions;
+void ContactMobility::complete(Column& column, double flow) const {
+  column.flow = flow;
+  column.motions = discrete_->system.closure().complete(column.density).motions;
 }
 
 GmresResult ContactMobility::solve(const ComplexVector& rhs, double tolerance,
@@ -178,9 +190,9 @@ GmresResult ContactMobility::solve(const ComplexVector& rhs, double tolerance,
   return result;
 }
 
-std::size_t ContactMobility::find_or_solve(Column asked) {
-  const auto known = std::ranges::find_if(columns_, [&](const Column& answer) {
-    return (asked.forces - answer.forces).norm() <= same_load * asked.forces.norm();
+std::size_t ContactMobility::find_or_add(Column asked) {
+  const auto known = std::ranges::find_if(columns_, [&](const Column& column) {
+    return (asked.forces - column.forces).norm() <= same_load * asked.forces.norm();
   });
   if (known != columns_.end()) return static_cast<std::size_t>(known - columns_.begin());
   if (discrete_->is_factorised) {
@@ -198,7 +210,7 @@ std::size_t ContactMobility::find_or_solve(Column asked) {
 void ContactMobility::solve_to_tolerance(Column& asked, double separation) {
   if (asked.tolerance <= std::max(exact_, separation * tolerance_)) return;
   asked.tolerance = std::max(exact_, separation * std::min(tolerance_, most_solved_tolerance));
-  const ComplexVector rhs = closure(asked.load).right_hand_side();
+  const ComplexVector rhs = closure_under(discrete_->problem, asked.load).right_hand_side();
   asked.density = deinterleaved(solve(rhs, asked.tolerance, asked.density).solution);
   complete(asked, rhs.norm());
 }
@@ -210,7 +222,7 @@ MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
   const VectorXd parts = separations(forces);
   latest_.clear();
   for (Index column = 0; column < loads.cols(); ++column) {
-    latest_.push_back(find_or_solve({loads.col(column), forces.col(column), {}}));
+    latest_.push_back(find_or_add({loads.col(column), forces.col(column), {}}));
     Column& asked = columns_[latest_.back()];
     solve_to_tolerance(asked, parts[column]);
     for (std::size_t k = 0; k < asked.motions.size(); ++k) {
@@ -227,20 +239,10 @@ MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
   return velocities_ + correction_;
 }
 
-double ContactMobility::fastest(const VectorXd& velocities) const {
-  double largest = 0.0;
-  for (Index i = 0; i < velocities.size(); i += 3) {
-    if (over_lengths_[i] == 0.0) continue;
-    const double omega = velocities[i + 2] / over_lengths_[i + 2];
-    largest = std::max({largest, std::hypot(velocities[i], velocities[i + 1]), std::abs(omega)});
-  }
-  return largest;
-}
-
 double ContactMobility::corrected_by(const VectorXd& multipliers) const {
   if (multipliers.isZero(0.0)) return 0.0;
-  const double scale = std::max(velocity_scale_, fastest(velocities_ * multipliers));
-  return fastest(correction_ * multipliers) / scale;
+  const double scale = std::max(velocity_scale_, fastest(velocities_ * multipliers, over_lengths_));
+  return fastest(correction_ * multipliers, over_lengths_) / scale;
 }
 
 // Adds up the multipliers of the loads that share a column.
@@ -257,9 +259,9 @@ VectorXd ContactMobility::weights(const VectorXd& multipliers) const {
 double ContactMobility::residual_bound(const VectorXd& weights) const {
   double residual = 0.0;
   for (Index i = 0; i < weights.size(); ++i) {
-    const Column& answer = columns_[static_cast<std::size_t>(i)];
+    const Column& column = columns_[static_cast<std::size_t>(i)];
     const double before = i < refined_.size() ? refined_[i] : 0.0;
-    residual += std::abs(weights[i] - before) * answer.tolerance * answer.flow;
+    residual += std::abs(weights[i] - before) * column.tolerance * column.flow;
   }
   return residual;
 }
@@ -278,7 +280,8 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
   if (spent_ > iterations_of_closer_column * columns) return tighten();
   const LoadSolution sum = combined(multipliers);
-  const ComplexVector rhs = closure(combined_load(multipliers)).right_hand_side();
+  const ComplexVector rhs =
+      closure_under(discrete_->problem, combined_load(multipliers)).right_hand_side();
   const double strength = std::max(flow_, rhs.norm());
   const GmresResult found = solve(rhs, exact_ * strength / rhs.norm(), sum.density);
   refined_ = weights;
@@ -293,10 +296,10 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double weight = weights[static_cast<Index>(i)];
     if (weight == 0.0) continue;
-    Column& answer = columns_[i];
-    answer.tolerance *= std::max(1.0, more_than_known);
-    answer.density += weight * change;
-    complete(answer, answer.flow);
+    Column& column = columns_[i];
+    column.tolerance *= std::max(1.0, more_than_known);
+    column.density += weight * change;
+    complete(column, column.flow);
   }
   return true;
 }
@@ -326,28 +329,30 @@ LoadSolution ContactMobility::combined(const VectorXd& multipliers) const {
   for (std::size_t i = 0; i < latest_.size(); ++i) {
     density += multipliers[static_cast<Index>(i)] * columns_[latest_[i]].density;
   }
-  const Completion completion = closure(combined_load(multipliers)).complete(density);
+  const Completion completion =
+      closure_under(discrete_->problem, combined_load(multipliers)).complete(density);
   return {std::move(density), completion};
 }
 
 MobilityColumns ContactMobility::columns() const {
   if (columns_.empty()) return earlier_;
   std::vector<const Column*> known;
-  for (const Column& answer : columns_) known.push_back(&answer);
+  for (const Column& column : columns_) known.push_back(&column);
   for (const Column& guess : earlier_columns_) {
     if (known.size() == most_kept * columns_.size()) break;
-    const bool is_answered = std::ranges::any_of(
-        columns_, [&](const Column& answer) { return similarity(answer, guess) > similar_from; });
-    if (!is_answered) known.push_back(&guess);
+    const bool is_known = std::ranges::any_of(columns_, [&](const Column& column) {
+      return similarity(column.forces, guess.forces) > similar_from;
+    });
+    if (!is_known) known.push_back(&guess);
   }
   const auto m = static_cast<Index>(known.size());
   Eigen::MatrixXcd densities(columns_.front().density.size(), m);
   MobilityColumns result{MatrixXd(columns_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
-    const Column& answer = *known[static_cast<std::size_t>(i)];
-    result.loads.col(i) = turned(answer.load, configuration_, -1.0);
-    result.flows[i] = answer.flow;
-    densities.col(i) = answer.density;
+    const Column& column = *known[static_cast<std::size_t>(i)];
+    result.loads.col(i) = turned(column.load, configuration_, -1.0);
+    result.flows[i] = column.flow;
+    densities.col(i) = column.density;
   }
   result.densities.add(0.0, configuration_, discretisation_, std::move(densities));
   result.tolerance = std::min(MobilityColumns::most_tolerance, loosening * tolerance_);

@@ -146,42 +146,40 @@ class ContactMobility {
   };
   /// @endcond
   void begin();
-  std::size_t find_or_solve(Column asked);
-  static double similarity(const Column& p, const Column& q);
+  std::size_t find_or_add(Column asked);
   void reuse_similar(Column& asked) const;
   void solve_by_factors(Column& asked) const;
   void solve_to_tolerance(Column& asked, double separation);
-  void complete(Column& answer, double flow) const;
+  void complete(Column& column, double flow) const;
   GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   bool refine_combination(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
   double residual_bound(const Eigen::VectorXd& weights) const;
-  double fastest(const Eigen::VectorXd& velocities) const;
-  Closure closure(const Eigen::SparseVector<double>& load) const;
   Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
 
   const SuspensionSolver& solver_;
   Configuration configuration_;
   Discretisation discretisation_;
   MobilityColumns earlier_;
-  double exact_;      // relative residual
-  double tolerance_;  // of columns
+  double exact_;      // relative residual of combinations
+  double tolerance_;  // relative residual of columns
   std::shared_ptr<const LinearSystem> discrete_;
-  double flow_ = 0.0;             // norm of its own right-hand side, when it is needed
-  double velocity_scale_;         // largest velocity of the scene's flow
-  Eigen::VectorXd over_lengths_;  // what makes forces of loads, 1 / length for torques; 0 where
-                                  // supports bear them
-  std::vector<Column> earlier_columns_;  // earlier answers on the nodes of this configuration
+  double flow_ = 0.0;      // norm of the scene's own right-hand side
+  double velocity_scale_;  // largest velocity of the scene's flow
+  // Factors that make forces of loads: 1 over the radius of gyration for torques; 0 for loads that
+  // supports bear. Empty before the first load.
+  Eigen::VectorXd over_lengths_;
+  std::vector<Column> earlier_columns_;  // of earlier configurations, on the nodes of this one
   std::vector<Column> columns_;          // of all loads so far
-  std::vector<std::size_t> latest_;      // those of the latest call's columns
-  Eigen::MatrixXd velocities_;           // that they cause
-  Eigen::MatrixXd correction_;           // of these velocities
-  double most_correction_;               // by which it may move components, over the velocity scale
-  bool corrects_ = true;                 // at all
-  Eigen::VectorXd refined_;              // weights of the answers whose combination is exact
-  double missing_ = 0.0;                 // residual that the combination had before that
-  double allowed_ = 0.0;                 // of these weights' combination
-  int spent_ = 0;  // iterations of refinements since then or the latest new load
+  std::vector<std::size_t> latest_;      // columns of the loads of the latest call
+  Eigen::MatrixXd velocities_;           // of these columns
+  Eigen::MatrixXd correction_;           // of these velocities, by definite_correction()
+  double most_correction_;   // largest motion of the correction, over the velocity scale
+  bool corrects_ = true;     // false: columns are used without a correction
+  Eigen::VectorXd refined_;  // weights of the latest combination that was solved for
+  double missing_ = 0.0;     // residual of that combination before its solve
+  double allowed_ = 0.0;     // residual that it may have
+  int spent_ = 0;            // iterations of refinements since the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };
