@@ -1,4 +1,4 @@
-"""The stokes program as its user meets it: exit codes, messages, plan, records, resume.
+"""Tests the stokes program as its users run it: exit codes, messages, plan, records, resume.
 
 Usage: test_cli.py PROGRAM SCENES [unittest arguments]
 """
@@ -67,7 +67,7 @@ class Program(unittest.TestCase):
         return result
 
     def files(self, name):
-        """Every file of a run but those that hold wall times."""
+        """Returns the contents of every file of a run, except files with wall times."""
         folder = self.folder / name
         return {
             p.name: p.read_bytes()
@@ -135,7 +135,7 @@ class Plan(Program):
         self.assertIn("body 0 and body 1", result.stderr)
         self.assertIn("n_nodes", result.stderr)
         self.assertRegex(result.stdout, r"48 nodes; \d+ recommended")
-        # A gap of 2 is nothing to the solver, but it is to contact.
+        # A gap of 2 is no difficulty for the solver, but it is narrower than the separation.
         contact = ("--set", 'time.method="euler"', "--set", "contact.minimum_separation=2.5")
         for how in [], ["--dry-run"]:
             result = self.run_scene(*how, *contact, "--out", "close", code=2)
@@ -178,7 +178,8 @@ class Records(Program):
         rheology = numpy.genfromtxt(folder / "rheology.csv", names=True, delimiter=",")
         numpy.testing.assert_array_equal(rheology["t"], numpy.unique(table["t"]))
         self.assertTrue(numpy.isnan(rheology["torque_ratio"]).all())
-        # In shear of rate 1 without loads the excess dissipation is S_12; only the ellipse is long.
+        # In shear of rate 1 without loads, the excess dissipation is S_12; only the ellipse has a
+        # long axis.
         numpy.testing.assert_allclose(rheology["dissipation"], rheology["s12"], rtol=1e-12)
         theta = table["theta"][table["body"] == 1]
         numpy.testing.assert_allclose(rheology["order_parameter"], numpy.cos(2 * theta), atol=1e-12)
@@ -198,7 +199,7 @@ class Records(Program):
         self.assertIn("error estimates of fields, relative to their largest values: pressure ", told)
 
     def test_the_error_of_steps_is_told_beside_that_of_velocities(self):
-        """Steps by Euler err by far more than the velocities, which are right to 1e-5."""
+        """The error of Euler's steps is far larger than that of the velocities, 1e-5."""
         for method, least, most in (("euler", 3e-4, 0.01), ("rk4", 0.0, 1e-6)):
             result = self.run_scene("--out", method, "--set", f"time.method={method}")
             found = re.search(r"error estimates: of velocities, relative to their scale, (\S+); of positions in "
@@ -222,7 +223,7 @@ class Records(Program):
         self.assertNotIn("infinity", result.stdout)
 
     def test_messages_show_no_control_characters_and_no_long_values(self):
-        """What a terminal would obey is escaped, and a megabyte is cut in the middle."""
+        """Control characters are escaped, and a text of a megabyte is cut in the middle."""
         evil = "\x1b[2J\x07\nstokes: done\x7f"
         for text in (f"[flow]\nkind = {json.dumps(evil)}\n", f"{json.dumps(evil)} = 1\n"):
             message = self.run_scene(text=text, code=1).stderr
@@ -281,7 +282,7 @@ class Records(Program):
         self.assertIn("adams_bashforth2", refused.stderr)
 
     def test_estimates_above_the_tolerance_are_told(self):
-        """An ellipse that steps press to a turning wall: nodes do for the flow, not for the force."""
+        """Steps press an ellipse to a turning wall; few nodes resolve the flow, not the force."""
         text = """
             [[bodies]]
             shape = { kind = "ellipse", semi_axes = [0.8, 0.3] }
@@ -310,7 +311,7 @@ class Records(Program):
             self.assertEqual("above solver.tolerance = 0.001" in result.stderr, above)
 
     def test_automatic_nodes_follow_the_gap(self):
-        """Circles driven together: nodes grow, the tolerance is kept, and resuming changes nothing."""
+        """Circles are driven together: nodes grow, errors stay small, resuming changes nothing."""
         text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")
         text = text.replace("2.0, -0.4", "1.5, 0.0").replace('"shear"', '"extensional"')
         text = text.replace("rate = 1.0", "rate = -1.0")
@@ -407,7 +408,7 @@ class Records(Program):
             self.assertTrue(information["plan"])
             self.run_scene("--out", killed, "--resume", text=text)
             self.assertEqual(self.files(whole), self.files(killed))
-            columns = [0, 1, 2, 3, 6, 7, 8]  # all of steps.csv that is not a wall time
+            columns = [0, 1, 2, 3, 6, 7, 8]  # all columns of steps.csv except wall times
             tables = [numpy.genfromtxt(self.folder / run / "steps.csv", delimiter=",",
                                        skip_header=1, usecols=columns) for run in (whole, killed)]
             numpy.testing.assert_array_equal(*tables)
@@ -420,7 +421,7 @@ class Records(Program):
         self.assertEqual(self.files("whole"), self.files("killed"))
 
     def test_files_of_the_user_stay(self):
-        """Under names that a run gives its own, whether it is new or resumed."""
+        """Files of the user stay, new run or not, if they have names of the run's own files."""
         for names, flags in ((["scene.toml"], []), (["scene.toml"], ["--resume"]),
                              (["walls.csv", "animation.html"], ["--resume"])):
             with self.subTest(names=names, flags=flags):
@@ -432,7 +433,7 @@ class Records(Program):
                 self.assertEqual(self.files(folder), {name: b"mine" for name in names})
 
     def test_a_run_of_its_own_scene_is_begun_anew(self):
-        """As after a kill before its first checkpoint."""
+        """A kill before the first checkpoint of a run leaves such a folder."""
         self.run_scene("--out", "a", "--set", "time.t_final=0.2")
         whole = self.files("a")
         for flag in ("--resume", "--overwrite"):
@@ -455,7 +456,7 @@ class Records(Program):
         self.assertIsNone(process.poll())
 
     def test_checkpoints_of_other_programs(self):
-        """With what this one goes on from, and without."""
+        """A checkpoint of another build is accepted if it has all data that this program reads."""
         def rewritten(text, pattern, replacement):
             body, count = re.subn(pattern, replacement, text[:text.rindex("checksum")])
             self.assertEqual(count, 1)
@@ -497,7 +498,7 @@ class Records(Program):
         self.assertIn("body 0", information["message"])
 
     def test_a_run_whose_contact_is_not_resolved_says_what_it_met(self):
-        """Slender ellipses that a long last step drives through each other."""
+        """A long last step drives slender ellipses through each other."""
         body = """
             [[bodies]]
             shape = { kind = "ellipse", semi_axes = [2.0, 0.3] }
@@ -519,7 +520,7 @@ class Records(Program):
             dt_min = 0.3
             method = "euler"
             """
-        for flag in "--overwrite", "--resume":  # which tries the same step again
+        for flag in "--overwrite", "--resume":  # --resume tries the same step again
             refused = self.run_scene("--out", "a", flag, text=text, code=2)
             self.assertRegex(refused.stderr, r"refused: t = 0\.02: contact is not resolved: body 0 "
                              r"and body 1: .*a unit force .*time\.dt_min = 0\.3 do not help")
@@ -533,7 +534,7 @@ class Records(Program):
         (self.folder / "file").write_text("")
         result = self.run_scene("--out", "file/out", code=3)
         self.assertIn("file/out", result.stderr)
-        long = "a" * 300  # letters are too many for a name
+        long = "a" * 300  # more letters than a name may have
         result = self.run_scene("--out", long, code=3)
         self.assertRegex(result.stderr, rf"^stokes: {long}.*: File name too long\n$")
 

@@ -1,4 +1,5 @@
-"""The script ./stokes on a system that is not Debian, with programs that only say what they were asked.
+"""Tests the script ./stokes on a system other than Debian, with programs that only print their
+arguments.
 
 Usage: test_front_end.py SCRIPT [unittest arguments]
 """
@@ -37,7 +38,7 @@ class FrontEnd(unittest.TestCase):
         path.chmod(0o755)
 
     def configure(self, source):
-        """A build that was configured from a path of the source."""
+        """Makes a build folder that was configured from the given source path."""
         build = self.root / "build" / "release"
         self.program(build / "bin" / "stokes", 'echo "ran $*"')
         (build / "build.ninja").touch()
@@ -68,7 +69,7 @@ class FrontEnd(unittest.TestCase):
             self.configure(source)
             self.stokes("run")
         self.assertNotIn("--fresh", (self.root / "asked").read_text())
-        self.configure(self.root.parent / "other")  # the tree has moved
+        self.configure(self.root.parent / "other")  # the source tree has moved
         self.stokes("run")
         self.assertIn("--fresh", (self.root / "asked").read_text())
 

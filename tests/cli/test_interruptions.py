@@ -1,4 +1,4 @@
-"""Runs with contact that are killed, meet a full disk, or have no place to write.
+"""Tests runs with contact that are killed, meet a full disk, or have no writable folder.
 
 Usage: test_interruptions.py PROGRAM SCENES KILLS [unittest arguments]
 """
@@ -25,13 +25,13 @@ from tiers import full
 
 PROGRAM, SCENES, KILLS = sys.argv[1], pathlib.Path(sys.argv[2]), int(sys.argv[3])
 
-# Stars that settle on the floor of a container: contacts come and go.
+# Stars settle on the floor of a container: contacts begin and end.
 RUN = [SCENES / "settling.toml", "--set", "time.t_final=2.0", "--set", "output.dt_write=0.2",
        "--set", 'output.formats=["csv", "vtk", "svg", "html"]', "--set",
        "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 30 }"]
 
 
-# Many bodies, so that a written time has several pages of trajectory.csv, and little to compute.
+# With many bodies, a written time has several pages of trajectory.csv, and little to compute.
 CROWD = """
 [flow]
 kind = "shear"
@@ -60,13 +60,13 @@ def start(folder, *arguments, run=RUN, **options):
 
 
 def finish(process):
-    """Exit code and message."""
+    """Returns the exit code and the message of a process that has ended."""
     message = process.communicate()[1]
     return process.returncode, message
 
 
 def without_wall_times(path):
-    """A file of a run but for the seconds that steps took, and what follows from their length."""
+    """Returns a file of a run without the wall times of steps and what depends on their length."""
     text = path.read_bytes()
     if path.name == "steps.csv":
         names, *rows = [row.split(b",") for row in text.splitlines()]
@@ -78,27 +78,27 @@ def without_wall_times(path):
 
 
 def without_cost(information):
-    """What run.json says, but for work since the last start: what is of the whole run."""
+    """Returns run.json with the totals of the whole run, without the work since the last start."""
     whole_run = ("steps", "largest_force_imbalance", "largest_torque_imbalance", "energy_injected")
     totals = {name: information["totals"].get(name) for name in whole_run}
     return {**information, "totals": totals, "wall_seconds": None, "peak_memory": None}
 
 
 def contents(folder):
-    """All files of a run, as they are without an interruption too."""
+    """Returns all files of a run, without what an interruption may change."""
     files = {path.name: without_wall_times(path)
              for path in folder.iterdir() if path.name != "run.json"}
     return {**files, "run.json": without_cost(json.loads((folder / "run.json").read_text()))}
 
 
 def rows_of(path):
-    """What NumPy reads, a row a line: a table that is damaged raises."""
+    """Returns the rows that NumPy reads from a table; a damaged table raises an error."""
     return numpy.atleast_1d(numpy.genfromtxt(path, names=True, delimiter=",", dtype=None,
                                              encoding="ascii"))
 
 
 def vtk_reads(reader, path):
-    """Whether VTK does so without a word."""
+    """Returns whether VTK reads a file without an error or a warning."""
     complaints = []
     for event in ("ErrorEvent", "WarningEvent"):
         reader.AddObserver(event, lambda *_: complaints.append(path))
@@ -108,7 +108,7 @@ def vtk_reads(reader, path):
 
 
 def checkpoint_of(folder):
-    """Time, and number of written times; none of both without a checkpoint."""
+    """Returns the time and the number of written times, or -inf and 0 without a checkpoint."""
     if not (folder / "checkpoint").exists():
         return -numpy.inf, 0
     text = (folder / "checkpoint").read_text()
@@ -119,7 +119,7 @@ def checkpoint_of(folder):
 class Interruptions(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        # In memory, where there is a place: on a disk most kills would hit a process that waits.
+        # The folder is in memory if possible: on a disk, most kills would hit a process that waits.
         place = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         folder = tempfile.TemporaryDirectory(dir=place)
         cls.addClassCleanup(folder.cleanup)
@@ -132,7 +132,7 @@ class Interruptions(unittest.TestCase):
         assert steps["contacts"].max() > 0, "a run without contact"
 
     def check_readable(self, folder):
-        """What a reader relies on at any moment."""
+        """Checks the properties of the files on which a reader relies at any moment."""
         for path in folder.iterdir():
             with self.subTest(file=path.name):
                 if path.suffix == ".csv":
@@ -141,7 +141,7 @@ class Interruptions(unittest.TestCase):
                         rows_of(path)
                 elif path.suffix in (".vtp", ".vti"):
                     reader = {".vtp": vtkXMLPolyDataReader, ".vti": vtkXMLImageDataReader}[path.suffix]
-                    if not path.name.startswith("contacts"):  # of which there may be none
+                    if not path.name.startswith("contacts"):  # which may be empty
                         self.assertTrue(vtk_reads(reader(), path))
                 elif path.suffix == ".svg":
                     xml.parse(path)
@@ -157,7 +157,7 @@ class Interruptions(unittest.TestCase):
                     json.loads(path.read_text())
 
     def check_loss(self, folder, bodies, dt_write):
-        """The checkpoint is no further back than a written interval, and tables are at it."""
+        """Checks that the checkpoint is at most a written interval old, and matches tables."""
         t, frames = checkpoint_of(folder)
         for name, rows_a_frame in (("trajectory.csv", bodies), ("rheology.csv", 1)):
             if not (folder / name).exists():
@@ -165,7 +165,7 @@ class Interruptions(unittest.TestCase):
             rows = (folder / name).read_bytes().count(b"\n") - 1
             self.assertIn(rows, (frames * rows_a_frame, (frames + 1) * rows_a_frame), name)
         if (folder / "steps.csv").exists():
-            # Rows that are not shown yet tell how far the run was.
+            # Rows that a reader does not see yet show how far the run was.
             for path in folder.glob("steps.csv*"):
                 *rows, _ = path.read_text().split("\n")
                 reached = [float(row.split(",")[0]) for row in rows[1:]]
@@ -179,7 +179,7 @@ class Interruptions(unittest.TestCase):
             self.assertTrue(resumed[name] == text, f"{name} differs")
 
     def check_kills(self, run, whole, seconds, dt_write):
-        """Kills a run that takes so many seconds at random moments, and resumes it."""
+        """Kills a run of the given duration at random moments, and resumes it."""
         bodies = len(numpy.unique(rows_of(whole / "trajectory.csv")["body"]))
         moments = random.Random(1)
         killed = at_work = 0
@@ -189,7 +189,7 @@ class Interruptions(unittest.TestCase):
             time.sleep(moments.uniform(0.0, seconds))
             process.send_signal(signal.SIGKILL)
             code, _ = finish(process)
-            if code == 0:  # too late
+            if code == 0:  # the kill came too late
                 subprocess.run(["rm", "-r", folder], check=True)
                 continue
             killed += 1
@@ -199,7 +199,7 @@ class Interruptions(unittest.TestCase):
                     self.check_readable(folder)
                     self.check_loss(folder, bodies, dt_write)
                 self.check_resumes(folder, contents(whole), run=run)
-        self.assertGreater(at_work, KILLS // 4)  # else most kills came before the first step
+        self.assertGreater(at_work, KILLS // 4)  # otherwise most kills came too early
 
     def test_killed_at_random_moments(self):
         self.check_kills(RUN, self.folder / "whole", self.seconds, dt_write=0.2)
@@ -214,10 +214,10 @@ class Interruptions(unittest.TestCase):
         self.check_kills(run, whole, seconds, dt_write=0.01)
 
     def check_full_disks(self, sizes, formats, whole):
-        """Names of the files that disks of these sizes refuse.
+        """Returns the names of the files that disks of these sizes refuse.
 
-        A limit on the size of files stands for a disk that takes a part of a file only. No limit is
-        below 1024 bytes: Clang's OpenMP has a file of its own of this size.
+        A limit on the size of files simulates a disk that takes only a part of a file. No limit is
+        below 1024 bytes, because Clang's OpenMP writes a file of this size.
         """
         refused = set()
         for size in sizes:
@@ -239,7 +239,7 @@ class Interruptions(unittest.TestCase):
 
     @full
     def test_disks_that_are_full_at_other_sizes(self):
-        without_page = "--set", 'output.formats=["csv", "vtk"]'  # the page would be the first refused
+        without_page = "--set", 'output.formats=["csv", "vtk"]'  # else the page is refused first
         self.assertEqual(finish(start(self.folder / "pageless", *without_page)), (0, ""))
         refused = self.check_full_disks([1100, 2000, 25_000, 45_000], without_page,
                                         contents(self.folder / "pageless"))
@@ -251,7 +251,7 @@ class Interruptions(unittest.TestCase):
         (blocked / "checkpoint.partial" / "in_the_way").mkdir(parents=True)
         places = [(self.folder / "file/out", "file/out"), ("/dev/null", "/dev/null"),
                   ("/proc/out", "/proc/out"), (blocked, "blocked/checkpoint.partial")]
-        if os.geteuid() != 0:  # who may write everywhere
+        if os.geteuid() != 0:  # root may write everywhere
             (self.folder / "closed").mkdir(mode=0o555)
             places.append((self.folder / "closed", "closed/"))
         for place, named in places:
@@ -263,7 +263,7 @@ class Interruptions(unittest.TestCase):
         self.check_resumes(blocked, self.whole)
 
     def test_a_full_disk_for_what_is_printed(self):
-        """It may get lost; the run and its files do not."""
+        """The output of the program may be lost; the run continues and writes its files."""
         with open("/dev/full", "w") as full:
             process = subprocess.run([PROGRAM, "run", *map(str, RUN), "--out", self.folder / "mute"],
                                      stdout=full, stderr=subprocess.PIPE, text=True)

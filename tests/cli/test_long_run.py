@@ -1,4 +1,4 @@
-"""Ten thousand steps take no more memory than one thousand.
+"""Tests that ten thousand steps take no more memory than one thousand.
 
 Usage: test_long_run.py PROGRAM [unittest arguments]
 """
@@ -36,7 +36,7 @@ position = [-3.0, 0.0]
 n_nodes = 32
 """
 
-# A disk that rolls along the wall that it is pressed on.
+# A disk rolls along the wall on which it is pressed.
 CONTACT = SETTINGS + """
 [[walls]]
 role = "outer"
@@ -54,7 +54,7 @@ minimum_separation = 0.1
 
 class LongRuns(unittest.TestCase):
     def run_scene(self, text, steps):
-        """What run.json says of so many steps."""
+        """Returns the run.json of a run with the given number of steps."""
         with tempfile.TemporaryDirectory() as name:
             scene, out = pathlib.Path(name) / "scene.toml", pathlib.Path(name) / "out"
             scene.write_text(text)
@@ -66,7 +66,7 @@ class LongRuns(unittest.TestCase):
 
     def check(self, text):
         short, long = self.run_scene(text, 1000), self.run_scene(text, 10_000)
-        # A hundred bytes a step would be a megabyte.
+        # A leak of a hundred bytes a step would add a megabyte.
         self.assertLess(long["peak_memory"], short["peak_memory"] + 1_000_000)
         return long["totals"]
 

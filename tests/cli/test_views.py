@@ -1,4 +1,4 @@
-"""The scripts that ship for the files of a run, on a run.
+"""Tests the shipped scripts that read the files of a run, on the files of a run.
 
 Usage: test_views.py PROGRAM SUSPENSION [unittest arguments]
 """

@@ -1,4 +1,4 @@
-"""Programs let their waiting threads sleep, unless the user has chosen otherwise.
+"""Tests that programs let their waiting threads sleep, unless the user has chosen otherwise.
 
 Usage: test_waiting_threads.py PROGRAM...
 """
@@ -16,7 +16,7 @@ CHOICES = "OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "KMP_BLOCKTIME"
 
 class WaitingThreads(unittest.TestCase):
     def policies(self, program, **choice):
-        """What OpenMP says of its policy, once each time that the program is loaded."""
+        """Returns the policy that OpenMP reports each time the program is loaded."""
         environment = {k: v for k, v in os.environ.items() if k not in CHOICES}
         with tempfile.TemporaryDirectory() as folder:
             argument = folder if "chapter" in program.rpartition("/")[2] else "--help"

@@ -1,5 +1,5 @@
-// Loaded and freely floating ellipses against their closed forms, in all three forms of the
-// closure: a wrong sign, scale or factor in a border, a functional or a singularity shows here.
+// Checks loaded and freely floating ellipses against their closed forms, in all three forms of the
+// closure. The test finds a wrong sign, scale or factor in a border, a functional or a singularity.
 
 #include "support/closed_forms.hpp"
 
@@ -10,14 +10,14 @@
 namespace stokesbook::test {
 namespace {
 
-// Moderate ellipses are resolved to rounding by 96 nodes, also with a Stokeslet at the centre
-// (error ~ m^(N/2) with m = (a - b) / (a + b) = 1/3).
+// 96 nodes resolve moderate ellipses to rounding, also with a Stokeslet at the centre: the error is
+// about m^(N/2) with m = (a - b) / (a + b) = 1/3 (03.16).
 using std::numbers::pi;
 
 constexpr Eigen::Index n_nodes = 96;
 constexpr double rounding = 2e-14;
 
-// u = (rate y, 0)
+// Returns the shear flow u = (rate y, 0).
 ComplexVector shear(const ComplexVector& x, double rate) {
   return rate * x.imag().cast<Complex>();
 }
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(reference_ellipse_in_shear_C3) {
   }
 }
 
-// Loads of any direction, an ellipse anywhere at any angle, other viscosities, lengths and gauges.
+// Varies the direction of the load, the ellipse's place and angle, viscosity, length and gauge.
 BOOST_AUTO_TEST_CASE(loaded_ellipses) {
   for (const double length : {1e-3, 1.0, 1e3}) {
     for (const double mu : {1.0, 1.3}) {
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(loaded_ellipses) {
         const RigidMotion exact = loaded_ellipse(ellipse, orientation, load, mu, 7.0 * length);
         for (const ClosureForm form : all_forms) {
           const RigidMotion motion = solve_dense(problem, form).motions[0];
-          // The draft's border mixes units: a length of 1e3 costs it six digits.
+          // The draft's border mixes units, which costs digits at a length of 1e3.
           const double tolerance = form == ClosureForm::draft_bordered ? 1e-11 : rounding;
           BOOST_TEST(distance(motion, exact, length) < tolerance);
         }
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(loaded_ellipses) {
   }
 }
 
-// A free ellipse floats with the flow at its centre and turns as Jeffery found, in shear at any
+// A free ellipse moves with the flow at its centre and turns as in Jeffery's solution, for any
 // angle.
 BOOST_AUTO_TEST_CASE(ellipses_in_shear) {
   const Complex centre{0.8, 1.9};
@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(ellipses_in_shear) {
   }
 }
 
-// The resistance of a held circle is the inverse of its mobility, for any gauge above the
-// degenerate one.
+// The resistance of a held circle is the inverse of its mobility (03.12), for any gauge length
+// above the degenerate one.
 BOOST_AUTO_TEST_CASE(held_circle_with_gauge) {
   const double a = 0.7, mu = 1.3;
   const RigidMotion motion{{0.4, -1.2}, 2.1};

@@ -1,7 +1,7 @@
-// What the closure's scale does to the conditioning: the draft's border compares a velocity with a
-// force, so its condition number grows with the body's size in either direction; the scaled border
-// and the reduced form have condition number 2 on a circle of any size. Norms are mean squares
-// over the curve.
+// Checks how the closure's scale changes the conditioning. The draft's border compares a velocity
+// with a force, so its condition number grows with the body's size in either direction; the scaled
+// border (03.8) and the reduced form (03.10) have condition number 2 on a circle of any size. Norms
+// are mean squares over the curve.
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,7 +18,7 @@ StokesProblem circle_problem(double radius) {
 }
 
 StokesProblem held_circle_problem(double radius, double mu) {
-  // In a gauge for which its own block is {-1, -1/2}.
+  // In this gauge, the eigenvalues of the circle's own block are -1 and -1/2.
   const double gauge = std::sqrt(std::numbers::e) * radius;
   return {{held_body(Circle{radius}, 32, {}, {1.0, 0.0})}, mu, {}, gauge};
 }
@@ -27,8 +27,8 @@ StokesProblem held_circle_problem(double radius, double mu) {
 
 BOOST_AUTO_TEST_SUITE(conditioning)
 
-// Blocks of the draft's matrix on a circle: 1/2 and 1 of -1/2 + D, and the borders {1, 2 pi a} of a
-// translation and {a, 2 pi a^2} of a turn.
+// The draft's matrix on a circle has the singular values 1/2 and 1 of -1/2 + D, and the borders {1,
+// 2 pi a} of a translation and {a, 2 pi a^2} of a rotation.
 BOOST_AUTO_TEST_CASE(draft_depends_on_size) {
   const auto condition = [](double a) {
     return mean_square_condition(circle_problem(a), ClosureForm::draft_bordered);
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(scaled_and_reduced_do_not) {
   }
 }
 
-// On held bodies the viscosity enters the draft's border too.
+// For held bodies the viscosity enters the draft's border as well.
 BOOST_AUTO_TEST_CASE(draft_depends_on_viscosity) {
   const auto condition = [](double mu, ClosureForm form) {
     return mean_square_condition(held_circle_problem(1.0, mu), form);

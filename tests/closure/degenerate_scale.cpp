@@ -1,6 +1,6 @@
-// Stokes' paradox in the resistance problem of the plane: with Stokeslets -log(r / ell) a circle
-// of radius sqrt(e) ell has no resistance to find; with zero net force and a free uniform velocity
-// every scale is regular.
+// Checks Stokes' paradox in the plane's resistance problem: with Stokeslets -log(r / ell), the
+// resistance of a circle of radius sqrt(e) ell does not exist (03.12). With zero net force and a
+// free uniform velocity (03.14), the problem is regular at every scale.
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,7 +16,8 @@ StokesProblem held_circle(double radius, double gauge) {
   return {{held_body(Circle{radius}, 32, {{0.2, 0.1}}, {1.0, 0.0})}, 1.3, {}, gauge};
 }
 
-// Three bodies held in motions that do not balance, and one that is pushed, in a unit of length.
+// Three bodies are held in motions that do not balance, and one body is pushed, in a unit of
+// length.
 StokesProblem held_and_pushed(double length) {
   const auto at = [&](double x, double y, double angle) {
     return Pose{length * Complex{x, y}, angle};
@@ -46,8 +47,8 @@ BOOST_AUTO_TEST_CASE(gauge_problem_is_singular_there) {
   }
 }
 
-// The closed form F = 4 pi mu U / (1/2 - log(a / ell)) changes sign there: nearby gauges solve, and
-// mean little.
+// The closed form F = 4 pi mu U / (1/2 - log(a / ell)) changes its sign at the degenerate scale:
+// problems with nearby gauges can be solved, but their forces are not meaningful.
 BOOST_AUTO_TEST_CASE(force_changes_sign_there) {
   const double degenerate = 1.0 / std::sqrt(std::numbers::e);
   for (const ClosureForm form : all_forms) {
@@ -59,17 +60,17 @@ BOOST_AUTO_TEST_CASE(force_changes_sign_there) {
   }
 }
 
-// sqrt(e) a times the length is the gauge at which one of the circles alone would be singular.
+// The system contains no gauge length, so its condition number is the same in any unit of length.
 BOOST_AUTO_TEST_CASE(free_uniform_velocity_has_no_unit) {
   const Completion at_one = solve_dense(held_and_pushed(1.0), ClosureForm::reduced);
   const double condition =
       condition_number(assemble(held_and_pushed(1.0), ClosureForm::reduced).matrix);
   for (const double length :
-       {1e-3, 2.0 / std::sqrt(std::numbers::e), std::sqrt(std::numbers::e), 20.0, 1e3}) {
+       {1e-3, std::sqrt(std::numbers::e), 2.0 * std::sqrt(std::numbers::e), 20.0, 1e3}) {
     const StokesProblem problem = held_and_pushed(length);
     BOOST_TEST(condition_number(assemble(problem, ClosureForm::reduced).matrix) == condition,
                boost::test_tools::tolerance(1e-9));
-    // Velocities grow with the length, but the push does not: rescale the solution of unit length.
+    // Velocities grow with the length, but the push does not: rescales the solution of unit length.
     const Completion scaled = solve_dense(problem, ClosureForm::reduced);
     StokesProblem expected = held_and_pushed(1.0);
     expected.components[2].force /= length;
@@ -91,8 +92,8 @@ BOOST_AUTO_TEST_CASE(free_uniform_velocity_has_no_unit) {
   BOOST_TEST(std::abs(total) < 1e-13);
 }
 
-// Seen from a frame that moves with the uniform velocity, the bounded forms agree: without net
-// force the gauge has no say, so any gauge must return the same loads and motions.
+// In a frame that moves with the uniform velocity, the bordered forms agree. The net force is zero,
+// so the gauge has no effect: any gauge must return the same loads and motions.
 BOOST_AUTO_TEST_CASE(agrees_with_every_gauge) {
   const StokesProblem problem = held_and_pushed(1.0);
   const Completion free = solve_dense(problem, ClosureForm::reduced);
@@ -110,7 +111,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_every_gauge) {
   }
 }
 
-// A single held body feels no force; it drags all of the fluid along and keeps its torque.
+// A single held body feels no force: the body drags all of the fluid along and keeps its torque.
 BOOST_AUTO_TEST_CASE(lone_held_body) {
   const RigidMotion motion{{0.7, -0.2}, 1.5};
   const StokesProblem problem{{held_body(Circle{0.8}, 32, {{1, 1}}, motion)}, 1.3, {}, {}};

@@ -1,5 +1,5 @@
-// The three forms of the closure are one problem: same motions, loads and flow for held and free
-// bodies together, and whatever the right-hand side of a free body's border rows.
+// Checks that the three forms of the closure are one problem: they give the same motions, loads and
+// flow for held and free bodies together, for any right-hand side of a free body's border rows.
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,7 +9,7 @@
 namespace stokesbook::test {
 namespace {
 
-// Held and free bodies of all kinds of shape, a background, loads, a gauge.
+// The problem has held and free bodies of several shapes, a background flow, loads and a gauge.
 StokesProblem mixed_problem() {
   StokesProblem problem{{free_body(Ellipse{1, 0.6}, 96, {{-2.5, 0.5}, 0.7}, {{1.0, -0.4}, 0.3}),
                          held_body(Circle{0.8}, 64, {{0.3, -1.6}}, {{0.2, 0.5}, -1.0}),
@@ -23,7 +23,7 @@ StokesProblem mixed_problem() {
   return problem;
 }
 
-// Velocity of the fluid away from the bodies, from the density, the loads and the background.
+// Returns the fluid's velocity away from the bodies (03.4): density, loads and background flow.
 ComplexVector flow_at(const StokesProblem& problem, const ComplexVector& points,
                       const ComplexVector& density, const Completion& completion) {
   return StressletSum(curves_of(problem))(points, density) +
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(agree) {
   }
 }
 
-// The densities differ by rigid motions, which produce no flow.
+// The densities differ by rigid motions, which produce no flow (03.3).
 BOOST_AUTO_TEST_CASE(have_one_flow) {
   const StokesProblem problem = mixed_problem();
   const ComplexVector points{{{-6.0, 2.0}, {0.0, 6.0}, {5.0, 5.0}, {-1.0, -7.0}}};
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(border_of_free_bodies_may_hold_anything) {
   }
 }
 
-// The matrix-free pieces add up to the matrix that assemble() makes of them.
+// The sum of the matrix-free parts must be the product with the matrix of assemble().
 BOOST_AUTO_TEST_CASE(right_hand_side_and_system_are_linear) {
   const StokesProblem problem = mixed_problem();
   const Completion once = solve_dense(problem, ClosureForm::reduced);

@@ -1,5 +1,5 @@
-// Mobility matrices of bodies without any symmetry: reference numbers of the specification,
-// symmetry (Lorentz), positive definiteness, and how a change of gauge shows.
+// Checks mobility matrices of bodies without symmetry: reference numbers of the specification,
+// symmetry (03.15), positive definiteness, and the effect of a change of gauge.
 
 #include <boost/test/unit_test.hpp>
 
@@ -54,11 +54,11 @@ BOOST_AUTO_TEST_CASE(is_symmetric_and_positive) {
                               100.0};
   const Eigen::MatrixXd matrix = mobility_matrix(problem, ClosureForm::reduced);
   BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-13);
-  // Bodies within a gauge length dissipate whatever the loads.
+  // Bodies within a gauge length dissipate energy under any loads.
   BOOST_TEST(symmetric_eigenvalues(matrix)[0] > 0.0);
 }
 
-// ell -> ell' adds sum F log(ell' / ell) / (4 pi mu) to every velocity, and no turn.
+// A change ell -> ell' adds sum F log(ell' / ell) / (4 pi mu) to every velocity, and no rotation.
 BOOST_AUTO_TEST_CASE(gauge_shifts_velocities) {
   const StokesProblem problem{{free_body(lopsided_curve(), 96, {{-1.7, 0.2}, 1.0}),
                                free_body(Ellipse{1, 0.5}, 96, {{1.2, 0.9}, 0.4})},
@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(gauge_shifts_velocities) {
   }
 }
 
-// Forces that balance need no gauge; without one the fluid is at rest far away, as with any.
+// Balanced forces require no gauge; without a gauge the fluid is at rest far away, as with any
+// gauge.
 BOOST_AUTO_TEST_CASE(balanced_forces_need_no_gauge) {
   const Complex force{0.6, -0.8};
   StokesProblem problem{{free_body(Circle{1.0}, 48, {{-10.0, 0.0}}, {force, 0.3}),

@@ -1,5 +1,5 @@
-// The projection P onto the rigid motions of a curve: it returns rigid motions, is idempotent, is
-// orthogonal in the mean square, and means the same about every centre.
+// Checks the projection P onto the rigid motions of a curve (03.9): P maps rigid motions to
+// themselves, is idempotent, is orthogonal in the mean square, and is the same about every centre.
 
 #include "closure/rigid_modes.hpp"
 
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(is_idempotent_and_orthogonal) {
     const ComplexVector rigid = modes.at_nodes(modes.project(density));
     const ComplexVector rest = density - rigid;
     BOOST_TEST(distance(modes.project(rigid), modes.project(density)) < 1e-14);
-    // What is left is orthogonal to every rigid motion, hence its own projection vanishes.
+    // The rest is orthogonal to every rigid motion, hence the projection of the rest vanishes.
     BOOST_TEST(distance(modes.project(rest), {}) < 1e-14);
     for (const RigidMotion& motion : {RigidMotion{1.0, 0}, {imaginary, 0}, {0.0, 1}}) {
       const ComplexVector mode = modes.at_nodes(motion);
@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(is_idempotent_and_orthogonal) {
   }
 }
 
-// The projected field is one and the same; only the point whose velocity is reported differs.
+// The projected field is the same for every centre; only the point of the reported velocity
+// differs.
 BOOST_AUTO_TEST_CASE(does_not_depend_on_the_centre) {
   for (const Shape& shape : shapes) {
     const Curve curve = placed(shape);
@@ -77,8 +78,7 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_centre) {
 BOOST_AUTO_TEST_CASE(gyration_radius) {
   const RigidModes circle(sample(Circle{0.4}, 32, Side::fluid_outside), 0.0);
   BOOST_TEST(circle.gyration_radius() == 0.4, boost::test_tools::tolerance(1e-15));
-  // <|x|^2> over a 2:1 ellipse, a^2 + b^2 less what the uneven arclength takes: by adaptive
-  // quadrature.
+  // <|x|^2> over a 2:1 ellipse, where uneven arclength reduces a^2 + b^2: by adaptive quadrature.
   const RigidModes ellipse(sample(Ellipse{2, 1}, 128, Side::fluid_outside), 0.0);
   double moment = 0.0, length = 0.0;
   const int steps = 20000;

@@ -1,6 +1,6 @@
-// Eigenvalues of the reduced operator -1/2 + D - P: those of the double layer on an ellipse, known
-// in closed form, with the null space of rigid motions moved to -1; on a circle nothing but -1 and
-// -1/2.
+// Checks the eigenvalues of the reduced operator -1/2 + D - P (03.10): on an ellipse those of the
+// double layer, known in closed form, with the null space of rigid motions moved to -1; on a circle
+// only -1 and -1/2.
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr Eigen::Index enough_nodes = 96;
 
-// Eigenvalues of the reduced matrix of one body, ascending; their imaginary parts must vanish.
+// Returns the eigenvalues of one body's reduced matrix, ascending, and checks that they are real.
 Eigen::VectorXd eigenvalues(const Component& body) {
   const StokesProblem problem{{body}, 1.3, {}, {}};
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
@@ -23,7 +23,7 @@ Eigen::VectorXd eigenvalues(const Component& body) {
   return real;
 }
 
-// Returns the eigenvalues of -1/2 + D, those of the three rigid motions moved from 0 to -1.
+// Returns the eigenvalues of -1/2 + D, with the three of the rigid motions moved from 0 to -1.
 Eigen::VectorXd exact_eigenvalues(const Ellipse& ellipse) {
   Eigen::VectorXd values =
       ellipse_spectrum(ellipse, Side::fluid_outside, enough_nodes).array() - 0.5;
@@ -45,8 +45,7 @@ BOOST_AUTO_TEST_CASE(circle) {
   }
 }
 
-// A held circle with Stokeslets of the gauge sqrt(e) a has the same spectrum, whatever the
-// viscosity.
+// A held circle with Stokeslets of the gauge sqrt(e) a has the same spectrum at any viscosity.
 BOOST_AUTO_TEST_CASE(held_circle) {
   const double radius = 0.6;
   const Component body = held_body(Circle{radius}, 32, {{1, 2}}, {});
@@ -64,7 +63,7 @@ BOOST_AUTO_TEST_CASE(ellipses) {
   for (const Ellipse& ellipse : {Ellipse{2, 1}, Ellipse{3, 1}, Ellipse{0.06, 0.01}}) {
     const Eigen::VectorXd values = eigenvalues(free_body(ellipse, enough_nodes, {{1, -2}, 0.8}));
     const Eigen::VectorXd exact = exact_eigenvalues(ellipse);
-    // The first eigenvalue beyond the grid aliases onto it.
+    // The first eigenvalue beyond the grid's modes changes the results by aliasing.
     const double m = (ellipse.a - ellipse.b) / (ellipse.a + ellipse.b);
     const double tolerance =
         1e-12 + (1 - m * m) * 0.5 * enough_nodes * std::pow(m, enough_nodes / 2 - 1);

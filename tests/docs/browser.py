@@ -1,4 +1,4 @@
-"""A headless Chromium, driven over pipes by its DevTools protocol: Python alone is enough."""
+"""Drives a headless Chromium over pipes, by the DevTools protocol, with Python alone."""
 
 import fcntl
 import json
@@ -18,7 +18,8 @@ class Browser:
         self._profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_commands, self._write = os.pipe()
         self._read, write_events = os.pipe()
-        # The browser reads descriptor 3 and writes 4; moved up first, so none is overwritten.
+        # The browser reads descriptor 3 and writes 4. The pipes move to higher descriptors first,
+        # so that neither overwrites the other.
         ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (read_commands, write_events)]
 
         def take_ends():
@@ -38,7 +39,7 @@ class Browser:
             os.close(end)
         self._lock = threading.Lock()
         self._last_id = 0
-        self._answers = {}  # id -> queue of the one answer
+        self._answers = {}  # id -> queue of a single answer
         self._events = {}   # session -> queue of events
         threading.Thread(target=self._listen, daemon=True).start()
 
@@ -80,7 +81,7 @@ class Browser:
 
 
 class Tab:
-    """One page at a time, with what its console said."""
+    """Shows one page at a time, and collects the messages of its console."""
 
     def __init__(self, browser):
         self._browser = browser
@@ -118,14 +119,14 @@ class Tab:
         return errors
 
     def errors(self):
-        """Further errors since open()."""
+        """Returns further errors since open()."""
         found = []
         while not self._events.empty():
             found += console_errors(self._events.get())
         return found
 
     def evaluate(self, expression):
-        """The value of a JavaScript expression; of a promise, what it resolves to."""
+        """Returns the value of a JavaScript expression, or the value that a promise resolves to."""
         result = self.send("Runtime.evaluate", expression=expression, awaitPromise=True,
                            returnByValue=True)
         if "exceptionDetails" in result:

@@ -1,6 +1,6 @@
-"""Renders pages in a headless Chromium and says what is wrong with them.
+"""Renders pages in a headless Chromium and reports their faults.
 
-render.py FOLDER [PAGE...]                      checks the pages of FOLDER, or some of them
+render.py FOLDER [PAGE...]                      checks all or some pages of FOLDER
 render.py FOLDER --screenshots TO [PAGE...]     saves them for people: light, dark, and on a phone
 """
 
@@ -14,7 +14,7 @@ import browser
 PHONE = (390, 844)
 DESKTOP = (1280, 900)
 
-# What a page says of itself once its formulas are set.
+# Returns the faults of a page, once its formulas are set.
 REPORT = r"""
 (async () => {
   if (window.MathJax && MathJax.Hub) {
@@ -72,12 +72,12 @@ REPORT = r"""
 
 
 def pages_of(folder):
-    """The pages with texts of ours: Doxygen's bare lists of members have none."""
+    """Returns the pages with text, without Doxygen's bare lists of members."""
     return sorted(page for page in folder.glob("*.html") if not page.stem.endswith("-members"))
 
 
 def render(tab, page, width=PHONE):
-    """What is wrong with one page on a screen of this size."""
+    """Returns the faults of one page on a screen of this size."""
     tab.look(*width)
     found = tab.open(page.as_uri())
     found += tab.evaluate(REPORT)
@@ -86,7 +86,7 @@ def render(tab, page, width=PHONE):
 
 
 def render_all(pages, command="chromium", tabs=4):
-    """What is wrong with any of the pages, on a phone."""
+    """Returns the faults of all pages on a phone."""
     with browser.Browser(command) as chromium, concurrent.futures.ThreadPoolExecutor(tabs) as pool:
         shares = [pages[start::tabs] for start in range(tabs)]
 
@@ -97,7 +97,7 @@ def render_all(pages, command="chromium", tabs=4):
 
 
 def search_results(tab, page, words):
-    """Titles that the search box of a page offers for some words."""
+    """Returns the titles that the search box of a page offers for some words."""
     tab.look(*DESKTOP)
     tab.open(page.as_uri())
     return tab.evaluate(r"""

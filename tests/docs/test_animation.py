@@ -18,7 +18,7 @@ import browser
 PROGRAM = sys.argv.pop(1)
 CHROMIUM = sys.argv.pop(1)
 
-# A disk lies on the turning wall, a star floats.
+# A disk touches the turning wall, and a star floats.
 SCENE = """
 title = "Disk </script> & star"
 [[walls]]
@@ -49,7 +49,7 @@ formats = ["csv", "html"]
 RADIUS, OMEGA = 2.0, 0.3  # of the wall
 TIP = 0.45 * 1.2  # of the star, from its centre
 SIZE = (900, 700)
-# What the browser has drawn by now is what the page is to show.
+# After two frames, the browser has drawn the current state of the page.
 DRAWN = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
 FRAME = '<script type="application/json" class="frame">'
 
@@ -76,7 +76,7 @@ def tearDownModule():
 
 
 def state(body):
-    """Of a row of the trajectory, as the page has it."""
+    """Returns the state of a body in a row of the trajectory, in the page's form."""
     return [float(x) for x in body.tolist()[2:]]
 
 
@@ -107,7 +107,7 @@ class Animation(unittest.TestCase):
         tab.evaluate(DRAWN)
 
     def pixel_of(self, point):
-        """Where a point is to be drawn: the container is centred and takes most of the space."""
+        """Returns the pixel of a point: the container is centred and takes most of the space."""
         size = tab.evaluate("(canvas => [canvas.clientWidth, canvas.clientHeight])"
                             "(document.getElementById('canvas'))")
         scale = 0.94 * min(size) / (2 * RADIUS)
@@ -146,7 +146,7 @@ class Animation(unittest.TestCase):
         np.testing.assert_allclose(shown, expected, rtol=1e-4, atol=1e-5)
 
     def test_drawing(self):
-        """What is drawn at a body's centre, beside it in the fluid, and outside, in both styles."""
+        """Compares the colours at a body's centre, in the fluid and outside, in both styles."""
         seen = {}
         for dark in [False, True]:
             self.open(dark=dark)
@@ -179,7 +179,7 @@ class Animation(unittest.TestCase):
             self.run_js("player.seek(4)")
             self.assertTrue(tab.evaluate("document.getElementById('numbers').hidden"))
             for k, body in enumerate(trajectory[4]):
-                # Beside the centre, where the lines of contact begin.
+                # The mouse points beside the centre, where the lines of contact begin.
                 x, y = self.pixel_of(body)
                 self.mouse("mouseMoved", x + 20, y)
                 numbers = self.shown("numbers").replace("\u2212", "-")

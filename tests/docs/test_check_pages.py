@@ -1,4 +1,4 @@
-"""Checks the checks of the pages: each planted fault must be found, and good texts must pass."""
+"""Tests the checks of the pages: they must find each planted fault, and pass good texts."""
 
 import pathlib
 import sys

@@ -1,4 +1,4 @@
-"""Renders the pages of this build in a browser, and planted faults, each of which must be found.
+"""Renders the pages of this build in a browser, and checks that planted faults are found.
 
 test_render.py FOLDER-OF-PAGES CHROMIUM
 """
@@ -38,7 +38,7 @@ class ThisBuild(unittest.TestCase):
 
 
 class PlantedFaults(unittest.TestCase):
-    """One page with formulas, into which each test plants one fault."""
+    """A page with formulas, into which each test plants one fault."""
 
     @classmethod
     def setUpClass(cls):

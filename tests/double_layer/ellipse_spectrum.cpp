@@ -1,5 +1,4 @@
-// The double layer of an ellipse in closed form: its action on Fourier modes and its spectrum.
-//
+// Checks the double layer of an ellipse against closed forms: action on modes, spectrum (01.10).
 // With m = (a - b) / (a + b), c_k = (1 - m^2) k m^{k-1} and eta = sum eta_k e^{ikt}:
 // (D eta)_k = -(s/2) [ m^|k| eta_{-k} - c_k conj(eta_k) (k >= 1 only) ].
 #include <cmath>

@@ -1,5 +1,5 @@
-// Green's representation u = S[sigma n] - D[u] of an exact flow, and the flux that a double layer
-// carries through its curve.
+// Checks Green's representation u = S[sigma n] - D[u] (02.5) of an exact flow, and the flux (02.11)
+// of a double layer through its curve.
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/double_layer.hpp"
@@ -20,7 +20,7 @@ const Complex position{0.4, -0.3};
 const ComplexVector inner_points = ComplexVector{{Complex{0.5, -0.2}, Complex{0.2, -0.4}}};
 const ComplexVector outer_points = ComplexVector{{Complex{2.5, 1.0}, Complex{-2.0, -2.2}}};
 
-// Single layer by the trapezoid rule.
+// Evaluates the single layer by the trapezoid rule.
 ComplexVector single_layer(const Curve& curve, const ComplexVector& traction, double viscosity,
                            const ComplexVector& targets) {
   const Eigen::VectorXd w = weights(curve);
@@ -33,7 +33,7 @@ ComplexVector single_layer(const Curve& curve, const ComplexVector& traction, do
   });
 }
 
-// S[sigma n] - D[u] with the boundary values of a flow.
+// Returns S[sigma n] - D[u] for the boundary values of a flow.
 ComplexVector represent(const ExactFlow& flow, const Curve& curve, const ComplexVector& targets) {
   constexpr double viscosity = 1.3;
   const ComplexVector normal = normals(curve);
@@ -66,8 +66,9 @@ BOOST_AUTO_TEST_CASE(inside_a_wall) {
 }
 
 BOOST_AUTO_TEST_CASE(flux_through_one_curve) {
-  // For any density, without its being smooth: body -int eta.n, enclosing wall 0. The trapezoid
-  // rule's kernel meets the identity to its own accuracy.
+  // The flux (02.11) is -int eta.n for a body and 0 for an enclosing wall, for any density, smooth
+  // or not. The kernel, integrated by the trapezoid rule, fulfils the identity to the accuracy of
+  // the rule.
   for (Side side : {Side::fluid_outside, Side::fluid_inside}) {
     const Curve curve = sample(Ellipse{2.0, 1.0}, 96, side);
     const ComplexVector density = random_vector(96, 1);

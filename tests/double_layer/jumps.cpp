@@ -1,5 +1,5 @@
-// The double layer's limits on its curve: -eta/2 + D eta from the fluid, +eta/2 + D eta from the
-// other side, by extrapolation of values off the curve.
+// Checks the double layer's limits (02.8), -eta/2 + D eta from the fluid and +eta/2 + D eta from
+// the other side, by extrapolation of values off the curve.
 #include <cmath>
 #include <numbers>
 
@@ -15,7 +15,8 @@ using test::largest;
 
 namespace {
 
-// Nodes of the limits, and of the sum off the curve: the latter resolves distances of 1e-3.
+// The limits have coarse_nodes nodes. The sum off the curve has refinement times as many, which
+// resolve distances of 1e-3.
 constexpr Index coarse_nodes = 256, refinement = 512;
 
 ComplexVector analytic_density(Index n) {
@@ -27,7 +28,7 @@ ComplexVector analytic_density(Index n) {
   return density;
 }
 
-// Value at distance 0 of the polynomial through values at distances 1, 2, ..., m times a step.
+// Evaluates, at distance 0, the polynomial through values at distances 1, 2, ..., m times a step.
 Complex extrapolate(const ComplexVector& values) {
   const Index m = values.size();
   Complex sum{};
@@ -39,7 +40,7 @@ Complex extrapolate(const ComplexVector& values) {
   return sum;
 }
 
-// Limit at every 16th coarse node, from the side that `direction` times the normal points to.
+// Returns the limit at every 16th coarse node, from the side of `direction` times the normal.
 ComplexVector limit_from(const Curve& curve, const StressletSum& layer,
                          const ComplexVector& density, double direction) {
   constexpr Index distances = 10;
@@ -68,7 +69,7 @@ void check_jumps(const Shape& shape, Side side) {
   const Curve fine = sample(shape, coarse_nodes * refinement, side);
   const ComplexVector fine_density = analytic_density(fine.size());
   const StressletSum layer({fine});
-  // The extrapolation multiplies rounding by 2^10.
+  // The extrapolation multiplies rounding errors by 2^10.
   BOOST_TEST(largest(limit_from(fine, layer, fine_density, -1.0) - (on_curve - half)) < 1e-11);
   BOOST_TEST(largest(limit_from(fine, layer, fine_density, +1.0) - (on_curve + half)) < 1e-11);
 }

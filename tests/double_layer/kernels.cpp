@@ -1,4 +1,4 @@
-// The kernels are Stokes flows with the pressure, force and torque that their comments state.
+// Checks that the kernels are Stokes flows with the documented pressures, forces and torques.
 #include "double_layer/kernels.hpp"
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 const Complex unit_normal = std::polar(1.0, 0.8), node_density{0.3, -1.1}, force{1.0, 0.5};
 constexpr double viscosity = 1.3, gauge = 0.7, torque = -0.9;
 
-// A kernel as a flow about the origin, and what it exerts on the fluid.
+// A kernel as a flow about the origin, with the force and torque that it exerts on the fluid.
 struct Flow {
   std::function<Complex(Complex)> velocity;
   std::function<double(Complex)> pressure;
@@ -78,8 +78,8 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
 }
 
 BOOST_AUTO_TEST_CASE(force_and_torque_through_a_circle) {
-  // The body pushes the fluid by F: so does the traction -sigma nu on the fluid's inside boundary,
-  // nu outward. The circle is not about the singularity.
+  // The body pushes the fluid by F, and so does the traction -sigma nu on the fluid's inner
+  // boundary, with nu outward. The circle's centre is not the singularity.
   const Complex centre{0.2, -0.1};
   constexpr int n = 96;
   for (const Flow& flow : flows) {
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(the_stresslet_is_symmetric_and_of_degree_minus_one) {
   for (double scale : {1e-3, 1e3}) {
     BOOST_TEST(std::abs(scale * stresslet(scale * r, unit_normal, node_density) - u) < 1e-15);
   }
-  // Goursat form (1/4 pi) [a/r + b/conj(r) + r conj(a/r^2)], a = n eta, b = 2 n.eta.
+  // Goursat form (02.14): (1/4 pi) [a/r + b/conj(r) + r conj(a/r^2)], a = n eta, b = 2 n.eta.
   const Complex a = unit_normal * node_density;
   const double b = 2.0 * dot(unit_normal, node_density);
   const Complex goursat = (a / r + b / std::conj(r) + r * std::conj(a / (r * r))) / (4.0 * pi);
@@ -129,14 +129,14 @@ BOOST_AUTO_TEST_CASE(the_gauge_shifts_a_stokeslet_by_a_uniform_velocity) {
         stokeslet(r, force, viscosity, 5.0 * gauge) - stokeslet(r, force, viscosity, gauge);
     BOOST_TEST(std::abs(shift - force * std::log(5.0) / (4.0 * pi * viscosity)) < 1e-15);
   }
-  // At rho = ell only the dyad r r.F / rho^2 is left.
+  // At rho = ell only the dyad r r.F / rho^2 of (02.2) is left.
   const Complex along = stokeslet(gauge, 1.0, viscosity, gauge);
   const Complex across = stokeslet(gauge, imaginary, viscosity, gauge);
   BOOST_TEST(std::abs(along - 1.0 / (4.0 * pi * viscosity)) < 1e-16);
   BOOST_TEST(std::abs(across) < 1e-16);
 }
 
-// The flows that other tests take as exact.
+// Checks the flows that other tests take as exact.
 BOOST_AUTO_TEST_CASE(exact_flows_solve_stokes_equations) {
   const test::ExactFlow flow{{{{0.1, 0.2}, {0.5, -0.3}, 0.4}, {{-0.3, 0.0}, {0.1, 0.8}, -0.1}},
                              0.6};

@@ -1,5 +1,6 @@
-// Table 2 of the published convergence study: plain trapezoid evaluation of u = (x, -y) inside the
-// ellipse (cos t, 2 sin t), ever closer to its tip, with the density of a dense solve.
+// Reproduces table 2 of the published convergence study: the trapezoid rule evaluates u = (x, -y)
+// inside the ellipse (cos t, 2 sin t) ever closer to the ellipse's tip, with the density of a dense
+// solve.
 #include <cmath>
 
 #include <boost/test/unit_test.hpp>
@@ -19,11 +20,12 @@ double error_at(double y, Index n) {
   const Curve wall = sample(Ellipse{1.0, 2.0}, n, Side::fluid_inside);
   const ComplexVector density = test::density_of(wall, extension.velocity(wall.x));
   const ComplexVector target = ComplexVector::Constant(1, {0.0, y});
-  // StressletSum would quench the tip's own node.
+  // StressletSum would bound the distance from the tip's own node from below; the plain rule does
+  // not.
   return std::abs((test::plain_rule(wall, density, target) - extension.velocity(target))[0]);
 }
 
-// Half a unit of the third digit printed.
+// The tolerance is half a unit of the third digit printed.
 void check_row(Index n, double y, double printed) {
   BOOST_TEST_CONTEXT("N = " << n << ", y = " << y) {
     BOOST_TEST(std::abs(error_at(y, n) / printed - 1.0) < 5e-3);

@@ -1,5 +1,5 @@
-// The double layer of a rigid motion v on a closed curve: v inside a body, v/2 on it, 0 in the
-// fluid; -v, -v/2 and 0 for an enclosing wall.
+// Checks the double layer of a rigid motion v (02.7), (03.3) on a closed curve: v inside a body,
+// v/2 on the curve, 0 in the fluid, and for an enclosing wall -v, -v/2 and 0.
 #include <vector>
 
 #include <boost/test/unit_test.hpp>
@@ -17,11 +17,11 @@ struct Case {
   Shape shape;
   Eigen::Index n;
 };
-// Node counts that resolve the kernel to rounding: m^N with m = (a - b) / (a + b) for ellipses.
+// These node counts resolve the kernel to rounding: m^N with m = (a - b) / (a + b) for ellipses.
 const std::vector<Case> cases = {
     {Circle{0.7}, 16}, {Ellipse{2.0, 1.0}, 40}, {Ellipse{0.4, 1.2}, 64}, {Star{1.0, 0.2, 5}, 200}};
 
-// Rigid motion about a point that is not the curve's centre.
+// Returns a rigid motion about a point that is not the curve's centre.
 ComplexVector rigid_motion(const ComplexVector& x) {
   return (Complex{0.6, -0.8} + 1.5 * imaginary * (x.array() - Complex{0.3, 0.2})).matrix();
 }
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(on_the_curve) {
 }
 
 BOOST_AUTO_TEST_CASE(off_the_curve) {
-  // Far enough from 600 nodes for the trapezoid rule: N |Im s| > 36.
+  // The targets are far enough from 600 nodes for the trapezoid rule: N |Im s| > 36 (02.15).
   const ComplexVector inside = ComplexVector{{Complex{0.1, 0.05}, Complex{-0.2, 0.1}}};
   const ComplexVector outside = ComplexVector{{Complex{2.5, 0.5}, Complex{-0.4, -3.0}}};
   for (const Case& c : cases) {
@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(off_the_curve) {
 }
 
 BOOST_AUTO_TEST_CASE(the_residual_measures_resolution) {
-  // The error of D v aliases modes N apart: m^N for an ellipse, whose decay the residual must show.
+  // The error of D v is an alias from modes N apart, m^N for an ellipse, and so must the residual
+  // decay.
   const double m = 5.0 / 7.0;
   double previous = 0.0;
   for (Eigen::Index n : {24, 32, 40, 48}) {

@@ -1,5 +1,5 @@
-// The matrix of a curve on itself: its diagonal limit, its convergence, and what it does not
-// depend on.
+// Checks the matrix of a curve on itself: its diagonal limit (02.9), its convergence, and its
+// invariance.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -49,8 +49,8 @@ BOOST_AUTO_TEST_CASE(entries_are_kernel_times_weight) {
 }
 
 BOOST_AUTO_TEST_CASE(the_diagonal_is_the_limit_of_the_kernel) {
-  // Towards a node along the curve the kernel times the weight tends to the diagonal, to the second
-  // order when both sides are averaged.
+  // Along the curve, the kernel times the weight tends to the diagonal (02.9) as the target
+  // approaches the node. The mean of both sides converges to second order.
   constexpr Index n = 1 << 14;
   for (const Shape& shape : {Shape{Ellipse{2.0, 1.0}}, Shape{Star{1.0, 0.2, 5}}}) {
     for (Side side : {Side::fluid_outside, Side::fluid_inside}) {

@@ -1,6 +1,6 @@
-// The direct sum, streamed or stored, is the sum of its kernels to rounding: for every number of
-// targets and sources, with nodes that nearly touch, at any scale, in the same bits for any number
-// of threads.
+// Checks that the direct sum (08.1), streamed or stored, is the sum of its kernels to rounding, for
+// every number of targets and sources, with nodes that nearly touch, and at any scale. The results
+// have the same bits for any number of threads.
 #include "double_layer/stresslet_sum.hpp"
 
 #include <cmath>
@@ -21,8 +21,8 @@ namespace {
 
 using Extended = std::complex<long double>;
 
-// The sum's definition in extended precision, and the sum of the terms' moduli that rounding is
-// relative to.
+// The sum by its definition in extended precision, and the sum of the terms' moduli, to which
+// rounding errors are relative.
 struct ReferenceSum {
   Complex velocity;
   double terms = 0.0;
@@ -50,7 +50,7 @@ ReferenceSum reference_sum(const std::vector<Curve>& curves, Complex target,
   return {Complex{velocity}, static_cast<double>(terms)};
 }
 
-// Largest error over the targets, relative to the terms.
+// Returns the largest error over the targets, relative to the moduli of the terms.
 double error_of(const ComplexVector& velocity, const std::vector<Curve>& curves,
                 const ComplexVector& targets, const ComplexVector& density) {
   double error = 0.0;
@@ -70,7 +70,7 @@ std::vector<Curve> scene(double scale) {
       sample(Circle{6.0 * scale}, 64, Side::fluid_inside)};
 }
 
-// Rounding of one term's dozen operations; the terms' own roundings add like a random walk.
+// A term has a dozen operations; the rounding errors of the terms add like a random walk.
 constexpr double rounding = 3e-15;
 
 }  // namespace
@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(streamed_and_stored_are_the_sum_of_the_kernels) {
 }
 
 BOOST_AUTO_TEST_CASE(any_number_of_targets_and_sources) {
-  // Around the sizes of the pairs, vectors, chunks and blocks that the loops work in.
+  // The numbers lie around the sizes of the pairs, vectors, chunks and blocks that the loops
+  // process.
   for (Index n : {4, 6, 18, 510, 512, 514, 1030}) {
     const std::vector<Curve> curves = {sample(Ellipse{1.0, 0.6}, n, Side::fluid_outside)};
     const StressletSum sum(curves);
@@ -103,7 +104,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_targets_and_sources) {
 }
 
 BOOST_AUTO_TEST_CASE(pairs_count_as_half_a_weight_apart_at_least) {
-  // Two circles whose nodes face each other: gaps above and below half a weight, and none at all.
+  // The nodes of neighbouring circles face each other, at gaps above and below half a weight, and
+  // zero.
   for (Index n : {32, 34}) {
     const Curve left = sample(Circle{1.0}, n, Side::fluid_outside);
     const double half_weight = 0.5 * weights(left)[0];
@@ -120,7 +122,7 @@ BOOST_AUTO_TEST_CASE(pairs_count_as_half_a_weight_apart_at_least) {
 }
 
 BOOST_AUTO_TEST_CASE(two_targets_that_share_a_division_do_not_disturb_each_other) {
-  // One on a node, the other far away, or on a node as well.
+  // The first target lies on a node; the other target lies on a node as well, or is far away.
   const std::vector<Curve> curves = {sample(Circle{1e-3}, 16, Side::fluid_outside)};
   const StressletSum sum(curves);
   const ComplexVector density = random_vector(16, 5);
@@ -148,7 +150,7 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   omp_set_num_threads(threads_before);
 }
 
-// At targets off the nodes, and on one, whose distance is bounded from below.
+// The targets lie off the nodes, and on a node, whose distance is bounded from below.
 BOOST_AUTO_TEST_CASE(matrix_is_the_same_map) {
   const std::vector<Curve> curves = scene(1.0);
   const StressletSum sum(curves);

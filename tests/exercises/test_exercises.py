@@ -1,4 +1,4 @@
-"""The tool of the exercises as a reader and as an author meet it.
+"""Tests the tool of the exercises as readers and as authors run it.
 
 Usage: test_exercises.py CHAPTERS BUILD [unittest arguments]
 """
@@ -263,7 +263,7 @@ class Author(Tool):
             self.assertIn(message, self.write_variants(TAGGED.replace(old, new), code=1))
 
     def prove(self, results, code=0):
-        """Of a program that reports these outcomes, exit codes and texts, one for each variant."""
+        """Runs the proof of a program with these outcomes, exit codes and texts per variant."""
         cases = ""
         for variant, (words, exit_code, text) in results.items():
             lines = [f"  task {k}, a title: {word}" for k, word in enumerate(words, 1)]
@@ -293,7 +293,7 @@ class Author(Tool):
             self.assertIn(message, self.prove({**right, variant: planted}, code=1))
 
     def test_proof_of_a_wrong_answer_that_passes(self):
-        """A program takes a variant that it does not know for the solution."""
+        """A program runs the solution if it does not know the variant."""
         program = BUILD / PLACE / "variants"
         self.tool("prove", ALIASING, program)
         source = (ALIASING / "exercise.cpp").read_text()

@@ -1,4 +1,5 @@
-// The tolerance is met on every kind of set: against the direct sum and the kernels themselves.
+// Checks that the FMM meets the tolerance on every kind of set, against the direct sum (08.1) and
+// the kernels.
 #include <string>
 
 #include <boost/test/unit_test.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12};
 
-// At the nodes themselves, and derivatives at points elsewhere.
+// Checks velocities at the nodes, and velocities and derivatives at other points.
 void check_tolerances(const std::vector<Curve>& curves, const ComplexVector& density) {
   const StressletSum sum(curves);
   const ComplexVector exact = sum(density), nodes = all_nodes(curves);
@@ -56,7 +57,7 @@ BOOST_AUTO_TEST_CASE(ellipses) {
   check_tolerances(curves, smooth);
 }
 
-// Few boxes, whose errors are alike: the case that asks for the highest order.
+// The boxes are few and have similar errors: this case requires the highest order.
 BOOST_AUTO_TEST_CASE(one_slender_body) {
   const std::vector<Curve> curves = {sample(Ellipse{1.0, 0.01}, 4096, Side::fluid_outside)};
   ComplexVector wavy(4096);
@@ -68,7 +69,7 @@ BOOST_AUTO_TEST_CASE(one_slender_body) {
   check_tolerances(curves, random_vector(4096, 3));
 }
 
-// Nodes, forces and torques together, several fields at once.
+// Nodes, forces and torques act together, in several fields at once.
 BOOST_AUTO_TEST_CASE(nodes_and_points) {
   const std::vector<Curve> curves = test::ellipses(4, 64);
   const Index n = 16 * 64, m = 1000;
@@ -106,7 +107,7 @@ BOOST_AUTO_TEST_CASE(nodes_and_points) {
   }
 }
 
-// Fields that are summed at once are those that are summed alone.
+// Fields that are summed at once equal fields that are summed one by one.
 BOOST_AUTO_TEST_CASE(fields_do_not_mix) {
   const std::vector<Curve> curves = test::ellipses(3, 64);
   Eigen::MatrixXcd density(9 * 64, 7);

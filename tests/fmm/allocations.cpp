@@ -1,4 +1,4 @@
-// An application that is not a workspace's first does not ask for memory.
+// Checks that an application allocates no memory, unless it is the first with its workspace.
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -8,7 +8,7 @@
 #include "fmm/fmm.hpp"
 #include "support/point_sets.hpp"
 
-// operator new calls the malloc of the libraries, of which GCC cannot know.
+// operator new calls the libraries' malloc, which GCC cannot know.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 
 namespace {
@@ -17,7 +17,7 @@ std::atomic<long> allocation_count{0};
 
 }  // namespace
 
-// The linker leads the libraries' calls here (see CMakeLists.txt).
+// The linker redirects the libraries' calls to these functions (see CMakeLists.txt).
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t count, std::size_t size);
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(applications_do_not_allocate) {
     BOOST_TEST(allocations([&] { fmm.velocity(all, work); }) == 0);
     BOOST_TEST(allocations([&] { fmm.derivatives(all, work); }) == 0);
   }
-  // Views of vectors are made without memory as well.
+  // Views of vectors require no memory either.
   const ComplexVector density = random_vector(36 * 64, 2);
   FmmWorkspace work = fmm.workspace();
   BOOST_TEST(allocations([&] { fmm.velocity(density, work); }) == 0);

@@ -1,4 +1,5 @@
-// Points at the same place, none at all, at any scale, targets on nodes and next to them.
+// Checks the FMM for coincident points, for no points, at any scale, and for targets on and next to
+// nodes.
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/kernels.hpp"
@@ -13,8 +14,8 @@ using test::relative_error;
 
 namespace {
 
-// p / 2^p, which bounds what one translation leaves out, is below 5e-14: no errors need to average
-// out.
+// p / 2^p bounds the truncation error of one translation (08.9) and is below 5e-14, so the test
+// does not rely on errors that cancel.
 constexpr int ample_order = 50;
 constexpr double bound = 1e-12;
 
@@ -47,7 +48,7 @@ BOOST_AUTO_TEST_CASE(one_body_one_node_one_force) {
                                 sum(density)) < bound);
     }
   }
-  // A box without extent: far from its targets, and among them.
+  // A box without extent lies far from its targets, and among them.
   const Complex force{0.3, -0.4};
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const Complex place : {Complex{0.123, 0.234}, Complex{60.0, 50.0}}) {
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(any_length) {
   }
 }
 
-// All coincident; or in pairs, triples ..., with leaves of one place.
+// All nodes coincide, or many nodes lie at each place, so that leaves consist of one place.
 BOOST_AUTO_TEST_CASE(coincident_nodes) {
   const ComplexVector density = random_vector(600, 3);
   for (const Index places : {1, 2, 100}) {
@@ -97,8 +98,8 @@ BOOST_AUTO_TEST_CASE(coincident_nodes) {
   }
 }
 
-// A pair that the kernel bounds never goes through expansions: with leaves of one point, heavy
-// nodes, and targets next to and on them, the sum is the direct one.
+// Expansions never treat a pair whose distance the kernel bounds: with leaves of one point, heavy
+// nodes, and targets next to and on nodes, the sum equals the direct sum.
 BOOST_AUTO_TEST_CASE(targets_within_half_a_weight) {
   const ComplexVector nodes = random_vector(400, 1), density = random_vector(400, 2);
   ComplexVector targets(400);

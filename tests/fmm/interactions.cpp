@@ -1,4 +1,5 @@
-// Every pair of a target and a source is in one interaction, and far ones are far enough.
+// Checks that every pair of target and source is in one interaction, and that far boxes fulfil
+// (08.8).
 #include "fmm/interactions.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-// How often each pair of points is summed, targets down, in the order of the trees.
+// Counts how often each pair of points is summed: targets are rows, in the order of the trees.
 Eigen::MatrixXi counts(const Quadtree& targets, const Quadtree& sources,
                        const Interactions& interactions) {
   Eigen::MatrixXi count = Eigen::MatrixXi::Zero(targets.size(), sources.size());
@@ -76,7 +77,7 @@ BOOST_AUTO_TEST_CASE(no_points) {
   }
 }
 
-// Margins keep what is near to a source out of its expansion, even where boxes are single points.
+// Margins exclude targets near a source from its expansion, even where boxes are single points.
 BOOST_AUTO_TEST_CASE(no_target_within_a_margin_is_far) {
   const ComplexVector sources = test::random_vector(200, 1);
   const Eigen::VectorXd margins = 0.3 * test::random_vector(200, 2).real().cwiseAbs();

@@ -1,4 +1,4 @@
-// The sum turns, moves and scales with its points, and is linear.
+// Checks that the sum turns, moves and scales with its points, and is linear.
 #include <boost/test/unit_test.hpp>
 
 #include "fmm/fmm.hpp"
@@ -38,8 +38,8 @@ BOOST_AUTO_TEST_CASE(turned_and_moved) {
   BOOST_TEST(relative_error(after.velocity(), turn * before.velocity()) < 2.0 * sum_tolerance);
 }
 
-// Velocities of nodes do not change with the length; of forces by their logarithm, of torques by
-// the length.
+// A change of the length keeps the velocities of nodes, and adds a logarithm to those of forces.
+// The torques are multiplied by the length, which keeps their velocities.
 BOOST_AUTO_TEST_CASE(scaled) {
   const Setting before;
   constexpr double length = 8.0;  // a power of two: the same boxes, the same rounding
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(linear) {
   BOOST_TEST(relative_error(both.velocity(), expected) < 1e-13);
 }
 
-// A translation of all velocities of closed curves: D[const] is 0 outside them.
+// A constant density adds a translation within closed curves: D[const] is 0 outside (02.7).
 BOOST_AUTO_TEST_CASE(constant_densities_of_bodies_leave_the_fluid_at_rest) {
   const std::vector<Curve> curves = test::ellipses(4, 256);
   const ComplexVector targets{{Complex{1.25, 1.25}, Complex{-3.0, 4.0}, Complex{20.0, 1.0}}};

@@ -1,4 +1,5 @@
-// Every point is in one leaf, every box holds its points with their margins, whatever their places.
+// Checks that every point is in one leaf, and that every box holds its points with their margins,
+// for any places.
 #include "fmm/quadtree.hpp"
 
 #include <limits>
@@ -72,7 +73,7 @@ BOOST_AUTO_TEST_CASE(few_points_and_points_that_no_number_lies_between) {
   const double next = std::nextafter(1.0, 2.0);
   check_tree(ComplexVector{{Complex{1.0, 0.0}, Complex{next, 0.0}, Complex{next, 0.0}}}, {}, 1);
   check_tree(ComplexVector{{Complex{next, 0.0}, Complex{std::nextafter(next, 2.0), 0.0}}}, {}, 1);
-  // As deep as numbers go.
+  // The tree is as deep as floating-point numbers permit.
   ComplexVector powers(600);
   for (Index i = 0; i < 600; ++i) powers[i] = std::ldexp(1.0, -static_cast<int>(i));
   check_tree(powers, {}, 1);

@@ -1,4 +1,5 @@
-// Orders and leaves from the tolerance; what cannot be planned or applied is refused.
+// Checks orders and leaf sizes for a tolerance, and the rejection of invalid plans and
+// applications.
 #include <limits>
 #include <stdexcept>
 
@@ -65,7 +66,7 @@ BOOST_AUTO_TEST_CASE(strengths_of_another_size_are_refused) {
   BOOST_CHECK_THROW(fmm.velocity({density, points, Eigen::VectorXd()}, work),
                     std::invalid_argument);
   BOOST_CHECK_THROW(fmm.workspace(0), std::invalid_argument);
-  // As many nodes, other boxes or another order.
+  // These plans have the same number of nodes, but other boxes or another order.
   const Fmm other_leaves(curves, points, {10, 5}), other_order(curves, points, {11, 10});
   for (const Fmm* plan : {&other_leaves, &other_order}) {
     BOOST_CHECK_THROW(plan->velocity(density, work), std::invalid_argument);

@@ -1,5 +1,5 @@
-// The same bits for any number of threads, of the plan and of applications, and from several
-// threads that share a plan.
+// Checks that results have the same bits for any number of threads, in planning and in application,
+// and from several threads that share a plan.
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 

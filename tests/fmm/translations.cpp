@@ -1,5 +1,6 @@
-// Each step from sources to velocities, alone, against the kernels: expansions about the sources,
-// moved, converted, moved again, evaluated.
+// Checks each step from sources to velocities alone against the kernels: expansion about the
+// sources (08.6), translation, conversion (08.10), translation of the local expansion (08.13),
+// evaluation.
 #include "fmm/translations.hpp"
 
 #include <stdexcept>
@@ -15,7 +16,7 @@ using test::random_vector;
 
 namespace {
 
-constexpr int order = 40;  // what is left out is below rounding in all of these
+constexpr int order = 40;  // truncation errors are below rounding in all of these tests
 constexpr double rounding = 2e-14;
 
 Box disk(Complex centre, double radius) {
@@ -81,7 +82,7 @@ struct Sources {
   PointForce point;
 };
 
-// The definition of a multipole expansion.
+// Evaluates a multipole expansion by its definition (08.5), (08.6).
 Complex multipole_velocity(const Box& box, const Expansion& expansion, Complex z) {
   const Complex zeta = z - box.centre;
   const Complex a{expansion(0, 0), expansion(1, 0)}, b{expansion(2, 0), expansion(3, 0)};
@@ -104,7 +105,7 @@ Complex local_velocity(const Box& box, const Expansion& expansion, Complex z) {
   return {sum.x[0], sum.y[0]};
 }
 
-// Points of a disk.
+// Returns points of the box's disk.
 ComplexVector points_of(const Box& box) {
   return (box.centre + box.radius / std::numbers::sqrt2 * random_vector(20, 6).array()).matrix();
 }
@@ -122,7 +123,7 @@ BOOST_AUTO_TEST_CASE(sources_to_multipole) {
   }
 }
 
-// By shifts of any length, none included.
+// Translates (08.12) by shifts of any length, including zero.
 BOOST_AUTO_TEST_CASE(multipole_to_multipole) {
   const Translations translations(order);
   for (const double shift : {0.0, 1e-9, 0.01, 0.03, 0.6, 1.5}) {
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE(multipole_to_multipole) {
   }
 }
 
-// Any number of boxes, at once, with the logarithms on either side of their cut.
+// Converts (08.10) any number of boxes at once, with the logarithms on both sides of their cut.
 BOOST_AUTO_TEST_CASE(multipole_to_local) {
   const Translations translations(order);
   const Box target = disk({0.1, 0.2}, 0.8);
@@ -203,7 +204,7 @@ BOOST_AUTO_TEST_CASE(local_to_derivatives) {
   }
 }
 
-// With rho = 1/2, and the double pole of the stresslet, at most p / 2^p of the largest velocity.
+// With rho = 1/2 the error is at most p / 2^p of the largest velocity (08.9).
 BOOST_AUTO_TEST_CASE(what_is_left_out) {
   const Sources sources(disk({0.0, 0.0}, 1.0));
   const Box target = disk({3.0, 0.0}, 1.0);

@@ -1,8 +1,9 @@
-"""Feeds the program with damaged input: scenes, lists of bodies, sweeps, checkpoints and run folders.
+"""Feeds the program with damaged scenes, lists of bodies, sweeps, checkpoints and run folders.
 
-Whatever it gets, it ends with an exit code that is no internal error, or tells how far it is, within bounded time and
-memory, and touches no file outside its folder. Each case is drawn from a seed and its number alone: --first N --count 1 runs
-case N again and keeps its folder.
+For every input, the program must end with an exit code other than that of an internal error, or
+report its progress, within bounded time and memory, and must touch no file outside its folder. The
+seed and the number of a case determine it: --first N --count 1 runs case N again and keeps its
+folder.
 """
 
 import argparse
@@ -44,7 +45,7 @@ average = [0.0, 0.2]
 
 
 def damaged_text(draw, text):
-    """One to four edits: of a number, a word, a line, a character."""
+    """Makes one to four edits of a number, a word, a line or a character."""
     for _ in range(draw.randint(1, 4)):
         lines = text.splitlines(keepends=True) or [""]
         kind = draw.randrange(7)
@@ -58,7 +59,7 @@ def damaged_text(draw, text):
             if words:
                 place, other = draw.choice(words), draw.choice(words)
                 text = text[:place.start()] + other[0] + text[place.end():]
-        elif kind == 4:  # a line less, or twice, or somewhere else
+        elif kind == 4:  # a line is removed, repeated or moved
             k, to = draw.randrange(len(lines)), draw.randrange(len(lines))
             line = lines[k] if draw.random() < 0.5 else lines.pop(k)
             if draw.random() < 0.7:
@@ -73,7 +74,7 @@ def damaged_text(draw, text):
 
 
 def damaged_bytes(draw, data):
-    """Bytes that are changed, missing, repeated; or numbers of a text replaced."""
+    """Changes, removes or repeats bytes, or replaces numbers of a text."""
     kind = draw.randrange(4)
     at = draw.randrange(len(data) + 1)
     if kind == 0:
@@ -86,7 +87,7 @@ def damaged_bytes(draw, data):
 
 
 def replaced_file(draw, path, outside):
-    """A file of a run folder gives way to something else of its name."""
+    """Replaces a file of a run folder by something else of the same name."""
     kind = draw.randrange(5)
     data = path.read_bytes()
     if kind <= 1:
@@ -102,7 +103,7 @@ def replaced_file(draw, path, outside):
 
 
 def with_checksum(checkpoint):
-    """The checkpoint as somebody would forge it: its last line is made to fit."""
+    """Returns a checkpoint whose last line has the right checksum, as in a forgery."""
     body, _, last = checkpoint.rstrip(b"\n").rpartition(b"\n")
     words = last.split()
     if len(words) < 2:
@@ -120,7 +121,7 @@ def limited():
 
 
 def run(program, folder, *arguments):
-    """Why the program should not have ended as it did; empty where it did well."""
+    """Returns why the program should not have ended as it did; empty if it ended correctly."""
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OMP_WAIT_POLICY": "passive"}
     try:
         result = subprocess.run([program, *arguments], cwd=folder, capture_output=True, timeout=SECONDS,
@@ -139,7 +140,7 @@ def run(program, folder, *arguments):
 
 
 def state_of(folder):
-    """Every file below a folder with its content, links as links."""
+    """Returns the hash of every file below a folder, without links."""
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
             for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()}
 
@@ -172,7 +173,7 @@ def sweep_case(draw, program, folder, _):
 
 
 def resume_case(draw, program, folder, finished):
-    """A run folder by somebody else: of another state than its files, or with traps in it."""
+    """Resumes a run folder with a state that does not match its files, or with traps in it."""
     shutil.copytree(finished, folder, dirs_exist_ok=True)
     run_folder = folder / "out"
     if draw.random() < 0.5:
@@ -190,7 +191,7 @@ CASES = [scene_case] * 6 + [setting_case] * 2 + [sweep_case] + [resume_case] * 3
 
 
 def fuzz(program, number, seed, finished, keep):
-    """Runs one case; returns what was wrong, or nothing."""
+    """Runs one case; returns its problem, or an empty text."""
     draw = random.Random(f"{seed} {number}")
     case = draw.choice(CASES)
     root = pathlib.Path(tempfile.mkdtemp(prefix="stokesbook-fuzz-"))
@@ -212,7 +213,7 @@ def fuzz(program, number, seed, finished, keep):
 
 
 def finished_runs(program, folder):
-    """Runs whose folders are damaged: of each scene, ended halfway."""
+    """Returns one finished run of each scene, whose folders the cases damage."""
     runs = []
     for k, scene in enumerate(SCENES):
         place = folder / str(k)

@@ -1,5 +1,5 @@
-// The reader of scenes and that of tables of numbers take any bytes: what they cannot use ends in a
-// SceneError. libFuzzer draws the bytes, and sanitizers watch.
+// Feeds any bytes to the parsers of scenes and of tables of numbers: input that they cannot use
+// must end in a SceneError. libFuzzer generates the bytes, and sanitizers detect errors.
 
 #include <cstdint>
 #include <string_view>
@@ -16,7 +16,7 @@ void refuse_or_read(const Read& read) {
   try {
     read();
   } catch (const stokesbook::SceneError&) {
-    // Where, what and what would be right.
+    // A SceneError is the expected refusal: it names the place, the error and the accepted values.
   }
 }
 
@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   refuse_or_read([&] {
     scene_text::parse_csv(text, "bodies.csv", {"x,y", "x,y,theta", "cx,cy,semi_a,semi_b,theta"});
   });
-  // A scene that could be read is written, and reads as the same.
+  // A scene that was read must be the same after writing and reading.
   refuse_or_read([&] {
     const SceneFile file = parse_scene(text, "scene.toml", "nowhere");
     if (parse_scene(to_toml(file), "written.toml", "nowhere") != file) __builtin_trap();

@@ -1,5 +1,7 @@
-"""The rules of the house that a program can check: which room may use which, and what a commit
-may hold. Every function takes the root of a tree and returns the violations it finds, as text."""
+"""Checks the rules of the house: which room may use which, and which files a commit may contain.
+
+Functions of violations take the root of a tree and return the violations that they find, as text.
+"""
 
 import pathlib
 import re
@@ -9,7 +11,7 @@ ONE_TO_THREE = {"trapezoid", "double_layer", "closure"}
 METHODS = ONE_TO_THREE | {
     "null_space", "krylov", "near_singular", "stress", "fmm", "time_stepping", "stiv", "lcp"}
 
-# Room of src/ -> rooms that it may use. Arrows point down only, and suspension alone composes.
+# Room of src/ -> rooms that it may use, without cycles. Only suspension and cli use all methods.
 MAY_USE = {
     "trapezoid": set(),
     "double_layer": {"trapezoid"},
@@ -30,27 +32,27 @@ MAY_USE = {
     "cli": METHODS | {"suspension", "scene", "record", "sweep", "study"},
 }
 
-# Folders of src/suspension: each may use those before it.
+# Folders of src/suspension: each folder may use itself and the folders before it.
 FOLDERS_OF_SUSPENSION = ["bodies", "nodes", "system", "solver", "contact", "motion"]
 MOST_FILES_OF_A_FOLDER = 20
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 LIBRARY = re.compile(r"^stokesbook_library\(([^)]*)\)", re.MULTILINE)
 
-# Folders of one machine, as they start an absolute path; what a URL or a relative path may hold.
+# Absolute paths into folders of one machine; a URL or a relative path may contain such folders.
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|root|home|tmp)/\w+")
 BUILD_OUTPUT = re.compile(
     r"(^|/)(build|out|__pycache__|CMakeFiles)/|CMakeCache\.txt$|\.(o|a|so|pyc|ninja|log)$")
 
 
 def included_rooms(source):
-    """Room of every quoted include of one source file; "" where the include names none."""
+    """Returns the rooms of all quoted includes of a source file; "" for an include without room."""
     return {name.partition("/")[0] if "/" in name else ""
             for name in INCLUDE.findall(source.read_text())}
 
 
 def declared_uses(cmake_lists):
-    """What the room's stokesbook_library(... USES ...) links; None where it declares no library."""
+    """Returns the USES of the room's stokesbook_library(...), or None if it declares no library."""
     declaration = LIBRARY.search(cmake_lists.read_text())
     if declaration is None:
         return None
@@ -64,7 +66,7 @@ def declared_uses(cmake_lists):
 
 
 def use_violations(root):
-    """Includes and links of src/ against the table, and against each other."""
+    """Compares the includes and links of src/ with the table, and with each other."""
     violations = []
     for room in sorted(path for path in (root / "src").iterdir() if path.is_dir()):
         if room.name not in MAY_USE:
@@ -96,7 +98,7 @@ def use_violations(root):
 
 
 def folder_violations(root):
-    """Includes within src/suspension against the order of its folders, and folders that grow."""
+    """Compares includes in src/suspension with its folders' order; finds folders that grow."""
     suspension, violations = root / "src" / "suspension", []
     for source in sorted([*suspension.rglob("*.hpp"), *suspension.rglob("*.cpp")]):
         name, folder = source.relative_to(root).as_posix(), source.parent.name
@@ -116,7 +118,7 @@ def folder_violations(root):
 
 
 def committed_files(root):
-    """Files of a git checkout that are committed, or would be by `git add --all`."""
+    """Returns a checkout's files that are committed, or would be committed by `git add --all`."""
     listing = subprocess.run(
         ["git", "-c", "safe.directory=*", "-C", root,
          "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -125,7 +127,7 @@ def committed_files(root):
 
 
 def file_violations(root):
-    """Build outputs, and absolute paths that exist on one machine only."""
+    """Finds build outputs, and absolute paths that exist on one machine only."""
     violations = []
     for path in committed_files(root):
         name = path.relative_to(root).as_posix()

@@ -44,7 +44,7 @@ class ThisTree(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("git"), "needs git")
 class PlantedTree(unittest.TestCase):
-    """A small checkout that obeys the rules; every test breaks one."""
+    """A small checkout that obeys the rules; every test breaks a single rule."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

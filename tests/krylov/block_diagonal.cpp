@@ -1,5 +1,5 @@
-// The block-diagonal preconditioner solves every component alone, whatever their shapes, numbers of
-// nodes and orientations, and shares the factors of equal ones.
+// Checks that the block-diagonal preconditioner solves for every component alone (05.11), for any
+// shapes, numbers of nodes and orientations, and that equal components share their factors.
 #include "krylov/block_diagonal.hpp"
 
 #include <cmath>
@@ -33,7 +33,8 @@ std::shared_ptr<const MatrixXd> inverse_of(const Shape& shape, Index n, Componen
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(mixed_shapes_in_any_orientation) {
-  // More users of one block than are turned at once, among others, and a wall of its own.
+  // More components share one block than are turned at once, among others, and a wall has its own
+  // block.
   const Shape slender = Ellipse{1.0, 0.2}, star = Star{0.5, 0.2, 3}, wall = Ellipse{6.0, 4.0};
   const auto slender_inverse = inverse_of(slender, 32, ComponentKind::free_body);
   const auto star_inverse = inverse_of(star, 48, ComponentKind::free_body);

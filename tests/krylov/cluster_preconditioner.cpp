@@ -1,4 +1,5 @@
-// Clusters on their own: the inverse where a cluster takes in all, in both forms, free and held.
+// Checks that a cluster that contains all bodies is the inverse, in both forms, for free and held
+// bodies.
 #include "krylov/cluster_preconditioner.hpp"
 
 #include "closure/bordered_system.hpp"
@@ -22,7 +23,7 @@ Component ellipse(ComponentKind kind, Complex centre, double orientation) {
   return {kind, curve, centre, {0.3, -0.2}, 0.1, velocity};
 }
 
-// Two ellipses with a gap of 0.4.
+// Two ellipses have a gap of 0.4.
 StokesProblem pair(ComponentKind second) {
   return {{ellipse(ComponentKind::free_body, {-0.8, 0.0}, 1.2), ellipse(second, {1.0, 0.3}, 0.7)},
           1.0,
@@ -30,7 +31,7 @@ StokesProblem pair(ComponentKind second) {
           20.0};
 }
 
-// All are neighbours; `gap` says how far clusters are compressed.
+// Makes both bodies neighbours; `gap` sets how far the clusters are compressed.
 ClusterPreconditioner clusters(const StokesProblem& problem, ClusterForm form, double gap = 0.2) {
   const double gauge = held_gauge(problem);
   std::vector<Member> alone;
@@ -67,7 +68,7 @@ int iterations(const StokesProblem& problem, ClusterForm form) {
 BOOST_AUTO_TEST_SUITE(cluster_preconditioner)
 
 BOOST_AUTO_TEST_CASE(uncompressed_clusters_of_all_free_bodies_are_the_inverse) {
-  // Gram matrices show all directions but those below the root of rounding.
+  // The Gram matrices resolve all directions but those below the square root of rounding.
   const double tight = 1e-24;
   for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
     BOOST_TEST(error_of_inverse(pair(ComponentKind::free_body), form, tight) < 1e-8);

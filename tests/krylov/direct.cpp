@@ -1,4 +1,5 @@
-// The factorised system is the inverse of the reduced closure's, for all kinds of problems.
+// Checks that the factorised system is the inverse of the reduced closure (03.10), for all kinds of
+// problems.
 #include "krylov/direct.hpp"
 
 #include "closure/bordered_system.hpp"
@@ -21,7 +22,7 @@ Component component(ComponentKind kind, const Shape& shape, Complex centre) {
   return {kind, curve, centre, {0.3, -0.2}, 0.1, ComplexVector::Zero(curve.size())};
 }
 
-// Shapes as unlike as two can be: kinds, sizes, a viscosity that is not one.
+// The two bodies differ in kind, shape and size, and the viscosity is not 1.
 StokesProblem pair(ComponentKind second, std::optional<double> gauge) {
   return {{component(ComponentKind::free_body, Ellipse{1.0, 0.6}, {-1.2, 0.1}),
            component(second, Star{0.7, 0.2, 3}, {1.0, 0.3})},
@@ -36,7 +37,7 @@ StokesProblem in_container() {
   return problem;
 }
 
-// With N_0, which the closure leaves to others.
+// Adds N_0 (04.6), which the closure does not contain.
 MatrixXd system_matrix(const StokesProblem& problem) {
   MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
   if (!is_bounded(problem)) return matrix;

@@ -1,5 +1,6 @@
-// GMRES solves as LU does, with a history that is the true residual of the unpreconditioned system,
-// and in no more iterations than theory allows.
+// Checks that GMRES returns the solution of an LU factorisation, that its history holds true
+// residuals of the unpreconditioned system, and that it takes no more iterations than theory
+// allows.
 #include "krylov/gmres.hpp"
 
 #include <cmath>
@@ -23,7 +24,8 @@ double residual(const MatrixXd& a, const VectorXd& x, const VectorXd& b) {
   return (b - a * x).norm() / b.norm();
 }
 
-// The least residual over the Krylov space K_k(A, b), by a QR factorisation of its vectors.
+// Returns the least residual over the Krylov space K_k(A, b) (05.2), by a QR factorisation of its
+// vectors.
 double least_residual(const MatrixXd& a, const VectorXd& b, Index k) {
   MatrixXd krylov(b.size(), k);
   krylov.col(0) = b.normalized();
@@ -71,7 +73,8 @@ BOOST_AUTO_TEST_CASE(every_residual_is_the_least_of_its_krylov_space) {
 }
 
 BOOST_AUTO_TEST_CASE(a_preconditioner_from_the_right_keeps_the_residual) {
-  // Rows of very different size: a preconditioner from the left would change the residual.
+  // The rows have very different sizes: a preconditioner from the left would change the residual
+  // (05.9).
   const Index n = 60;
   const VectorXd scale =
       VectorXd::LinSpaced(n, 0.0, 3.0).unaryExpr([](double e) { return std::pow(10.0, e); });
@@ -100,7 +103,8 @@ BOOST_AUTO_TEST_CASE(the_inverse_as_preconditioner_takes_one_iteration) {
 }
 
 BOOST_AUTO_TEST_CASE(as_many_iterations_as_distinct_eigenvalues) {
-  // Diagonalisable, with 2, 4 and 7 distinct eigenvalues: the minimal polynomial's degree.
+  // The matrix is diagonalisable with 2, 4 and 7 distinct eigenvalues, the degree of its minimal
+  // polynomial.
   const Index n = 84;
   const MatrixXd modes = orthogonal_matrix(n, 11) + 0.2 / 9.0 * normal_matrix(n, n, 12);
   const VectorXd b = normal_matrix(n, 1, 13);

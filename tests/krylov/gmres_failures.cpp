@@ -1,5 +1,5 @@
-// GMRES never reports a solution that it does not have: singular systems, exhausted iterations, and
-// numbers that are not finite.
+// Checks that GMRES reports a solution only if it has found the solution: singular systems,
+// exhausted iterations, and numbers that are not finite.
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -20,7 +20,7 @@ using test::well_conditioned_matrix;
 
 namespace {
 
-// Symmetric, with eigenvalues 0 (`kernel` times), 1, 2, 3, and its kernel's projection.
+// Returns a symmetric matrix with the eigenvalues 0 (`kernel` times), 1, 2 and 3.
 MatrixXd singular_matrix(const MatrixXd& modes, Index kernel) {
   VectorXd eigenvalues(modes.rows());
   for (Index i = 0; i < modes.rows(); ++i) {
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_zero_right_hand_side_has_the_zero_solution) {
 }
 
 BOOST_AUTO_TEST_CASE(a_singular_system_with_compatible_data_is_solved) {
-  // The kernel is orthogonal to the range, so the Krylov space never meets it.
+  // The kernel is orthogonal to the range, so the Krylov space has no component in the kernel.
   const MatrixXd a = singular_matrix(orthogonal_matrix(30, 1), 4);
   const VectorXd b = a * normal_matrix(30, 1, 2);
   const GmresResult result = gmres(map_of(a), {}, b, {1e-12, 500});
@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(a_singular_system_with_compatible_data_is_solved) {
 }
 
 BOOST_AUTO_TEST_CASE(incompatible_data_break_down) {
-  // No solution leaves less than the part of b in the kernel, but rounding takes the recurrence
-  // beyond the Krylov space, where it seems to vanish.
+  // The least residual is the part of b in the kernel. Rounding, however, takes the recurrence
+  // beyond the Krylov space, where the computed residual seems to vanish.
   const MatrixXd modes = orthogonal_matrix(30, 1);
   const MatrixXd a = singular_matrix(modes, 4);
   const VectorXd b = a * normal_matrix(30, 1, 2) + modes.col(0);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(too_few_iterations_do_not_converge) {
 }
 
 BOOST_AUTO_TEST_CASE(more_iterations_than_the_first_basis_holds) {
-  // A cyclic shift: no progress at all until the last of n iterations.
+  // For a cyclic shift, the residual does not decrease until the last of n iterations.
   for (Index n : {31, 32, 33, 70}) {
     const LinearMap shift = [](const VectorXd& v) -> VectorXd {
       VectorXd shifted(v.size());
@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(more_iterations_than_the_first_basis_holds) {
 }
 
 BOOST_AUTO_TEST_CASE(iterations_beyond_the_exact_solution_do_no_harm) {
-  // Nothing meets a tolerance of zero; after four iterations the Krylov space grows by rounding
-  // only.
+  // No residual meets a tolerance of zero. After four iterations the Krylov space grows only by
+  // rounding errors.
   const MatrixXd modes = orthogonal_matrix(40, 5);
   VectorXd eigenvalues(40);
   for (Index i = 0; i < 40; ++i) eigenvalues[i] = 1.0 + static_cast<double>(i % 4);
@@ -123,7 +123,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_throw) {
     b[2] = bad;
     BOOST_CHECK_THROW(gmres(map_of(MatrixXd::Identity(4, 4)), {}, b, {1e-10, 500}),
                       std::domain_error);
-    // From the second application on, so that the message must count iterations.
+    // The numbers are wrong from the second application on, so that the message must count
+    // iterations.
     int applications = 0;
     const LinearMap spoilt = [&](const VectorXd& v) -> VectorXd {
       VectorXd w = v + v.reverse() + VectorXd::LinSpaced(4, 0.0, 1.0);

@@ -7,25 +7,25 @@
 
 namespace stokesbook::test {
 
-/// Matrix of independent normal deviates, the same in every run.
+/// Returns a matrix of independent normal deviates, the same in every run.
 inline Eigen::MatrixXd normal_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
 }
 
-/// Random orthogonal matrix.
+/// Returns a random orthogonal matrix.
 inline Eigen::MatrixXd orthogonal_matrix(Eigen::Index n, unsigned seed) {
   return orthogonal_factor(normal_matrix(n, n, seed));
 }
 
-/// Nonsymmetric matrix with the spectrum in a disk about 1 that excludes 0.
+/// Returns a nonsymmetric matrix whose spectrum lies in a disk about 1 that excludes 0.
 inline Eigen::MatrixXd well_conditioned_matrix(Eigen::Index n, unsigned seed) {
   return Eigen::MatrixXd::Identity(n, n) +
          0.5 / std::sqrt(static_cast<double>(n)) * normal_matrix(n, n, seed);
 }
 
-/// The matrix as a map.
+/// Returns the map v -> matrix v.
 inline LinearMap map_of(const Eigen::MatrixXd& matrix) {
   return [matrix](const Eigen::VectorXd& v) -> Eigen::VectorXd { return matrix * v; };
 }

@@ -1,3 +1,3 @@
-// The test module of the library krylov.
+// Defines the test module of the library krylov.
 #define BOOST_TEST_MODULE krylov
 #include <boost/test/unit_test.hpp>

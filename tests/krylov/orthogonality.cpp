@@ -1,5 +1,5 @@
-// Iteration counts do not suffer from rounding: on ill-conditioned systems they are those of the
-// same method in extended precision.
+// Checks that rounding does not increase iteration counts: on ill-conditioned systems the counts
+// equal those of the same method in extended precision.
 #include <cmath>
 #include <vector>
 
@@ -21,8 +21,8 @@ namespace {
 using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using ExtendedVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-// The part of w orthogonal to the first columns of a basis, of length 1: modified Gram-Schmidt,
-// twice.
+// Returns the part of w orthogonal to the first columns of a basis, scaled to length 1, by modified
+// Gram-Schmidt in two passes.
 ExtendedVector next_direction(const ExtendedMatrix& basis, Index columns, ExtendedVector w) {
   for (int pass = 0; pass < 2; ++pass) {
     for (Index i = 0; i < columns; ++i) w -= basis.col(i).dot(w) * basis.col(i);
@@ -30,8 +30,8 @@ ExtendedVector next_direction(const ExtendedMatrix& basis, Index columns, Extend
   return w / w.norm();
 }
 
-// Relative residuals of GMRES in extended precision: orthonormal bases of the Krylov space and of
-// its image, and what is left of b beside the latter.
+// Returns the relative residuals of GMRES in extended precision, from orthonormal bases of the
+// Krylov space and of its image: the residual is the part of b orthogonal to the image.
 std::vector<double> extended_history(const ExtendedMatrix& a, const ExtendedVector& b, Index most) {
   ExtendedMatrix basis(b.size(), most + 1), image(b.size(), most);
   basis.col(0) = b / b.norm();
@@ -53,7 +53,7 @@ int iterations_to(const std::vector<double>& history, double tolerance) {
   return k;
 }
 
-// Singular values spread evenly in their logarithm.
+// The logarithms of the singular values are evenly spaced.
 MatrixXd ill_conditioned_matrix(Index n, double decades) {
   const VectorXd spread =
       VectorXd::LinSpaced(n, 0.0, -decades).unaryExpr([](double e) { return std::pow(10.0, e); });
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(counts_are_those_of_extended_precision) {
     for (double tolerance : {1e-2, 1e-6, 1e-10, 1e-12}) {
       BOOST_TEST(iterations_to(result.history, tolerance) == iterations_to(exact, tolerance));
     }
-    // Down to the residual itself, to rounding relative to |b|.
+    // The residuals themselves agree as well, up to rounding relative to |b|.
     for (std::size_t k = 0; k < result.history.size(); ++k) {
       BOOST_TEST(std::abs(result.history[k] - exact[k]) < 1e-13 + 1e-6 * exact[k]);
     }
@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(counts_are_those_of_extended_precision) {
 }
 
 BOOST_AUTO_TEST_CASE(eigenvalues_clustered_at_one_and_a_few_far_away) {
-  // What a second-kind operator with near contacts looks like. Each outlier costs one iteration.
+  // Second-kind operators with near contacts have such a spectrum. Each outlier costs one
+  // iteration.
   const Index n = 100;
   VectorXd eigenvalues = VectorXd::Ones(n) + 0.01 * VectorXd::LinSpaced(n, -1.0, 1.0);
   for (Index k = 0; k < 8; ++k) eigenvalues[k] = std::pow(10.0, -0.5 * static_cast<double>(k + 1));

@@ -1,4 +1,5 @@
-// A component's own block: spectra of circles, and what turning, moving and scaling do to it.
+// Checks a component's own block: spectra of circles, and the effects of rotation, translation and
+// scale.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -20,7 +21,7 @@ namespace {
 constexpr ComponentKind all_kinds[] = {ComponentKind::free_body, ComponentKind::prescribed,
                                        ComponentKind::enclosing_wall};
 
-// A component about its boundary's centroid moved by `offset` in its own frame.
+// Returns a component about its boundary's centroid, moved by `offset` in the component's frame.
 Component component(ComponentKind kind, const Shape& shape, Index n, Complex position,
                     double orientation, Complex offset = {}) {
   const Side side =
@@ -29,7 +30,7 @@ Component component(ComponentKind kind, const Shape& shape, Index n, Complex pos
   return {kind, curve, position + std::polar(1.0, orientation) * offset, {}, 0.0, {}};
 }
 
-// Rotation of every node vector.
+// Returns the matrix that rotates every node's vector by an angle.
 MatrixXd rotation(Index n, double angle) {
   MatrixXd q = MatrixXd::Zero(2 * n, 2 * n);
   for (Index j = 0; j < n; ++j) {
@@ -45,9 +46,8 @@ double largest(const MatrixXd& matrix) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(eigenvalues_of_a_circle_are_minus_one_and_minus_one_half) {
-  // At -1 the three rigid modes and the normal one, by P or F of a body and by D or N_0 of a wall;
-  // at
-  // -1/2 all others; for any radius.
+  // The three rigid modes and the normal mode have the eigenvalue -1, by P or F of a body and by D
+  // or N_0 of a wall. All others have -1/2, for any radius.
   for (ComponentKind kind : all_kinds) {
     for (double radius : {1e-3, 1.0, 1e3}) {
       const MatrixXd block =
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_block_does_not_depend_on_the_size) {
 }
 
 BOOST_AUTO_TEST_CASE(rigid_motions_are_eigenvectors_of_a_free_body) {
-  // (-1/2 + D)(I - P) - P maps a rigid motion to its negative, about any centre.
+  // (-1/2 + D)(I - P) - P (03.11) maps a rigid motion to its negative, about any centre.
   const Component body =
       component(ComponentKind::free_body, Star{1.0, 0.2, 5}, 100, {0.5, 0.5}, 0.3, {0.3, -0.1});
   const ComplexVector motion =
@@ -99,8 +99,8 @@ BOOST_AUTO_TEST_CASE(rigid_motions_are_eigenvectors_of_a_free_body) {
 }
 
 BOOST_AUTO_TEST_CASE(the_gauge_of_a_held_circle_moves_its_translations_only) {
-  // The mean velocity of the Stokeslet F = -4 pi mu U on its circle is (log(a / ell) - 1/2) U: -U
-  // at ell = sqrt(e) a, and nothing at the degenerate scale ell = a / sqrt(e).
+  // The Stokeslet F = -4 pi mu U has the mean velocity (log(a / ell) - 1/2) U on its circle
+  // (03.12): -U at ell = sqrt(e) a, and zero at the degenerate scale ell = a / sqrt(e).
   const Component held = component(ComponentKind::prescribed, Circle{2.0}, 32, {}, 0.0);
   const MatrixXd own = self_block(held);
   BOOST_TEST(largest(own - self_block(held, 2.0 * std::sqrt(std::exp(1.0)))) < 1e-15);

@@ -1,5 +1,5 @@
-// The loop of contact on scenes without flow, whose solutions are known: a point and a disk, points
-// in a row, a rod on a floor, a crowd of disks.
+// Checks the contact loop (11.9), (11.10) on scenes without flow whose solutions are known: a point
+// and a disk, points in a row, a rod on a floor, a crowd of disks.
 #include "lcp/contact_loop.hpp"
 
 #include <Eigen/Cholesky>
@@ -19,7 +19,7 @@ double energy(const VectorXd& velocity, const MatrixXd& mobility) {
   return velocity.dot(mobility.ldlt().solve(velocity));
 }
 
-// A point whose free motion ends within the unit disk, and forces along x wherever it is.
+// A point's free motion ends within the unit disk; contact forces act along x at any place.
 ContactStep pushed_along_x() {
   ContactStep step = point_and_disk(vector2(1.5, 0.0), vector2(-1.0, 0.4), 1.0);
   step.rows = [rows = step.rows](const VectorXd& velocity) {
@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(a_point_against_a_disk_ends_at_the_nearest_point) {
   }
 }
 
-// Forces act along x wherever the point is: from (1/2, 2/5) to the circle, Newton's method for
-// g(f) = |(1/2 + f, 2/5)| - 1, whose errors are e -> g'' e^2 / (2 g').
+// Forces act along x at any place of the point. From (1/2, 2/5) to the circle the loop is Newton's
+// method for g(f) = |(1/2 + f, 2/5)| - 1, whose errors are e -> g'' e^2 / (2 g').
 BOOST_AUTO_TEST_CASE(convergence_is_quadratic) {
   ContactStep step = pushed_along_x();
   step.tolerance = 1e-15;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_sol
   BOOST_TEST(from_near.iterations == 1);
   BOOST_TEST(largest(from_near.velocity - from_free.velocity) < 1e-11);
   BOOST_TEST(from_near.violations.front() == from_free.violations.front());
-  // Where no contact is, a guess of one brings none.
+  // A guess with contact brings no contact to a free motion without contact.
   step.free_velocity = vector2(1.0, 0.0);
   const ContactResult open = resolve_contact(step);
   BOOST_TEST(open.iterations == 0);
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_sol
 }
 
 BOOST_AUTO_TEST_CASE(forces_along_another_direction_than_the_gradient) {
-  // Forces act along x: the end is on the circle, straight across from the free end.
+  // Forces act along x: the end is on the circle, displaced along x from the free end.
   ContactStep step = pushed_along_x();
   step.tolerance = 1e-13;
   const ContactResult result = resolve_contact(step, {.open_gap = 1e-9});
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(more_contacts_than_unknowns_leave_the_velocity_unique) {
       BOOST_TEST(pivoted.iterations <= 1);
       BOOST_TEST(largest(pivoted.velocity - newton.velocity) < 1e-7);
       BOOST_TEST(largest(pivoted.force - newton.force) < 1e-6);
-      // Equal and opposite.
+      // The forces are equal and opposite.
       BOOST_TEST(std::abs(pivoted.force.sum()) < 1e-13 * (1.0 + largest(pivoted.force)));
     }
   }
@@ -169,8 +169,8 @@ BOOST_AUTO_TEST_CASE(contact_takes_energy_and_never_gives_any) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_of_the_free_motion_that_is_open_at_the_solution_carries_no_force) {
-  // A point falls onto a floor at 0; a ceiling of a cellar below it, between -1 and -0.5, is met by
-  // the free motion alone.
+  // A point falls onto a floor at 0. Only the free motion meets the ceiling of a cellar below the
+  // floor, between -1 and -0.5.
   ContactStep step = step_of(VectorXd::Constant(1, -2.0), 1.0, MatrixXd::Identity(1, 1),
                              [](const VectorXd& velocity) {
                                const double end = 1.0 + velocity[0];
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_contact_of_the_free_motion_that_is_open_at_the_solution_c
 }
 
 BOOST_AUTO_TEST_CASE(a_force_of_an_earlier_iteration_is_taken_back) {
-  // The gap is convex: the first linearisation asks for too much.
+  // The gap is convex: the force of the first linearisation is too large.
   ContactStep step = step_of(
       VectorXd::Constant(1, -1.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
         const double u = velocity[0];
@@ -209,7 +209,8 @@ BOOST_AUTO_TEST_CASE(a_force_of_an_earlier_iteration_is_taken_back) {
 }
 
 BOOST_AUTO_TEST_CASE(a_linear_problem_without_solution_is_clipped) {
-  // One gap wants U <= 1, the other, linearised at U* = 2, U >= 2.61; at U = 0 both are satisfied.
+  // The first gap requires U <= 1. The second gap, linearised at U* = 2, requires U >= 2.61; at U =
+  // 0 both gaps are satisfied.
   ContactStep step = step_of(
       VectorXd::Constant(1, 2.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
         const double u = velocity[0];
@@ -227,7 +228,7 @@ BOOST_AUTO_TEST_CASE(a_linear_problem_without_solution_is_clipped) {
 }
 
 BOOST_AUTO_TEST_CASE(points_that_take_turns_need_earlier_rows) {
-  // Resting on both ends: U = 0 from U* = (-1, 0.3), each end carrying part of the load.
+  // The rod rests on both ends: U = 0 from U* = (-1, 0.3), and each end carries a part of the load.
   const ContactStep step = rod(vector2(-1.0, 0.3));
   const ContactResult result = resolve_contact(step);
   BOOST_TEST(resolved(result));
@@ -252,8 +253,9 @@ BOOST_AUTO_TEST_CASE(all_earlier_rows_come_back_not_only_the_last) {
 }
 
 BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
-  // The row that U* violates asks for 0.6. Then another point is deepest, and Newton's method halves
-  // U on its way to 0: for more iterations than after which rows come back, with the gap open.
+  // The row that U* violates requires 0.6. Then another point is deepest, and Newton's method
+  // halves U on its way to 0. The gap stays open for more iterations than the number after which
+  // rows come back.
   ContactStep step = step_of(
       VectorXd::Constant(1, -1.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
         const double u = velocity[0];
@@ -275,7 +277,7 @@ BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
 BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
   int iterations = 0, steps = 0, halvings = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
-    // A lattice of 4 x 4 disks almost in contact, driven to its middle and at random.
+    // A lattice of 4 x 4 disks almost in contact is driven to its middle and at random.
     const Index n = 32;
     VectorXd centres(n);
     for (Index k = 0; k < 16; ++k) {
@@ -315,7 +317,7 @@ BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
 }
 
 BOOST_AUTO_TEST_CASE(units_change_nothing) {
-  // Powers of two, so that not a bit differs.
+  // The units are powers of two, so that not a bit differs.
   const double length = 8.0, time = 0.25, force = 128.0;
   const Index n = 8;
   const MatrixXd mobility = random_mobility(n, 3);

@@ -1,4 +1,5 @@
-// The loop ends on every input, and says why where it gives up.
+// Checks that the contact loop ends on every input, and that it states the reason where it gives
+// up.
 #include <limits>
 
 #include <boost/test/unit_test.hpp>
@@ -9,7 +10,7 @@ namespace stokesbook::test {
 
 namespace {
 
-// One number each for every row.
+// Returns whether every row has a multiplier, a gap, a response and a force gradient.
 bool agrees(const ContactResult& result) {
   const auto m = static_cast<Index>(result.keys.size());
   return result.multipliers.size() == m && result.gaps.size() == m && result.response.size() == m &&
@@ -20,7 +21,7 @@ bool says(const ContactResult& result, const std::string& words) {
   return result.reason.find(words) != std::string::npos;
 }
 
-// A point on a line that must not go below 0, whose gradient is told `factor` times too large.
+// A point on a line must not go below 0; the reported gradient is `factor` times too large.
 ContactStep misled(double factor) {
   return step_of(VectorXd::Constant(1, -1.0), 1.0, MatrixXd::Identity(1, 1),
                  [factor](const VectorXd& velocity) {
@@ -43,7 +44,7 @@ BOOST_AUTO_TEST_CASE(points_that_take_turns_without_earlier_rows) {
 }
 
 BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
-  // Half the gradient: every iteration overshoots by as much as was missed.
+  // With half the gradient, every iteration overshoots by as much as it had to correct.
   const ContactResult result = resolve_contact(misled(0.5), {.cuts_after = 100});
   BOOST_TEST((result.status == ContactStatus::open_gap));
   BOOST_TEST(agrees(result));
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_response_that_the_quadrature_does_not_see) {
 }
 
 BOOST_AUTO_TEST_CASE(forces_that_cannot_open_their_gaps_together) {
-  // Each opens its own gap and closes the other's by as much.
+  // Each force opens its own gap and closes the other gap by as much.
   const MatrixXd gradient = MatrixXd::Identity(2, 2), forces = matrix2(1.0, -1.0, -1.0, 1.0);
   const ContactStep step =
       step_of(vector2(-1.0, -1.0), 1.0, MatrixXd::Identity(2, 2), [=](const VectorXd& velocity) {

@@ -1,5 +1,6 @@
-// All 2^m sets of contacts, tried one by one, know every solution that has regular M_AA: what Lemke
-// finds is among them, and it reports a ray exactly where there is none.
+// Compares Lemke's method with an enumeration of all 2^m sets of contacts, which gives every
+// solution with a regular M_AA: Lemke's solution is in the list, and Lemke's method reports a ray
+// (11.5) exactly where no solution exists.
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
@@ -9,7 +10,8 @@ namespace stokesbook::test {
 
 namespace {
 
-// Solutions with M_AA regular. A positive semidefinite problem that has solutions has one of these.
+// Returns the solutions with a regular M_AA. If a positive semidefinite problem has solutions, the
+// list contains at least one of them.
 std::vector<VectorXd> all_solutions(const LcpProblem& problem) {
   const Index m = problem.offset.size();
   std::vector<VectorXd> solutions;
@@ -43,7 +45,7 @@ MatrixXd small_integers(Index rows, Index columns, std::mt19937& generator) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(semidefinite_problems_of_integers) {
-  // Full of ties, duplicates and empty rows; about half have no solution.
+  // The problems are full of ties, duplicates and empty rows; about half have no solution.
   std::mt19937 generator(1);
   int without = 0, with = 0, degenerate = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -76,7 +78,7 @@ BOOST_AUTO_TEST_CASE(semidefinite_problems_of_integers) {
 }
 
 BOOST_AUTO_TEST_CASE(any_matrix_at_all) {
-  // A ray proves nothing here, but a solution is one.
+  // A ray proves nothing for such matrices, but a solution must fulfil the problem.
   std::mt19937 generator(2);
   int found = 0;
   for (int trial = 0; trial < 1000; ++trial) {

@@ -1,5 +1,5 @@
-// Units, row by row or of all, and the order of the rows change no verdict, no count and no
-// residual.
+// Checks that units, of single rows or of all rows, and the order of the rows change no verdict, no
+// count and no residual.
 #include <boost/test/unit_test.hpp>
 
 #include "support/lcp_solvers.hpp"
@@ -8,7 +8,7 @@ namespace stokesbook::test {
 
 namespace {
 
-// Powers of two: scaling adds no rounding.
+// Returns powers of two: scaling adds no rounding errors.
 VectorXd binary_scale(Index m, unsigned seed) {
   return random_scale(m, seed).unaryExpr(
       [](double s) { return std::exp2(std::round(std::log2(s))); });
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(units_of_single_rows) {
 }
 
 BOOST_AUTO_TEST_CASE(units_of_all) {
-  // Of length 2^20, of force 2^-40: M and q by a factor each.
+  // The unit of length is 2^20 and that of force 2^-40, which multiply M and q by a factor each.
   for (const PlantedLcp& lcp : suite()) {
     const LcpProblem other{std::exp2(60.0) * lcp.problem.matrix,
                            std::exp2(20.0) * lcp.problem.offset};

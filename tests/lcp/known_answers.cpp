@@ -1,5 +1,5 @@
-// Problems small or regular enough for answers by hand, with every solver: what it must solve, and
-// what it must say that it has not solved.
+// Checks problems with answers by hand, with every solver: which problems a solver must solve, and
+// which it must report as not solved.
 #include <limits>
 #include <stdexcept>
 
@@ -12,7 +12,7 @@ namespace stokesbook::test {
 
 namespace {
 
-// Two unknowns, as (M, q).
+// Returns a problem of two unknowns (M, q).
 LcpProblem two(double a, double b, double c, double d, double p, double q) {
   return {matrix2(a, b, c, d), vector2(p, q)};
 }
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(offsets_that_are_not_negative_are_solved_by_zero) {
 }
 
 BOOST_AUTO_TEST_CASE(many_solutions) {
-  // Any z_0 + z_1 = 1, and any z_0 - z_1 = 1.
+  // The solutions are all z_0 + z_1 = 1, and all z_0 - z_1 = 1.
   for (const auto& [name, solve] : solvers()) {
     const LcpResult sum = solve(two(1.0, 1.0, 1.0, 1.0, -1.0, -1.0), {});
     BOOST_TEST(solved(sum), name);
@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(many_solutions) {
 }
 
 BOOST_AUTO_TEST_CASE(no_solution_is_never_reported_as_one) {
-  // 0 z = 1; two bodies pushed through each other from both sides; the same in other units, where
-  // the second has no say.
+  // The problems are 0 z = 1; two bodies that are pushed through each other from both sides; and
+  // the same in other units, where the second row is negligible without scaling.
   const LcpProblem problems[] = {one(0.0, -1.0), two(1.0, -1.0, -1.0, 1.0, -1.0, -1.0),
                                  two(1e8, -1.0, -1.0, 1e-8, -1e4, -1e-4)};
   for (const LcpProblem& problem : problems) {
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_chain_of_fifty) {
       continue;
     }
     BOOST_TEST(solved(result), name);
-    // The smallest eigenvalue, 4 sin^2(pi / 102), divides the residual.
+    // The error is at most the residual divided by the smallest eigenvalue, 4 sin^2(pi / 102).
     BOOST_TEST(largest(result.z - VectorXd::Ones(50)) < 1e-10 * 50.0 / 0.0038, name);
   }
   BOOST_TEST(largest(lemke(chain(50)).z - VectorXd::Ones(50)) < 1e-14);
@@ -140,8 +140,8 @@ BOOST_AUTO_TEST_CASE(too_few_pivots_are_reported) {
 }
 
 BOOST_AUTO_TEST_CASE(a_problem_on_which_exchanges_of_single_indices_cycle) {
-  // Murty's: z = 1/3. Sets of contacts may go {1}, {1, 2}, {2}, {2, 3}, {3}, {3, 1}, {1} when one
-  // index at a time changes its side.
+  // In Murty's problem z = 1/3. Sets of contacts may go {1}, {1, 2}, {2}, {2, 3}, {3}, {3, 1}, {1}
+  // when one index at a time changes its side.
   MatrixXd matrix(3, 3);
   matrix << 1.0, 2.0, 0.0, 0.0, 1.0, 2.0, 2.0, 0.0, 1.0;
   const LcpProblem problem{matrix, -VectorXd::Ones(3)};

@@ -1,3 +1,3 @@
-// The test module of the library lcp.
+// Defines the test module of the library lcp.
 #define BOOST_TEST_MODULE lcp
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,6 @@
-// Random problems with planted solutions, 30 % of their pairs degenerate: definite, singular,
-// nearly repeating, as ill conditioned as Hilbert's matrix, in mixed units, not symmetric.
+// Checks random problems with planted solutions, 30 % of whose pairs are degenerate: definite,
+// singular, nearly repeating, as ill conditioned as Hilbert's matrix, in mixed units, not
+// symmetric.
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/scaled_problem.hpp"
@@ -15,7 +16,7 @@ Index size_of(unsigned seed) {
   return 4 + static_cast<Index>(seed * 7919u % 57u);
 }
 
-// Every kind of matrix that contact meets, or worse.
+// Returns problems with every kind of matrix that contact produces, and with worse matrices.
 std::vector<PlantedLcp> problems_of(unsigned seed) {
   const Index m = size_of(seed);
   const MatrixXd definite = definite_matrix(m, seed), rank = semidefinite_matrix(m, m / 4, seed);
@@ -45,7 +46,7 @@ void check_verdicts(unsigned last_seed) {
         BOOST_TEST_CONTEXT(name << ": " << lcp.name << ", seed " << seed) {
           BOOST_TEST(result.z.minCoeff() >= 0.0);
           BOOST_TEST((result.status == LcpStatus::ray) == (result.ray.size() > 0));
-          // Computed twice, with the rounding of two orders of summation.
+          // The residual is computed twice, and the two orders of summation round differently.
           const LcpUnits units = scale_problem(lcp.problem).units;
           const double size = largest(result.z.cwiseQuotient(units.size * units.scale));
           BOOST_TEST(std::abs(lcp_residual(lcp.problem, result.z) - result.residual) <=
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(lemke_solves_all_of_them_to_rounding) {
 }
 
 BOOST_AUTO_TEST_CASE(rays_of_large_problems_prove_that_there_is_no_solution) {
-  // Two contacts that repeat each other to 1e-6 want to open differently.
+  // Two contacts have rows that agree to 1e-6, but require different gaps.
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const Index m = 20 + size_of(seed);
     const MatrixXd matrix = near_duplicates(semidefinite_matrix(m, m / 4, seed));
@@ -130,7 +131,8 @@ BOOST_AUTO_TEST_CASE(fischer_newton_solves_nearly_all) {
       BOOST_TEST(result.residual < 1e-6, lcp.name << ", seed " << seed);
     }
   }
-  // Of 900: those that are as ill conditioned as Hilbert's, or repeat themselves and are singular.
+  // The exceptions among 900 problems are as ill conditioned as Hilbert's matrix, or nearly repeat
+  // rows and are singular.
   BOOST_TEST(unsolved <= 4);
   BOOST_TEST(most <= 100);
 }

@@ -1,8 +1,8 @@
 """Finds the places of C++ sources where a defect can be planted, and the defects there.
 
-The sources are split into tokens, not parsed: they are formatted by clang-format, so a binary
-operator has a blank on both sides, and no template bracket, pointer or reference has. A defect that
-does not compile costs a compilation; the caller discards it.
+The sources are split into tokens, but not parsed. clang-format puts a blank on both sides of a
+binary operator, but not of a template bracket, a pointer or a reference. A defect that does not
+compile costs a compilation; the caller discards the defect.
 """
 
 import re
@@ -24,7 +24,7 @@ KEYWORDS = set("""alignas alignof asm auto break case catch class const consteva
     static_assert struct switch template this thread_local throw try typedef typename union using
     virtual volatile while""".split())
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<="}
-# These tokens end a term of a sum; operators that bind less than + and - are among them.
+# These tokens end a term of a sum: assignments, operators that bind less than + and -, and others.
 ENDS_TERM = ASSIGNMENTS | set("< > <= >= == != <=> << && || & | ^ ? : , ; return".split())
 
 REPLACEMENTS = {  # text of a token -> (kind, new texts)
@@ -37,8 +37,8 @@ REPLACEMENTS = {  # text of a token -> (kind, new texts)
     "&&": ("logic", ["||"]), "||": ("logic", ["&&"]),
     "++": ("increment", ["--"]), "--": ("increment", ["++"]),
     "true": ("truth", ["false"]), "false": ("truth", ["true"])}
-SYMMETRIC = {"min", "max", "minmax", "swap", "hypot", "dot"}  # exchanged arguments are no defect
-FUNCTIONS = {}  # function -> the one that is taken instead
+SYMMETRIC = {"min", "max", "minmax", "swap", "hypot", "dot"}  # exchanged arguments change nothing
+FUNCTIONS = {}  # function -> function that replaces it
 for pair in ("min max", "fmin fmax", "min_element max_element", "minCoeff maxCoeff",
              "cwiseMin cwiseMax", "sin cos", "real imag"):
     one, other = pair.split()
@@ -47,7 +47,7 @@ for pair in ("min max", "fmin fmax", "min_element max_element", "minCoeff maxCoe
 
 class Defect(NamedTuple):
     kind: str
-    start: int  # the characters that it replaces
+    start: int  # of the characters that the defect replaces
     end: int
     new: str
 
@@ -79,7 +79,7 @@ class Source:
     def __init__(self, text):
         self.text = text
         self.tokens = tokens_of(text)
-        self.partner = {}  # opening bracket <-> closing bracket; of < >, those of templates
+        self.partner = {}  # opening bracket <-> closing bracket; < > only in templates
         self.parent = []   # innermost open bracket around each token, or None
         self.blocks = set()  # opening braces of statements, not of lists or declarations
         self.excluded = set()
@@ -93,7 +93,7 @@ class Source:
         return self.tokens[i].kind if 0 <= i < len(self.tokens) else ""
 
     def is_operand(self, i):
-        """Whether an operator behind this token is binary, and a bracket a call or a subscript."""
+        """Returns whether an operator after this token is binary, and a bracket a call or index."""
         return (self.kind(i) in ("number", "string", "char")
                 or self.at(i) in (")", "]", "}", "this")
                 or self.kind(i) == "name" and self.at(i) not in KEYWORDS
@@ -107,7 +107,7 @@ class Source:
         for i, token in enumerate(self.tokens):
             text = token.text
             if text in (")", "]", "}"):
-                while self.at(open_brackets[-1]) == "<":  # was none of a template
+                while self.at(open_brackets[-1]) == "<":  # this < is no template bracket
                     open_brackets.pop()
                 self.partner[i] = open_brackets.pop()
                 self.partner[self.partner[i]] = i
@@ -122,12 +122,12 @@ class Source:
                 open_brackets.append(i)
 
     def _opens_block(self, i):
-        j = i - 1  # to the start of what the brace belongs to
+        j = i - 1  # goes back to the start of the statement of the brace
         while j >= 0 and self.at(j) not in (";", "{", "}", "(", "[", ","):
             if self.at(j) in ("class", "struct", "union", "enum", "namespace", "="):
                 return False
             if self.at(j) == "->" and self.at(j - 1) == ")":
-                return True  # the type that a lambda returns
+                return True  # the return type of a lambda
             j = self.partner.get(j, j) - 1
         before = self.at(i - 1)
         if before == "{":
@@ -136,7 +136,7 @@ class Source:
                           "override", "final", "mutable")
 
     def _exclude(self):
-        """Messages of exceptions, what is checked by the compiler, and what templates are given."""
+        """Excludes messages of exceptions, compile-time checks, and arguments of templates."""
         for i, token in enumerate(self.tokens):
             if token.text == "throw" and self.at(i + 1) != ";":
                 self.excluded.update(range(i, self._statement_end(i)))
@@ -155,14 +155,14 @@ class Source:
         return i
 
     def in_code(self, i):
-        """Whether the token is part of a statement, not of a declaration outside of functions."""
+        """Returns whether the token is part of a statement within a function."""
         i = self.parent[i]
         while i is not None and (self.at(i) != "{" or self._is_list(i)):
             i = self.parent[i]
         return i in self.blocks
 
     def _is_list(self, i):
-        """Whether a brace opens a list of values."""
+        """Returns whether a brace opens a list of values."""
         return i not in self.blocks and (
             self.at(i - 1) in ("=", "(", ",", "{", "return", ":", "?", ">", "]")
             or self.parent[i] is not None and self.at(self.parent[i]) != "{"
@@ -176,7 +176,7 @@ class Source:
         return False
 
     def defects(self):
-        """All defects, in the order of their places."""
+        """Returns all defects, in the order of their places."""
         found = []
         for i, token in enumerate(self.tokens):
             if i not in self.excluded:
@@ -220,7 +220,7 @@ class Source:
 
     def _indices(self, i, token):
         declared = self.kind(i - 1) == self.kind(i - 2) == "name" and self.at(i - 2) != "return"
-        subscript = token.text == "[" and self.is_operand(i - 1) and not declared  # double x[4]
+        subscript = token.text == "[" and self.is_operand(i - 1) and not declared  # not double x[4]
         column = (token.text == "(" and self.at(i - 1) in ("col", "row", "at")
                   and self.at(i - 2) in (".", "->"))
         if not subscript and not column:
@@ -257,7 +257,7 @@ class Source:
                 or text in ("+", "-") and self.is_binary(i))
 
     def _dropped(self, kind, start, end, instead=""):
-        """Line numbers stay as they are: assertions hold them."""
+        """Drops text, but keeps its line breaks: assertions contain line numbers."""
         return Defect(kind, start, end, instead + "\n" * self.text.count("\n", start, end))
 
     def _dropped_statement(self, i, token):
@@ -270,7 +270,7 @@ class Source:
         if self.at(end) != ";" or self.kind(k) != "name" or self.at(k) in KEYWORDS - {"this"}:
             return
         k += 1
-        while k < end:  # what is assigned to, or called
+        while k < end:  # skips the name of the variable or function
             if self.at(k) in ("(", "[") or self.at(k) == "<" and k in self.partner:
                 k = self.partner[k] + 1
             elif self.at(k) in ("::", ".", "->"):
@@ -307,7 +307,7 @@ class Source:
                 yield Defect("arguments", one, end, b + between + a)
 
     def _arguments(self, i):
-        """First token of each argument behind a bracket, and the one after its last."""
+        """Returns the first token of each argument in a bracket, and the token after its last."""
         arguments, first, k = [], i + 1, i + 1
         while k <= self.partner[i]:
             if k == self.partner[i] or self.at(k) == ",":

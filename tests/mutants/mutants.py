@@ -1,12 +1,12 @@
 """Measures how many random defects of src the quick tier of the tests catches.
 
 Plants one defect at a time in a copy of the tree, builds what depends on it, and runs the quick
-tests until one fails. Debian 12 packages no mutation tester for C++; Mull, the best known, is not
-in it, and mutates one program, while the tier runs many programs and scripts.
+tests until a test fails. Debian 12 packages no mutation tester for C++. Mull, the best known, is
+not in Debian 12, and mutates one program, while the tier runs many programs and scripts.
 
-The result for a defect is one of
-  not compiled  the compiler rejects it; another one is drawn instead
-  equivalent    the tests would run the same programs, byte for byte; another one is drawn instead
+The results for a defect are
+  not compiled  the compiler rejects it; another defect is drawn instead
+  equivalent    the tests would run the same programs, byte for byte; another defect is drawn
   caught        a test fails, or takes far longer than without the defect
   survived      all tests pass
 """
@@ -35,19 +35,19 @@ import defects
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESET = "mutants"
-# How ctest selects the quick tier. The browser of the test animation needs more address space than
-# a test may have here.
+# Arguments by which ctest selects the quick tier, without the test animation: its browser requires
+# more address space than a test may have here.
 QUICK = ["-L", "as_shipped|sanitized", "-E", "animation"]
 
-# Boost.Test prints such a line at once; what the test still does can no longer change the result.
+# Boost.Test prints such a line at once; the rest of the test can no longer change the result.
 FIRST_ERROR = re.compile(r": (?:fatal )?error: in \"")
 HEEDED = {"ENVIRONMENT", "WORKING_DIRECTORY", "PASS_REGULAR_EXPRESSION",
           "LABELS", "COST", "PROCESSORS", "RUN_SERIAL", "TIMEOUT"}  # properties of a test
-MOST_MEMORY = 8 << 20  # KiB for a process: a defect may make it allocate without end
+MOST_MEMORY = 8 << 20  # KiB for a process: a defect may allocate without end
 
 
 def sources(root):
-    """The sources in which defects are planted: name -> text."""
+    """Returns the sources in which defects are planted: name -> text."""
     return {path.relative_to(root).as_posix(): path.read_text()
             for path in sorted((root / "src").rglob("*")) if path.suffix in (".cpp", ".hpp")}
 
@@ -55,8 +55,8 @@ def sources(root):
 def draws(texts, seed):
     """Yields all defects of the sources as (file, line, defect), in the random order of the seed.
 
-    Every line that can hold a defect is equally likely, which draws a file in proportion to its
-    code; on a line every kind, and of a kind every defect.
+    Every line that can hold a defect is equally likely, so that a file is drawn in proportion to
+    its code. On a line every kind of defect is equally likely, and within a kind every defect.
     """
     lines = collections.defaultdict(lambda: collections.defaultdict(list))
     for name, text in texts.items():
@@ -95,7 +95,7 @@ def is_untouched(file, original):
 
 
 def mirror(source, target):
-    """Makes target hold the files of source, with their times of change."""
+    """Makes target a copy of source, with the files' times of change."""
     names = files_below(source)
     for name in files_below(target) - names:
         (target / name).unlink()
@@ -105,7 +105,7 @@ def mirror(source, target):
             shutil.copy2(source / name, target / name)
 
 
-running = {}  # builds and tests under way, each in a session of its own -> signal that ends it
+running = {}  # running builds and tests, each in a session of its own -> signal that ends it
 
 
 def kill(process, by=signal.SIGKILL):
@@ -119,7 +119,7 @@ def kill(process, by=signal.SIGKILL):
 class Test:
     """A test of ctest, and the time it takes without a defect."""
 
-    slack = (10, 60)  # CPU seconds and seconds that a defect may cost a test at least
+    slack = (10, 60)  # CPU seconds and seconds that a test may take in addition
 
     def __init__(self, description, build):
         self.name = description["name"]
@@ -134,13 +134,13 @@ class Test:
         self.programs = [word for word in self.command if word.startswith(f"{build}/bin/")]
         self.loaded = {build / os.path.relpath(file, build) for program in self.programs for file in
                        [program, *re.findall(rf"=> ({build}/\S+)", run(["ldd", program]))]}
-        self.seconds = None  # CPU time and time
+        self.seconds = None  # CPU time and elapsed time
 
     def reason_to_fail(self, scratch):
         """Runs the test; returns why it failed, or "" if it passed."""
         limits, wait = f"ulimit -c 0; ulimit -v {MOST_MEMORY}", None
         if self.seconds:
-            # CPU time: the machine may be busy. What the test starts inherits the limit.
+            # Limits CPU time, as the machine may be busy. All processes of the test inherit it.
             limits += f"; ulimit -t {math.ceil(5 * self.seconds[0] + self.slack[0])}"
             wait = 10 * self.seconds[1] + self.slack[1]
         scratch.mkdir(exist_ok=True)
@@ -185,14 +185,15 @@ class Copy:
         self.tree = folder / "tree"
         self.build = self.tree / "build" / PRESET
         self.pristine = folder / "pristine"  # the build without a defect
-        # The program holds its commit; git would look for one in the tree around the copy.
+        # The program contains its commit. Without the ceiling, git would read the commit of the
+        # tree around the copy.
         self.environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(folder)}
         self.tests = []
 
     def prepare(self, jobs, seconds):
-        """Copies the tree and builds it; measures the tests' seconds, if they are not known yet."""
+        """Copies the tree and builds it; measures the tests' seconds if they are unknown."""
         if self.pristine.exists():
-            mirror(self.pristine, self.build)  # an interrupted run has left a defect
+            mirror(self.pristine, self.build)  # an interrupted run may have left a defect
         if self._take_over_tree() or not self.pristine.exists():
             print(f"mutants: building {self.build}", flush=True)
             shutil.rmtree(self.pristine, ignore_errors=True)
@@ -235,7 +236,7 @@ class Copy:
         return json.loads(shown[shown.index("{"):])["tests"]
 
     def _programs(self):
-        """Programs of the quick tests. ctest lists commands only of programs that exist."""
+        """Returns the quick tests' programs. ctest lists commands only of programs that exist."""
         quick = {test["name"] for test in self._listed_tests()}
         programs = set()
         for listing in self.build.rglob("CTestTestfile.cmake"):
@@ -261,7 +262,7 @@ class Copy:
             running.pop(process)
 
     def _measured(self, test):
-        """CPU seconds and seconds of a test without a defect."""
+        """Returns the CPU seconds and elapsed seconds of a test without a defect."""
         before, start = os.times(), time.monotonic()
         if reason := test.reason_to_fail(self.folder / "scratch"):
             sys.exit(f"mutants: {test.name} fails without a defect: {reason}")
@@ -300,7 +301,7 @@ class Copy:
 
 
 class Campaign:
-    """The draws of a seed and their results, in a file that a later run continues."""
+    """The draws of a seed and their results, in a file that a later run can continue."""
 
     def __init__(self, texts, seed, count, file, only=()):
         digest = hashlib.sha256("".join(texts.values()).encode()).hexdigest()
@@ -319,7 +320,7 @@ class Campaign:
             for number in only:
                 self.results.pop(number, None)
         self.texts = texts
-        self.reached = 0  # draws that count, of those taken
+        self.reached = 0  # draws taken so far that count as caught or survived
         self.under_way = 0
         self.stopped = False
         self.changed = threading.Condition()
@@ -331,8 +332,8 @@ class Campaign:
     def take(self):
         """Returns the next draw without a result, or None at the end.
 
-        Waits where the draws under way may suffice: which draws a campaign has does not depend on
-        the number of jobs.
+        Waits while the draws under way may suffice, so that the draws of a campaign do not depend
+        on the number of jobs.
         """
         with self.changed:
             while not self.stopped and self.reached < self.count:
@@ -361,7 +362,7 @@ class Campaign:
                   "diff": "\n".join(diff)}
         with self.changed:
             self.under_way -= 1
-            if not self.stopped:  # else a test was ended, not failed
+            if not self.stopped:  # otherwise the test was ended and did not fail
                 self.results[number] = record
                 self.reached += counts(record)
                 self._write(record)
@@ -397,7 +398,7 @@ def described(record):
 
 
 def interval(hits, n):
-    """Wilson's 95 % interval of a share."""
+    """Returns Wilson's 95 % interval of a share."""
     z2 = 1.96 ** 2
     middle = (hits + z2 / 2) / (n + z2)
     half = math.sqrt(z2 * (hits * (n - hits) / n + z2 / 4)) / (n + z2)
@@ -405,7 +406,7 @@ def interval(hits, n):
 
 
 def summary(records):
-    """What the results amount to, with the diffs of what survived."""
+    """Returns the numbers of results by kind, with the diffs of the defects that survived."""
     number = collections.Counter(record["result"] for record in records)
     by_kind = collections.Counter((record["kind"], record["result"]) for record in records)
     survivors = [record for record in records if record["result"] == "survived"]

@@ -1,4 +1,4 @@
-"""Tests of the defects that mutants.py plants, and of what it makes of the tests' answers."""
+"""Checks which defects mutants.py plants, and how it interprets the results of the tests."""
 
 import contextlib
 import io
@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def planted(code):
-    """All defects of statements in the body of a function, as kind -> set of the code with each."""
+    """Returns all defects of a function's body, as kind -> set of bodies with a defect planted."""
     text = f"void f() {{ {code} }}"
     found = {}
     for defect in defects.Source(text).defects():
@@ -246,7 +246,7 @@ class Answers(unittest.TestCase):
 
 
 class SmallTree(unittest.TestCase):
-    """A tree of one library and one test, built by CMake as the book is."""
+    """A tree of one library and one test, which CMake builds in the same way as the book."""
 
     FILES = {
         "CMakeLists.txt": """
@@ -293,7 +293,7 @@ class SmallTree(unittest.TestCase):
                 self.assertEqual((copy.tree / "src/room" / file).read_text(),
                                  self.FILES[f"src/room/{file}"])
             self.assertIn("no work to do", mutants.run(["ninja", "-C", copy.build]))
-            # A second preparation finds all done, and keeps the seconds.
+            # A second preparation has nothing to build, and keeps the measured seconds.
             self.assertEqual(mutants.Copy(root, copy.folder).prepare(1, None), seconds)
 
 

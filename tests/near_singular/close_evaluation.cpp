@@ -1,5 +1,5 @@
-// The Cauchy scheme gives the velocity of an exact flow to rounding, from three node spacings away
-// down to the nodes themselves, inside and outside.
+// Checks that the Cauchy scheme (06.13), (06.14) gives the velocity of an exact flow to rounding,
+// from three node spacings away down to the nodes themselves, inside and outside.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -31,7 +31,7 @@ struct SolvedCase {
   Index n;
   const ExactFlow& flow;
 };
-// Node counts that resolve the density of the flow to rounding.
+// The node counts resolve the density of the flow to rounding.
 const std::vector<SolvedCase> solved_cases = {
     {"ellipse 2:1", Ellipse{1.0, 0.5}, Side::fluid_outside, 128, inner_poles},
     {"ellipse 5:1", Ellipse{1.5, 0.3}, Side::fluid_outside, 400, inner_poles},
@@ -41,7 +41,7 @@ const std::vector<SolvedCase> solved_cases = {
     {"container 2:1 in extension", Ellipse{2.0, 1.0}, Side::fluid_inside, 64, extension},
     {"container 10:1", Ellipse{1.0, 0.1}, Side::fluid_inside, 512, outer_poles}};
 
-// One curve with the Cauchy data of a flow's density.
+// One curve, with the Cauchy data of a flow's density.
 struct Solved {
   explicit Solved(const SolvedCase& c)
       : curve(sample(c.shape, c.n, c.side)),
@@ -56,7 +56,8 @@ struct Solved {
   CauchyData data;
 };
 
-// Largest error, relative to the flow on the curve, at a distance from points between the nodes.
+// Returns the largest error, relative to the flow on the curve, at a distance from the curve at
+// points between the nodes.
 template <class Distance>
 double error_at(const SolvedCase& c, const Solved& solved, const Distance& distance) {
   const Curve between = sample(c.shape, 122, c.side);
@@ -71,7 +72,7 @@ double error_at(const SolvedCase& c, const Solved& solved, const Distance& dista
          largest(c.flow.velocity(solved.curve.x));
 }
 
-// Measured 1e-14 ... 6e-14.
+// The measured errors are 1e-14 ... 6e-14.
 constexpr double accuracy = 2e-13;
 
 }  // namespace
@@ -100,12 +101,12 @@ BOOST_AUTO_TEST_CASE(on_the_nodes_and_next_to_them) {
     const ComplexVector at_nodes = solved.velocity(nodes);
     BOOST_TEST(largest(at_nodes - solved.data.limit) < 1e-15 * size);
     BOOST_TEST(largest(at_nodes - c.flow.velocity(nodes)) < accuracy * size);
-    // One unit in the last place away: neither a jump nor a division by a small number.
+    // The targets are one unit in the last place away: a jump or a small divisor would be visible.
     const ComplexVector beside = nodes.unaryExpr([](Complex node) {
       return Complex{std::nextafter(node.real(), 9.0), node.imag()};
     });
     BOOST_TEST(largest(solved.velocity(beside) - at_nodes) < accuracy * size);
-    // Whatever the targets that are evaluated together.
+    // The value does not depend on the targets that are evaluated together.
     BOOST_TEST(solved.velocity(nodes.segment(1, 1))[0] == at_nodes[1]);
   }
 }
@@ -116,13 +117,13 @@ double derivative_error(const SolvedCase& c, const Solved& solved, const Complex
                                 c.side);
 }
 
-// Measured up to 2.5e-12: three differentiations, with N modes each.
+// The measured errors are up to 2.5e-12, by three differentiations with N modes each.
 BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
   for (const SolvedCase& c : solved_cases) {
     const Solved solved(c);
     const Curve between = sample(c.shape, 122, c.side);
     for (double distance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-10, 0.0}) {
-      if (c.name == "container 10:1" && distance == 1e-1) continue;  // as wide as this
+      if (c.name == "container 10:1" && distance == 1e-1) continue;  // too narrow
       const ComplexVector targets = between.x - distance * normals(between);
       BOOST_TEST_CONTEXT(c.name << ", distance " << distance) {
         BOOST_TEST(derivative_error(c, solved, targets) < 1e-11);
@@ -134,7 +135,7 @@ BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
   }
 }
 
-// The rows are the same map as data() and velocity(), next to the curve and on a node too.
+// The rows are the same map as data() and velocity(), also next to the curve and on a node.
 BOOST_AUTO_TEST_CASE(rows_of_the_cauchy_scheme) {
   for (const SolvedCase& c : solved_cases) {
     if (c.n > 128) continue;

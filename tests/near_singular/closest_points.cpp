@@ -1,5 +1,5 @@
-// The least distance of two curves: gaps of circles to rounding, of other shapes against a search,
-// wherever their nodes are.
+// Checks the least distance of two curves for any places of their nodes: gaps of circles to
+// rounding, and gaps of other shapes against a search.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double golden = std::numbers::phi - 1.0;
 
-// Least of a function of one variable that has one minimum in [low, high].
+// Returns the minimum of a function of one variable with a single minimum in [low, high].
 template <class Function>
 double golden_minimum(const Function& f, double low, double high) {
   while (high - low > 1e-9) {
@@ -28,7 +28,8 @@ double golden_minimum(const Function& f, double low, double high) {
   return f(0.5 * (low + high));
 }
 
-// The gap by brute force: all pairs of fine nodes, then nested searches near the best pair.
+// Searches the gap by brute force: all pairs of fine nodes, then nested searches near the best
+// pair.
 double searched_gap(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr int n = 720;
   constexpr double step = 2.0 * std::numbers::pi / n;
@@ -48,8 +49,8 @@ double searched_gap(const SmoothCurve& a, const SmoothCurve& b) {
   return golden_minimum(to_b, s - 2.0 * step, s + 2.0 * step);
 }
 
-// What holds at any closest pair: points on their curves at the parameters, the gap between them
-// along both normals, through the fluid.
+// Checks the properties of any closest pair: the points lie on their curves at the parameters, and
+// the gap lies between the points, along both normals.
 void check_consistency(const SmoothCurve& a, const SmoothCurve& b, const ClosestPoints& closest) {
   BOOST_TEST(std::abs(a.at(closest.parameter_a).value - closest.point_a) < 1e-13);
   BOOST_TEST(std::abs(b.at(closest.parameter_b).value - closest.point_b) < 1e-13);
@@ -65,7 +66,7 @@ void check_consistency(const SmoothCurve& a, const SmoothCurve& b, const Closest
 
 }  // namespace
 
-// Points on normals, from guesses up to eight steps off.
+// The points lie on normals; the first guesses are up to eight steps away.
 BOOST_AUTO_TEST_CASE(feet_of_perpendiculars) {
   constexpr double step = 2.0 * std::numbers::pi / 64.0;
   const Parametrisation ellipse = parametrisation(Ellipse{2.0, 1.0});
@@ -105,7 +106,7 @@ BOOST_AUTO_TEST_CASE(a_circle_in_a_circular_container) {
   std::uniform_real_distribution<double> angle(0.0, 2.0 * std::numbers::pi);
   for (double gap : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8}) {
     for (int trial = 0; trial < 40; ++trial) {
-      // In half of the trials a node of the body is the nearest point.
+      // In half of the trials the nearest point of the body is a node.
       const double direction = angle(generator);
       const double orientation = trial % 2 == 0 ? direction : angle(generator);
       const SmoothCurve container =
@@ -148,8 +149,8 @@ BOOST_AUTO_TEST_CASE(other_shapes_against_a_search) {
 }
 
 BOOST_AUTO_TEST_CASE(the_closest_nodes_need_not_lie_at_the_closest_points) {
-  // A disk between two flanks of a valley, a little nearer to one: turning its nodes changes
-  // nothing.
+  // A disk lies between two flanks of a valley, a little nearer to one flank. Turning the disk's
+  // nodes changes nothing.
   const SmoothCurve star = smooth_body(Star{1.0, 0.3, 5}, 128, {}, 0.1);
   const Complex centre = std::polar(1.06, 0.73);
   const double reference = closest_points(star, smooth_body(Circle{0.25}, 512, centre, 0.0)).gap;
@@ -176,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_of_both_and_a_change_of_unit) {
 }
 
 BOOST_AUTO_TEST_CASE(graded_circles_have_their_gap_to_rounding) {
-  // Nodes that crowd at the gap, at a place near it, and on the far side.
+  // The nodes crowd at the gap, at a place near the gap, and on the far side.
   for (double gap : {1e-1, 1e-4, 1e-8}) {
     const double width = std::sqrt(gap);
     for (double place : {0.0, 0.4 * width, 2.0}) {
@@ -222,8 +223,8 @@ BOOST_AUTO_TEST_CASE(graded_stars_are_measured_from_where_their_nodes_are) {
   BOOST_TEST(apart > 30);
 }
 
-// A star between two of its arms on a curved wall: both touch it, almost equally, and the height
-// between them is hardly more.
+// Two arms of a star lie at a curved wall at almost equal distances, and the gap between the arms
+// is hardly larger.
 BOOST_AUTO_TEST_CASE(two_minima_that_hardly_differ) {
   const Star shape{0.4, 0.09, 3};
   const Circle wall{2.0};

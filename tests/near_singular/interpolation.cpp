@@ -1,5 +1,6 @@
-// The interpolation scheme reaches the accuracies that its two laws promise, inside and outside, at
-// any distance and on the curve, and nowhere worse than the plain trapezoid rule.
+// Checks that the interpolation scheme reaches the accuracies that (06.6) and (06.7) predict,
+// inside and outside, at any distance and on the curve, and is nowhere less accurate than the plain
+// trapezoid rule.
 #include "near_singular/interpolation.hpp"
 
 #include <cmath>
@@ -23,7 +24,7 @@ using test::outer_poles;
 
 namespace {
 
-// A 2:1 ellipse in its flow, with the scheme.
+// The flow of a 2:1 ellipse, with the scheme.
 struct InterpolatedFlow {
   InterpolatedFlow(Side side, Index n, const InterpolationSettings& settings)
       : flow(side == Side::fluid_inside ? outer_poles : inner_poles),
@@ -32,8 +33,8 @@ struct InterpolatedFlow {
         scheme(curve, settings),
         data(scheme.data(density)) {}
 
-  // Largest error, relative to the flow on the curve, at a distance in spacings of the node next to
-  // the target.
+  // Returns the largest error, relative to the flow on the curve, at a distance given in spacings
+  // of the node nearest to the target.
   double error_at(double spacings) const {
     const Curve between = sample(Ellipse{1.0, 0.5}, 122, curve.side);
     const double step = spacings * 2.0 * std::numbers::pi / static_cast<double>(curve.size());
@@ -71,8 +72,8 @@ BOOST_AUTO_TEST_CASE(the_tolerance_is_met_where_the_curve_resolves_the_flow) {
   }
 }
 
-// The published parameters reach 1e-6 or so at N = 128 (specification, table of section A), worst
-// at half a spacing; the error falls in proportion to the distance below that.
+// With the published parameters the error is about 1e-6 at N = 128 (specification, table of section
+// A) and largest at half a spacing. Nearer to the curve the error is proportional to the distance.
 BOOST_AUTO_TEST_CASE(published_parameters) {
   const InterpolatedFlow outside(Side::fluid_outside, 128, InterpolationSettings::published(128));
   BOOST_TEST(outside.worst() < 1e-5);
@@ -97,8 +98,8 @@ BOOST_AUTO_TEST_CASE(rows_of_the_interpolation_scheme) {
   }
 }
 
-// Two ellipses side by side: with the scheme, the corrected sum is never worse than the plain one,
-// and close to that of the Cauchy scheme.
+// Two ellipses lie side by side. With the scheme, the corrected sum is never less accurate than the
+// plain sum; the Cauchy scheme is more accurate.
 BOOST_AUTO_TEST_CASE(never_worse_than_the_plain_rule) {
   const Index n = 128;
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);

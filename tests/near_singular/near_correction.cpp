@@ -1,5 +1,6 @@
-// Trapezoid sum plus near correction is the sum of Cauchy values of all curves: at gaps from 1e-1
-// to 1e-8, for turned and shifted bodies and an enclosing wall, in the same bits for any threads.
+// Checks that the trapezoid sum plus the near correction (06.17) is the sum of the Cauchy values of
+// all curves: at gaps from 1e-1 to 1e-8, for turned and shifted bodies and an enclosing wall. The
+// results have the same bits for any number of threads.
 #include "near_singular/near_correction.hpp"
 
 #include <cmath>
@@ -24,7 +25,7 @@ std::shared_ptr<const CauchyCurve> reference(const Shape& shape, Index n, Side s
   return std::make_shared<CauchyCurve>(sample(shape, n, side));
 }
 
-// Curves with a smooth density on each, and their nodes in order.
+// Curves with a smooth density on each, and all nodes in order.
 struct Assembly {
   explicit Assembly(std::vector<PlacedCurve> placed_curves) : placed(std::move(placed_curves)) {
     for (const PlacedCurve& p : placed) {
@@ -43,7 +44,7 @@ struct Assembly {
     }
   }
 
-  // The velocity of one curve by the Cauchy scheme, in the plane.
+  // Returns the velocity of one curve by the Cauchy scheme, in the plane's frame.
   ComplexVector cauchy_velocity(std::size_t k, const ComplexVector& targets) const {
     const Complex turn = std::polar(1.0, placed[k].orientation);
     const CauchyCurve& cauchy = *std::get<std::shared_ptr<const CauchyCurve>>(placed[k].scheme);
@@ -53,7 +54,8 @@ struct Assembly {
     return turn * cauchy.velocity(data, 0, local);
   }
 
-  // The principal values and all other curves' velocities at the nodes, by Cauchy alone.
+  // Returns the principal values plus all other curves' velocities at the nodes, by Cauchy
+  // integrals alone.
   ComplexVector exact_at_nodes() const {
     ComplexVector velocity = 0.5 * density;
     for (std::size_t k = 0; k < curves.size(); ++k) velocity += cauchy_velocity(k, nodes);
@@ -77,7 +79,7 @@ struct Assembly {
   ComplexVector nodes, density;
 };
 
-// Two circles of different size along a direction, turned so that nodes face each other or not.
+// Two circles of different size lie along a direction, turned so that nodes face each other or not.
 Assembly pair(double gap, double direction, double turn) {
   const Complex centre{0.4, -0.7};
   return Assembly({{reference(Circle{1.0}, 96, Side::fluid_outside), centre, direction},
@@ -85,7 +87,7 @@ Assembly pair(double gap, double direction, double turn) {
                     centre + std::polar(1.5 + gap, direction), turn}});
 }
 
-// Number of targets that a correction changes.
+// Counts the targets that a correction changes.
 Index corrected_count(const ComplexVector& correction) {
   return (correction.array() != Complex{}).count();
 }
@@ -101,7 +103,7 @@ BOOST_AUTO_TEST_CASE(two_bodies_at_any_gap) {
       }
     }
   }
-  // Without the correction the sum is off by far more.
+  // Without the correction the error of the sum is far larger.
   const Assembly bodies = pair(1e-2, 0.0, 0.0);
   const NearCorrection near(bodies.placed, bodies.nodes, Targets::own_nodes, {to_rounding});
   BOOST_TEST(largest(near(bodies.density)) > 0.1);
@@ -119,7 +121,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_share_a_shape_in_a_container) {
 }
 
 BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
-  // Between two bodies 1e-4 apart, on a node of one, and far from both.
+  // The targets lie between two bodies 1e-4 apart, on a node of a body, and far from both bodies.
   const Assembly bodies = pair(1e-4, 0.3, 1.0);
   const Complex first = bodies.placed[0].position;
   const ComplexVector targets =
@@ -133,7 +135,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
   BOOST_TEST(near(bodies.density)[3] == 0.0);
 }
 
-// Rows are the same correction, kept; the automatic choice keeps them for few targets only.
+// Stored rows are the same correction; the automatic choice stores rows for few targets only.
 BOOST_AUTO_TEST_CASE(explicit_rows) {
   for (double gap : {1e-1, 1e-4, 1e-8}) {
     const Assembly bodies = pair(gap, 0.3, 1.0);

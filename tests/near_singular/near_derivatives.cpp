@@ -1,5 +1,6 @@
-// Pressure, vorticity and strain of several curves: those of an exact flow at any distance and on
-// the nodes; turned with the curves; the same bits for any threads.
+// Checks pressure, vorticity and strain (06.16) of several curves: the values are those of an exact
+// flow at any distance and on the nodes, turn with the curves, and have the same bits for any
+// number of threads.
 #include "near_singular/near_derivatives.hpp"
 
 #include <cmath>
@@ -21,7 +22,7 @@ using test::largest;
 
 namespace {
 
-// One body with a flow of its own each: the sum of the exact flows is that of all double layers.
+// Each body has its own exact flow: the sum of the flows is the sum of all double layers.
 struct TwoBodies {
   explicit TwoBodies(double gap) {
     const Curve ellipse = sample(Ellipse{1.0, 0.5}, 160, Side::fluid_outside);
@@ -40,7 +41,7 @@ struct TwoBodies {
     }
   }
 
-  // Largest error relative to the largest strain.
+  // Returns the largest error relative to the largest strain.
   double error(const ComplexVector& targets) const {
     return test::derivative_error(double_layer_derivatives(placed, density, targets, 1e-14), flow,
                                   targets, Side::fluid_outside);

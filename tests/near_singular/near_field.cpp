@@ -1,5 +1,5 @@
-// The a-priori near test is honest: the trapezoid rule errs by no more than 200 exp(-N |Im s|), so
-// where the test calls a target far, the plain sum is good to the tolerance.
+// Checks the a-priori near test (06.5): the trapezoid rule's error is at most 200 exp(-N |Im s|),
+// so the plain sum meets the tolerance for all targets that the test classifies as far.
 #include "near_singular/near_field.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ const std::vector<TestedCurve> tested_curves = {
     {Ellipse{1.5, 0.3}, Side::fluid_outside, 400}, {Star{1.0, 0.2, 5}, Side::fluid_outside, 400},
     {Circle{1.0}, Side::fluid_inside, 96},         {Star{1.0, 0.2, 5}, Side::fluid_inside, 400}};
 
-// Targets in the fluid at up to eight node spacings from random points of the curve.
+// Returns targets in the fluid, at up to eight node spacings from random points of the curve.
 ComplexVector random_targets(const TestedCurve& c, Index count) {
   std::mt19937 generator(2);
   std::uniform_int_distribution<Index> anywhere(0, 9999);
@@ -51,7 +51,7 @@ ComplexVector random_targets(const TestedCurve& c, Index count) {
   return targets;
 }
 
-// What the trapezoid rule makes of an exact flow at random targets, relative to the density.
+// The trapezoid rule's errors for an exact flow at random targets, relative to the density.
 struct Errors {
   explicit Errors(const TestedCurve& c)
       : curve(sample(c.shape, c.n, c.side)), targets(random_targets(c, 3000)) {
@@ -60,7 +60,7 @@ struct Errors {
     const ComplexVector velocity = StressletSum({curve})(targets, density);
     error = (velocity - flow.velocity(targets)).cwiseAbs() / largest(density);
   }
-  // N |Im s|
+  // Returns N |Im s|, with the preimage s (06.4).
   double depth(Index i) const {
     const Complex s = preimage(curve, nearest_node(curve, targets[i]), targets[i]);
     return static_cast<double>(curve.size()) * std::abs(s.imag());
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(far_targets_are_accurate_to_the_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(the_preimage_is_good_to_second_order) {
-  // On the ellipse z = cos(t + s) + i sin(t + s) / 2 continued to complex s: halving the distance
+  // The ellipse z = cos(t + s) + i sin(t + s) / 2 is continued to complex s. Halving the distance
   // divides the error by eight.
   const Curve curve = sample(Ellipse{1.0, 0.5}, 32, Side::fluid_outside);
   for (Index node : {0, 3, 8, 21}) {
@@ -151,8 +151,8 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_circle_is_tight) {
 }
 
 BOOST_AUTO_TEST_CASE(graded_nodes_that_are_far_are_accurate_too) {
-  // Distances from the curve on all scales down to the cluster's width, where the map from
-  // parameters to nodes is anything but linear.
+  // The distances from the curve cover all scales down to the cluster's width, where the map from
+  // parameters to nodes is strongly nonlinear.
   const double width = 1e-3, parameter = 0.3;
   const Grading grading{{{parameter, width}}};
   for (Side side : {Side::fluid_outside, Side::fluid_inside}) {

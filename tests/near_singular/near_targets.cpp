@@ -1,5 +1,5 @@
-// Near targets are those that a test of every target against every curve finds, on one thread and
-// on two.
+// Checks that the near targets are those of a test of every target against every curve, on one
+// thread and on two.
 #include "near_singular/near_targets.hpp"
 
 #include <map>
@@ -19,8 +19,8 @@ std::shared_ptr<const CauchyCurve> cauchy(const Shape& shape, Index n, Side side
   return std::make_shared<CauchyCurve>(sample(shape, n, side));
 }
 
-// Bodies of several sizes on a jittered lattice, dense enough for some to be near each other, in a
-// container that is not convex.
+// Bodies of several sizes lie on a jittered lattice, some of them near each other, in a container
+// that is not convex.
 std::vector<PlacedCurve> random_curves(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -53,7 +53,7 @@ ComplexVector all_nodes(const std::vector<PlacedCurve>& curves) {
 void test_against_all_pairs(const std::vector<PlacedCurve>& curves, const ComplexVector& targets,
                             Targets kind, double tolerance) {
   const std::vector<Index> offsets = node_offsets(curves);
-  std::map<int, std::vector<NearTargets>> near;  // by threads
+  std::map<int, std::vector<NearTargets>> near;  // by number of threads
   for (int threads : {1, 2}) {
     omp_set_num_threads(threads);
     near[threads] = find_near_targets(curves, targets, kind, tolerance);

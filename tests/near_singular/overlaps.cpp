@@ -1,5 +1,5 @@
-// Curves that cross, contain one another, or leave their container are found out, and curves that
-// come as close as one likes without touching are not.
+// Checks that curves that cross, contain one another, or leave their container are reported as
+// overlaps, and that curves at any positive distance are not.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -20,7 +20,7 @@ double gap(const SmoothCurve& a, const SmoothCurve& b) {
   return forth;
 }
 
-// Whether two bodies' closed polygons of fine nodes have a node within the other.
+// Returns whether a fine node of one body lies within the other body's polygon of fine nodes.
 bool nodes_overlap(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr Eigen::Index n = 250;
   const auto holds = [](const ComplexVector& polygon, Complex point) {
@@ -94,12 +94,13 @@ BOOST_AUTO_TEST_CASE(a_body_outside_its_container_or_across_it) {
     BOOST_TEST(gap(container, smooth_body(Circle{0.5}, 32, position, 0.0)) <= 0.0);
   }
   BOOST_TEST(gap(container, smooth_body(Circle{0.5}, 32, {0.0, 1.5 - 1e-6}, 0.0)) > 0.0);
-  // A container within the body that it should contain.
+  // The container lies within the body that it should contain.
   BOOST_TEST(gap(container, smooth_body(Circle{9.0}, 64, {}, 0.0)) <= 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(near_contacts_are_no_overlaps_wherever_the_nodes_are) {
-  // Gaps far below the node spacing, so that tangents at nodes and polygons of nodes say nothing.
+  // The gaps are far below the node spacing, so that neither the tangents at the nodes nor the
+  // polygons of nodes decide.
   RandomAngles angle;
   for (double distance : {1e-3, 1e-5, 1e-8}) {
     for (int trial = 0; trial < 100; ++trial) {
@@ -116,8 +117,8 @@ BOOST_AUTO_TEST_CASE(near_contacts_are_no_overlaps_wherever_the_nodes_are) {
 }
 
 BOOST_AUTO_TEST_CASE(a_disk_in_the_valley_of_a_star_is_no_overlap) {
-  // It all but touches the bottom of the valley, r = 1 - A along t = pi / k, with a node or
-  // between.
+  // The disk nearly touches the bottom of the valley, r = 1 - A along t = pi / k, with a node or
+  // with a point between nodes.
   const SmoothCurve star = smooth_body(Star{1.0, 0.2, 3}, 64, {}, 0.0);
   const Complex valley = std::polar(1.0, std::numbers::pi / 3.0);
   for (double distance : {1e-3, 1e-5, 1e-8}) {

@@ -1,4 +1,4 @@
-// The side test of a resolved curve is right at every distance, on both sides.
+// Checks that the side test of a resolved curve is right at every distance, on both sides.
 #include <cmath>
 #include <random>
 #include <vector>
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(random_points_from_rounding_to_three_radii_away) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> exponent(-12.0, 0.5);
   for (const auto& [shape, n] : cases) {
-    // The shapes are seen whole from their origin: a smaller multiple of a curve point is inside.
+    // The shapes are star-shaped about the origin: a smaller multiple of a curve point lies inside.
     const Curve points = sample(shape, 2002, Side::fluid_outside);
     for (Side side : {Side::fluid_outside, Side::fluid_inside}) {
       const CauchyCurve cauchy(sample(shape, n, side));

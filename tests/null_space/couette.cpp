@@ -1,5 +1,5 @@
-// Flow between concentric circles: the rotating cell of reference C6, and a circle moved in a
-// container, in closed form.
+// Checks flows between concentric circles against closed forms: the rotating cell of reference C6,
+// and a circle that moves in a container.
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,7 +25,7 @@ StokesProblem concentric(double inner, double outer, const RigidMotion& motion, 
 
 BOOST_AUTO_TEST_SUITE(couette)
 
-// L = 4 pi mu B of u = A r + B / r; the dissipation is the work of both walls.
+// The flow u = A r + B / r has L = 4 pi mu B; the dissipation is the work of both walls.
 BOOST_AUTO_TEST_CASE(reference_C6) {
   const StokesProblem problem = concentric(1.0, 2.5, {0.0, 0.4}, -0.7, 1.3);
   for (const ClosureForm form : all_forms) {
@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(velocity_profile_C6) {
   const std::vector<Curve> curves{problem.components[0].curve, problem.components[1].curve};
   const ComplexVector velocity = StressletSum(curves)(point, deinterleaved(solution)) +
                                  Closure(problem).singular_velocity(result, point);
-  // The trapezoid rule at .7 from the inner circle of 128 nodes errs by exp(-68).
+  // 128 nodes at a distance of 0.7 from the inner circle: the trapezoid rule's error is about
+  // exp(-68).
   BOOST_TEST(std::abs(velocity[0] + 0.77588235294117647 * perp(direction)) < 1e-13);
 }
 

@@ -1,7 +1,7 @@
-// N_0 on a wall moves the eigenvalue of its normal from 0 to -1, at any length of the wall, and
-// nothing else: a circle has condition number 2. Without it the matrix is singular; with the
-// draft's unscaled \int n(x) n(y) . eta ds the condition number is the wall's length, in whatever
-// unit.
+// Checks that N_0 (04.6) on a wall moves the eigenvalue of the normal from 0 to -1, at any length
+// of the wall, and no other eigenvalue: a circle has condition number 2. Without N_0 the matrix is
+// singular. With the draft's unscaled \int n(x) n(y) . eta ds the condition number is the wall's
+// length in any unit.
 
 #include <boost/test/unit_test.hpp>
 
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(condition_number_2_with) {
   }
 }
 
-// + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 puts the eigenvalue at the length: 5.3, 38, 3770.
+// + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 moves the eigenvalue to the length: 5.3, 38, 3770.
 BOOST_AUTO_TEST_CASE(condition_number_of_the_draft) {
   const auto condition = [](double radius) {
     const Curve wall = circle(radius);
@@ -58,7 +58,8 @@ BOOST_AUTO_TEST_CASE(condition_number_of_the_draft) {
   BOOST_TEST(condition(300.0) == 2 * (2 * pi * 300.0), boost::test_tools::tolerance(1e-11));
 }
 
-// On any wall n ds is the left null vector of -1/2 + D, and the left eigenvector of N_0 to -1.
+// On any wall n ds is the left null vector of -1/2 + D (04.3), and the left eigenvector of N_0 with
+// the eigenvalue -1.
 BOOST_AUTO_TEST_CASE(normal_is_deflated) {
   for (const Shape& shape : shapes) {
     const Curve wall = sample(shape, 192, Side::fluid_inside);
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(other_eigenvalues_stay) {
     std::sort(expected.begin(), expected.end());
     const Eigen::VectorXd values =
         sorted_eigenvalues(layer_with_jump(wall) + null_space_matrix(wall));
-    // Eigenvalues that coalesce at -1/2 are as exact as the root of rounding.
+    // Eigenvalues that coalesce at -1/2 have errors of the square root of rounding.
     BOOST_TEST((values - expected).cwiseAbs().maxCoeff() < 1e-7);
   }
 }

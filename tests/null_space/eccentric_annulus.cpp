@@ -1,6 +1,6 @@
-// The whole resistance of a circle in an eccentric circular container, F_x, F_y and L of any
-// motion, against its closed form: reference numbers C7a and C7b, and random annuli as close as
-// the plain trapezoid rule resolves.
+// Checks the resistance of a circle in an eccentric circular container, F_x, F_y and L of any
+// motion, against the closed form (04.10): reference numbers C7a and C7b, and random annuli with
+// gaps that the plain trapezoid rule resolves.
 
 #include "support/eccentric_annulus.hpp"
 
@@ -30,8 +30,8 @@ BOOST_AUTO_TEST_CASE(reference_C7) {
     BOOST_TEST(distance(solve_bounded(problem_of(inner_turns, 1.0), form).loads[0], c7a) < 1e-11);
     BOOST_TEST(distance(solve_bounded(problem_of(outer_turns, 1.0), form).loads[0], c7b) < 1e-11);
   }
-  // Reciprocity: the outer circle's torque about its centre, when the inner one turns, is C7b's
-  // inner one.
+  // Reciprocity: the outer circle's torque about its centre, when the inner circle turns, is the
+  // inner circle's torque of C7b.
   const Load outer = solve_bounded(problem_of(inner_turns, 1.0), ClosureForm::reduced).loads[1];
   BOOST_TEST(outer.torque == c7b.torque, boost::test_tools::tolerance(1e-12));
 }
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(random_annuli) {
   for (int trial = 0; trial < 4; ++trial) {
     EccentricAnnulus annulus{1.0, 1.8 + 0.5 * uniform(random), vector(),
                              0.0, {vector(), uniform(random)}, {vector(), uniform(random)}};
-    // Gaps down to a third of what the radii leave.
+    // The least gap is about a third of the difference of the radii.
     const double eccentricity = (annulus.outer_radius - 1.0) * (0.35 + 0.3 * uniform(random));
     annulus.outer_centre = annulus.inner_centre + std::polar(eccentricity, 3 * uniform(random));
     const double mu = trial % 2 == 0 ? 1.0 : 1.3;

@@ -1,6 +1,6 @@
-// Double layers carry no net flux through the boundary: whatever the density, the wall and the
-// bodies in it, \int n . (-1/2 + D) eta ds = 0. So bounded problems miss one dimension of data,
-// and N_0 must supply it.
+// Checks that double layers carry no net flux through the boundary, \int n . (-1/2 + D) eta ds = 0
+// for any density on the wall and on the bodies within (04.3). Bounded problems therefore have no
+// solution for one dimension of data, which N_0 must supply.
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,7 +18,7 @@ std::vector<Curve> boundary() {
           at(Circle{0.5}, 128, Side::fluid_outside, {1.3, -0.2}, 0.0)};
 }
 
-// Any smooth density, different on every curve.
+// Returns a smooth density that differs from curve to curve.
 ComplexVector density_on(const Curve& curve, double phase) {
   ComplexVector density(curve.size());
   for (Eigen::Index j = 0; j < curve.size(); ++j) {
@@ -34,7 +34,7 @@ double flux(const Curve& curve, const ComplexVector& velocity) {
 }
 
 struct LayerFlux {
-  std::vector<double> through;  // each curve, of the limit from the fluid
+  std::vector<double> through;  // through each curve, for the limit from the fluid
   std::vector<double> density;  // \int n . eta ds
 };
 
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(no_net_flux_through_the_boundary) {
   BOOST_TEST(std::abs(result.through[0] + result.through[1] + result.through[2]) < 1e-12);
 }
 
-// Through every body the flux is minus that of its own density: holes carry sources.
+// The flux through every body is minus the flux of the body's own density: holes contain sources.
 BOOST_AUTO_TEST_CASE(flux_through_bodies) {
   const LayerFlux result = layer_flux(boundary());
   for (const std::size_t body : {std::size_t{1}, std::size_t{2}}) {
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(flux_through_bodies) {
   }
 }
 
-// A source of strength 2 pi a g in the inner circle of an annulus needs the same sink on the outer
-// one: u = a g / r.
+// A source of strength 2 pi a g in an annulus' inner circle requires an equal sink on the outer
+// circle: u = a g / r.
 BOOST_AUTO_TEST_CASE(source_flow_in_an_annulus) {
   const double a = 0.8, radius = 2.0, g = 0.7;
   StokesProblem problem{

@@ -1,6 +1,6 @@
-// Data with a net flux Q have no solution, yet the system with N_0 solves: for g - n Q / |Gamma_0|
-// on the wall. So net_flux() must tell, and its size must not depend on how the boundary is cut
-// up.
+// Checks data with a net flux Q (04.2), which have no solution. The system with N_0 is solvable all
+// the same and gives the solution for g - n Q / |Gamma_0| on the wall (04.7). Therefore net_flux()
+// must report Q, and the size of Q must not depend on the division of the boundary into curves.
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,7 +9,8 @@
 namespace stokesbook::test {
 namespace {
 
-// An inner wall that blows fluid in, one free body, and an enclosing wall that lets too little out.
+// An inner wall blows fluid in, one body is free, and the outflow through the enclosing wall is too
+// small.
 StokesProblem leaking() {
   StokesProblem problem{{held_body(Circle{0.5}, 64, {{-1.2, 0.3}}, {}),
                          free_body(Ellipse{0.6, 0.4}, 96, {{0.8, -0.4}, 0.5}, {{0.3, 0.2}, 0.1}),
@@ -34,8 +35,8 @@ StokesProblem repaired() {
 
 BOOST_AUTO_TEST_SUITE(incompatible_data)
 
-// Source -2 pi .5 .8; u = .1 x has divergence .2 over the ellipse of area 6.6 pi, i conj(x) = (y,
-// x) none.
+// The inner wall's source is -2 pi 0.5 0.8. On the enclosing ellipse of area 6.6 pi the velocity
+// 0.1 x has the divergence 0.2, and i conj(x) = (y, x) has no divergence.
 BOOST_AUTO_TEST_CASE(net_flux_is_reported) {
   const double pi = std::numbers::pi;
   const double exact = -2 * pi * 0.5 * 0.8 + 0.2 * pi * 3 * 2.2;
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions_have_none) {
 
 BOOST_AUTO_TEST_CASE(solution_is_that_of_the_repaired_data) {
   const StokesProblem problem = leaking();
-  // Any multiple of N_0 finds it: the fix decides the density, not the flow.
+  // Any multiple of N_0 gives this solution: the multiple changes the density, not the flow.
   for (const double scale : {1.0, -1.0, -perimeter(problem.components[2].curve)}) {
     const Completion wrong = solve_bounded(problem, ClosureForm::reduced, scale);
     const Completion right = solve_bounded(repaired(), ClosureForm::reduced, scale);
@@ -67,7 +68,7 @@ BOOST_AUTO_TEST_CASE(solution_is_that_of_the_repaired_data) {
   }
 }
 
-// The density knows: \int_0 n . eta ds = -Q.
+// The density contains the flux: \int_0 n . eta ds = -Q (04.7).
 BOOST_AUTO_TEST_CASE(density_carries_the_flux) {
   const auto wall_flux_of_density = [](const StokesProblem& problem) {
     const Eigen::VectorXd solution = solve(assemble_bounded(problem, ClosureForm::reduced));

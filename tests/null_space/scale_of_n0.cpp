@@ -1,5 +1,5 @@
-// Sign and scale of N_0, and the form of the closure, change the density and the conditioning,
-// never motions or loads.
+// Checks that sign and scale of N_0, and the form of the closure, change the density and the
+// conditioning, but neither motions nor loads.
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,7 +9,7 @@
 namespace stokesbook::test {
 namespace {
 
-// A Couette cell with a free ellipse and a free circle in a unit of length, n nodes on each.
+// A Couette cell holds a free ellipse and a free circle, in a unit of length, with n nodes on each.
 StokesProblem cell(double length, Eigen::Index n) {
   const auto at = [&](Complex position, double angle) { return Pose{length * position, angle}; };
   return {{held_body(Circle{length}, n, at(0, 0), {0.0, 0.4}),
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_it) {
   }
 }
 
-// The recommended system is as well conditioned in any unit of length; the draft's is not.
+// The recommended system has the same condition number in any unit of length; the draft's has not.
 BOOST_AUTO_TEST_CASE(conditioning_in_any_unit) {
   const auto recommended = [](double length) {
     return condition_number(assemble_bounded(cell(length, 32), ClosureForm::reduced).matrix);

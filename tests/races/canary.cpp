@@ -1,5 +1,6 @@
-// Two loops of threads: one adds to a number without a lock when asked to, one only after a barrier.
-// The thread sanitizer has to tell the one and to let the other pass.
+// Runs two parallel loops: the first adds to a number without a lock on request, the second reads
+// results of the first after a barrier. The thread sanitizer must report the former and accept the
+// latter.
 #include <cstdio>
 #include <vector>
 
@@ -14,7 +15,7 @@ int main(int argc, char**) {
   }
 #pragma omp parallel for
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (i % 2 == 1) values[i] += values[i - 1];  // which another thread may have written before
+    if (i % 2 == 1) values[i] += values[i - 1];  // perhaps of another thread
   }
   std::printf("%g %g\n", sum, values.back());
   return 0;

@@ -1,8 +1,8 @@
-"""No two threads of the program touch one number unordered: runs under the thread sanitizer, with every parallel loop.
+"""Tests that threads access no number unordered: runs parallel loops under the thread sanitizer.
 
-Clang's OpenMP tells the sanitizer of its barriers (libarcher); GCC's does not, hence this build. What is seen are
-orders of accesses that a run had, in code of ours: not in libraries of the system, and not in loops that no scene here
-enters.
+Clang's OpenMP reports its barriers to the sanitizer (libarcher); GCC's does not, so this build uses
+Clang. The sanitizer detects only accesses that a run has made in code of this project: neither in
+libraries of the system, nor in loops that no scene here enters.
 """
 
 import os

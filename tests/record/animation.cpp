@@ -1,5 +1,5 @@
-/// Animations: what their pages hold in special cases; read_outputs.py reads one that a run wrote,
-/// and tests/docs opens one in a browser.
+// Tests the pages of animations in special cases. read_outputs.py reads a page that a run wrote,
+// and tests/docs opens one in a browser.
 
 #include "record/animation.hpp"
 
@@ -25,7 +25,7 @@ std::string head(const std::string& title) {
   return animation_head(title, sample_contents().bodies, sample_contents().walls);
 }
 
-/// Returns the data block that ends a text.
+/// Returns the last line of a text, which contains a data block.
 std::string last_line(const std::string& text) {
   return text.substr(text.rfind('\n', text.size() - 2) + 1);
 }

@@ -1,4 +1,4 @@
-/// Checkpoints: exact, and refused when they are not whole.
+// Tests that checkpoints are exact, and that incomplete or damaged ones are refused.
 
 #include "record/checkpoint.hpp"
 
@@ -32,7 +32,7 @@ bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return std::ranges::equal(a, b, {}, bits, bits);
 }
 
-/// Cuts a checkpoint short after each stride of bytes, and damages the byte there.
+/// Truncates a checkpoint after each stride of bytes, and damages the byte there.
 void check_damage(std::size_t stride) {
   const Folder folder;
   const std::string whole = to_text(sample());
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(names_of_the_history_are_words) {
   BOOST_CHECK_THROW(to_text(saved), std::invalid_argument);
 }
 
-/// Test vectors of the authors of FNV-1a.
+/// The expected values are the test vectors of the authors of FNV-1a.
 BOOST_AUTO_TEST_CASE(fingerprints) {
   BOOST_TEST(fingerprint("") == "cbf29ce484222325");
   BOOST_TEST(fingerprint("a") == "af63dc4c8601ec8c");

@@ -1,4 +1,4 @@
-/// Pictures of fields: what is drawn in special cases; read_outputs.py checks what is drawn where.
+// Tests pictures of fields in special cases; read_outputs.py checks the positions in pictures.
 
 #include "record/field_picture.hpp"
 

@@ -1,4 +1,4 @@
-/// Files that grow by records, and files that are replaced as a whole.
+// Tests files that grow by records, and files that are replaced as a whole.
 
 #include <boost/test/unit_test.hpp>
 

@@ -11,7 +11,7 @@
 
 namespace stokesbook::test {
 
-/// An empty directory for the length of a test.
+/// An empty directory that exists for the duration of a test.
 class Folder {
  public:
   explicit Folder(const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
@@ -39,7 +39,7 @@ inline void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// Returns what the files of a directory hold, by name.
+/// Returns the contents of the files of a directory, by name.
 inline std::map<std::string, std::string> read_all(const std::filesystem::path& directory) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {

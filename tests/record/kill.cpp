@@ -1,4 +1,4 @@
-/// A run that is killed, or meets a full disk, goes on as if nothing had happened.
+// Tests that a run which is killed, or meets a full disk, can be resumed with the same results.
 
 #include <algorithm>
 #include <chrono>
@@ -27,14 +27,14 @@ namespace {
 
 constexpr int last_step = 14;
 
-/// A place in memory, if there is one: on a disk nearly all kills would hit a process that waits
-/// for it.
+/// Returns a folder in memory if there is one: on a disk, nearly all kills would hit a process that
+/// waits for the disk.
 std::filesystem::path fast_place() {
   const std::filesystem::path memory = "/dev/shm";
   return ::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path();
 }
 
-/// Starts a process that does some work and then ends with the status that the work returns.
+/// Starts a process that runs `work` and ends with the status that `work` returns.
 template <class Work>
 pid_t start_process(Work work) {
   const pid_t child = ::fork();
@@ -48,8 +48,8 @@ int wait_for(pid_t child) {
   return status;
 }
 
-/// Does work in a process that is killed after some time, unless it is done by then; returns whether
-/// it was not.
+/// Runs `work` in a process that is killed after some time. Returns whether the process was killed
+/// before the work was done.
 template <class Work>
 bool killed_after(double seconds, Work work) {
   const pid_t child = start_process(work);
@@ -58,7 +58,7 @@ bool killed_after(double seconds, Work work) {
   return WIFSIGNALED(wait_for(child));
 }
 
-/// Returns how long work takes in a folder of its own, seconds.
+/// Returns the time that `work` takes in a folder of its own, seconds.
 template <class Work>
 double seconds_of(Work work) {
   using clock = std::chrono::steady_clock;
@@ -109,7 +109,7 @@ int write_long_records(const std::filesystem::path& directory) {
   return 0;
 }
 
-// Rows of a written time fill many pages of trajectory.csv.
+// The rows of one written time fill many pages of trajectory.csv.
 constexpr std::size_t n_crowd = 400;
 constexpr std::size_t steps_a_frame = 3;
 
@@ -133,7 +133,7 @@ int run_crowd(const std::filesystem::path& directory) {
   return 0;
 }
 
-/// Returns the complete records of a file, which end in the given way.
+/// Returns the complete records of a text, each of which ends with `end`.
 std::string complete(const std::string& text, std::string_view end) {
   const std::size_t last = text.rfind(end);
   return last == std::string::npos ? std::string{} : text.substr(0, last + end.size());
@@ -168,7 +168,7 @@ std::size_t frames_of(const std::filesystem::path& path) {
   return frames;
 }
 
-/// Checks that files contain all that was saved, and at most the frame after it; returns the number
+/// Checks that files contain all that was saved, and at most the frame after it. Returns the number
 /// of frames that were saved.
 std::size_t check_crowd(const Folder& folder) {
   const bool begun = std::filesystem::exists(folder.at("checkpoint"));
@@ -186,8 +186,8 @@ std::size_t check_crowd(const Folder& folder) {
   return saved;
 }
 
-/// A kill may split a write that goes across pages of the file. Reopening cuts off the incomplete
-/// record.
+/// Kills a process that writes records of many pages: the kill may split a record. Reopening the
+/// file cuts off the incomplete record.
 void kill_records_of_many_pages(int times) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> moment(0.0, seconds_of(write_long_records));
@@ -202,10 +202,10 @@ void kill_records_of_many_pages(int times) {
     AppendFile::reopen(folder.at("a"), whole.size());
     BOOST_TEST((read(folder.at("a")) == whole));
   }
-  BOOST_TEST(split > 0);  // else no kill came at a moment that matters
+  BOOST_TEST(split > 0);  // otherwise no kill came during a write
 }
 
-/// What a reader finds, and how far back the checkpoint is, where a frame has many pages.
+/// Checks the files and the age of the checkpoint after kills, for frames of many pages.
 void kill_frames_of_many_pages(int times) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> moment(0.0, seconds_of(run_crowd));
@@ -225,7 +225,7 @@ void kill_sample_runs(int times) {
   std::uniform_real_distribution<double> moment(0.0, seconds_of(run_sample));
   int killed = 0;
   int resumed = 0;
-  // More often where a busy machine makes most moments too early or too late.
+  // A busy machine makes most moments too early or too late, so more trials may be necessary.
   const int wanted = times / 5;
   for (int trial = 0; trial < times || (std::min(killed, resumed) <= wanted && trial < 1000);
        ++trial) {
@@ -235,7 +235,7 @@ void kill_sample_runs(int times) {
     if (run_or_resume(folder.path(), sample_contents(), last_step)) ++resumed;
     BOOST_TEST((read_all(folder.path()) == expected), "trial " << trial);
   }
-  // Most moments must have been moments of the run, or nothing has been tested.
+  // The test requires that many kills came during the run.
   BOOST_TEST(killed > wanted);
   BOOST_TEST(resumed > wanted);
 }
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(killed_at_many_random_moments, *boost::unit_test::label("fu
   kill_sample_runs(50);
 }
 
-/// A limit on the size of files stands for a disk that takes a part of a record only.
+/// A limit on the size of files simulates a disk that takes only a part of a record.
 BOOST_AUTO_TEST_CASE(disk_full) {
   const std::map<std::string, std::string> expected = uninterrupted_run();
   const Folder folder;

@@ -1,4 +1,4 @@
-/// The files as their users read them: numpy, VTK, an XML and a JSON reader.
+// Tests the files of a run with the readers of their users: NumPy, VTK, an XML and a JSON reader.
 
 #include <cstdlib>
 

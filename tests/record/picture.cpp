@@ -1,4 +1,4 @@
-/// Pictures: what is drawn in special cases; read_outputs.py checks what is drawn where.
+// Tests pictures in special cases; read_outputs.py checks the positions in pictures.
 
 #include "record/picture.hpp"
 
@@ -23,7 +23,7 @@ std::string draw(const Frame& frame, const PictureOptions& options = {}) {
   return draw_configuration(frame, sample.bodies, sample.walls, options);
 }
 
-/// Lightness as the eye takes it (relative luminance of sRGB).
+/// Returns the lightness that the eye perceives (relative luminance of sRGB).
 double luminance(const std::string& colour) {
   const auto channel = [&](std::size_t at) {
     return std::pow(std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0, 2.2);
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(colours_get_lighter) {
 }
 
 BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
-  // The lightness of CIE is linear along viridis.
+  // The CIE lightness is linear along the colour map viridis.
   const auto lightness = [](double at) {
     return 116.0 * std::cbrt(luminance(colour(viridis, at))) - 16.0;
   };
@@ -94,8 +94,8 @@ BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
   }
 }
 
-// The arrow of the fastest body is as long as the mean diameter of bodies, and seen however small
-// they are beside the picture.
+// The arrow of the fastest body is as long as the mean diameter of the bodies, and remains visible
+// however small the bodies are in the picture.
 BOOST_AUTO_TEST_CASE(arrows_fit_bodies_and_picture) {
   Frame frame = sample_frame(0);
   for (BodyState& body : frame.bodies) body.velocity = {1.0, 0.0};
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(arrows_fit_bodies_and_picture) {
     BOOST_REQUIRE(std::regex_search(picture, found, arrow));
     return std::stod(found[2]) - std::stod(found[1]);
   };
-  // The outer wall has the diameter 20 and fills the width, but for margins.
+  // The outer wall has the diameter 20 and fills the width, apart from margins.
   BOOST_TEST(longest() == 100.0, boost::test_tools::tolerance(0.15));
   for (Outline& body : sample.bodies) body.points *= 0.01;
   BOOST_TEST(longest() == 0.03 * std::sqrt(2.0) * 1000.0, boost::test_tools::tolerance(0.15));

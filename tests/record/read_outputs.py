@@ -1,4 +1,5 @@
-"""Reads the files of a run as their users would and compares with sample_run.cpp and outputs.cpp.
+"""Reads the files of a run with the readers of their users and compares the contents with the
+formulas of sample_run.cpp and outputs.cpp.
 
 usage: read_outputs.py DIRECTORY
 """
@@ -27,18 +28,18 @@ OUTER, INNER = outline(64, 10, 10, 0), outline(16, 0.5, 0.5, 0)
 
 
 def body(t, j):
-    """x, y, theta, ux, uy, omega, fx, fy, torque"""
+    """Returns x, y, theta, ux, uy, omega, fx, fy and torque of a body."""
     return (3.0 * j - 1.0 + t / 3.0, 2.0 * j - t / 7.0, j + t, 1 / 3, -1 / 7, 1.0 + j / 3.0,
             j + t / 11.0, -t / 13.0, j / 17.0)
 
 
 def wall(t, j):
-    """fx, fy, torque"""
+    """Returns fx, fy and torque of a wall."""
     return t / 3.0, j + 1.0 / 9.0, -t
 
 
 def contacts(k):
-    """a, b, x, y, nx, ny, force, gap; body 1 with body 0, then with the outer wall"""
+    """Returns a, b, x, y, nx, ny, force and gap of body 1 with body 0, then with the outer wall."""
     t = k / 7.0
     return [("body:1", ("body:0", "wall:0")[j], 1 / 3 + t, -t, 0.6, -0.8, j + t / 19, t / 23)
             for j in range(k)]
@@ -83,7 +84,7 @@ def area(points):
 
 
 def triangulated_area(polydata):
-    """What is filled when VTK draws the polygons."""
+    """Returns the area that VTK fills when it draws the polygons."""
     triangles = vtkTriangleFilter()
     triangles.PassLinesOff()
     triangles.SetInputData(polydata)
@@ -117,7 +118,7 @@ def check_polydata(path, t):
     placed = [x + 1j * y + np.exp(1j * theta) * points
               for points, (x, y, theta, *_) in zip(BODIES, states)]
     placed_inner = -5 + np.exp(1j / 9) * INNER
-    # The outer wall is a closed line; the rest are polygons, in the order bodies, inner walls.
+    # The outer wall is a closed line; bodies and then inner walls are polygons.
     assert polydata.GetNumberOfLines() == 1 and polydata.GetNumberOfPolys() == 3
     assert polydata.GetNumberOfPoints() == 64 + 32 + 60 + 16
     expected = [np.append(OUTER, OUTER[0]), *placed, placed_inner]
@@ -139,7 +140,7 @@ def check_polydata(path, t):
 
 
 def check_network(path, t):
-    """From the centre of one body by the point of contact to that of the other, or to the wall."""
+    """Lines go from one centre by the contact point to the other centre or the wall."""
     polydata = read_vtk(vtkXMLPolyDataReader(), path)
     expected = contacts(round(7 * t))
     assert polydata.GetNumberOfCells() == polydata.GetNumberOfLines() == len(expected)
@@ -159,7 +160,7 @@ def check_network(path, t):
 
 
 def check_image(path, t):
-    """Every quantity is the formula of sample_run.cpp, exactly; not a number in the unit disk."""
+    """Every quantity equals the formula of sample_run.cpp exactly, and is NaN in the unit disk."""
     image = read_vtk(vtkXMLImageDataReader(), path)
     assert image.GetDimensions() == (25, 17, 1)
     points = np.array([complex(*image.GetPoint(i)[:2]) for i in range(25 * 17)])
@@ -189,7 +190,7 @@ def check_collection(path, check_file):
 
 
 def check_picture(path):
-    """Bodies are drawn where they are, y upwards, inside the viewBox."""
+    """Bodies are drawn at their positions, with y upwards, inside the viewBox."""
     svg = "{http://www.w3.org/2000/svg}"
     picture = xml.parse(path).getroot()
     assert picture.tag == svg + "svg"
@@ -212,7 +213,7 @@ def check_picture(path):
 
 
 def check_field_picture(path):
-    """The colours are dashes in their rows: right of the unit disk is the field's right part."""
+    """Checks the dashes of colour in their rows, also right of the unit disk."""
     svg = "{http://www.w3.org/2000/svg}"
     picture = xml.parse(path).getroot()
     window = picture.find(svg + "svg")
@@ -224,7 +225,7 @@ def check_field_picture(path):
             start, length = dash.split("h")
             column, row = map(int, start.split())
             level_of[16 - row, column:column + int(length)] = level
-    # The grid reaches from -4 to 4: colours rise along x, and nothing is blank but the disk's core.
+    # The grid reaches from -4 to 4: colours rise along x, and only the core of the disk is blank.
     assert (np.diff(level_of[-1]) >= 0).all() and level_of[-1, 0] == 0
     blank = {(int(row), int(column)) for row, column in np.argwhere(level_of < 0)}
     points = lambda row, column: complex(-4 + column / 3, -2.5 + row / 3)
@@ -232,7 +233,7 @@ def check_field_picture(path):
 
 
 def check_animation(path):
-    """The data blocks of the page, as a browser takes them from it."""
+    """Returns the data blocks of the page, as a browser reads them."""
     blocks = re.findall(r'<script type="application/json" class="(\w+)">(.*?)</script>',
                         path.read_text())
     assert [kind for kind, _ in blocks] == ["run"] + N_FRAMES * ["frame"]

@@ -1,4 +1,5 @@
-/// Run directories: what they refuse, keep, drop and repeat.
+// Tests run directories: the directories that they refuse, and the files that they keep, remove and
+// write again.
 
 #include "record/run_directory.hpp"
 
@@ -171,7 +172,7 @@ BOOST_AUTO_TEST_CASE(another_program_is_noticed) {
   BOOST_TEST(!RunDirectory::resume(folder.path(), contents).by_this_program);
 }
 
-/// Files that cannot be removed stand for a kill before they were.
+/// Files that cannot be removed simulate a kill before their removal.
 BOOST_AUTO_TEST_CASE(removing_a_run_begins_with_the_checkpoint_and_ends_with_the_steps) {
   const Folder folder;
   write(folder.at("checkpoint"), "of files that go");
@@ -208,7 +209,7 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
   BOOST_TEST(run.checkpoint.step == 1);
   BOOST_TEST(run.checkpoint.state == Eigen::VectorXd(Eigen::Vector2d(1.0, 2.0)));
   std::map<std::string, std::string> files = read_all(folder.path());
-  // Pictures are those of the latest frame until the next one is written.
+  // Pictures show the latest frame until the next frame is written.
   for (auto& [name, text] : files) {
     if (name.ends_with(".svg")) text = saved_files.at(name);
   }
@@ -260,7 +261,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_resumed) {
                         mentions("trajectory.csv", "has 0 bytes"));
 }
 
-// The checkpoint of somebody else may name any file; its checksum can be made anew.
+// A checkpoint from another person may name any file, and its checksum can be recomputed.
 BOOST_AUTO_TEST_CASE(files_of_others_are_left_alone) {
   const Folder folder, other;
   write_atomically(other.at("precious"), "text", SafeFrom::kill);

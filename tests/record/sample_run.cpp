@@ -1,3 +1,5 @@
+// Defines the sample run that the tests of files write: an ellipse, a star, two walls and a field
+// by formulas, and the state of a chaotic map.
 #include "sample_run.hpp"
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace stokesbook::test {
 
 namespace {
 
-/// r(s) (a cos s, b sin s) with r(s) = 1 + amplitude cos 5s
+/// Returns the curve r(s) (a cos s, b sin s) with r(s) = 1 + amplitude cos 5s.
 Outline outline(int n, double a, double b, double amplitude, bool encloses) {
   Outline result{ComplexVector(n), encloses};
   for (int k = 0; k < n; ++k) {
@@ -21,7 +23,8 @@ Outline outline(int n, double a, double b, double amplitude, bool encloses) {
   return result;
 }
 
-/// A grid that lies across bodies and walls; every quantity is a formula of the point.
+/// Returns a field on a grid that extends over bodies and walls; every quantity is a formula of the
+/// point.
 Field sample_field(double t) {
   Field field;
   field.grid = {{-4.0, -2.5}, 1.0 / 3.0, 25, 17};
@@ -40,7 +43,7 @@ Field sample_field(double t) {
   return field;
 }
 
-/// The map and what a time stepper would remember.
+/// Returns the start of the map, with a history such as a time stepper has.
 Checkpoint start() {
   return {0.0, 0, Eigen::Vector2d(0.1, 0.7), {{"previous_rate", Eigen::Vector2d(0.2, 0.3)}}};
 }
@@ -108,7 +111,7 @@ Frame sample_frame(int k) {
                            .force = {t / 3.0, j + 1.0 / 9.0},
                            .torque = -t});
   }
-  // First none, then of the bodies, then of a body and the outer wall too.
+  // No contact, one between the bodies, or a further one between a body and the outer wall.
   const ContactParty star{.is_wall = false, .number = 1};
   for (std::size_t j = 0; j < static_cast<std::size_t>(k % 3); ++j) {
     frame.contacts.push_back({.a = star,

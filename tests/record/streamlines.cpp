@@ -1,4 +1,4 @@
-/// Streamlines: lines of flows that are known, even cover, and where they end.
+// Tests streamlines: lines of known flows, even cover, and the ends of lines.
 
 #include "record/streamlines.hpp"
 
@@ -12,7 +12,7 @@ using namespace stokesbook;
 
 namespace {
 
-/// The square [-1, 1]^2 with a velocity at every point.
+/// Returns a field on the square [-1, 1]^2 with a given velocity at every point.
 Field square(const auto& velocity, Eigen::Index n = 81) {
   Field field;
   field.grid = {{-1.0, -1.0}, 2.0 / static_cast<double>(n - 1), n, n};
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
   int closed = 0;
   for (const Streamline& line : lines) {
     const double radius = std::abs(line.points.front());
-    BOOST_TEST(2.0 * std::numbers::pi * radius > 0.09);  // the separation, but for a step
+    BOOST_TEST(2.0 * std::numbers::pi * radius > 0.09);  // the separation of lines, minus a step
     if (radius < 0.05) continue;
     for (const Complex point : line.points) {
       BOOST_TEST(std::abs(point) == radius, boost::test_tools::tolerance(2e-3));
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
     BOOST_TEST(line.closed == (radius < 0.97), "radius " << radius);
     closed += line.closed ? 1 : 0;
     if (!line.closed) continue;
-    // Once round: the ends meet, but for a step.
+    // The line goes round once: its ends meet up to a step.
     const double turns =
         static_cast<double>(line.points.size()) * 0.0125 / (2.0 * std::numbers::pi * radius);
     BOOST_TEST(turns > 0.93);
@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
   BOOST_TEST(closed >= 8);
 }
 
-// On a coarse grid lines are much closer than its points, and their last steps leave it by far.
+// On a coarse grid, lines are much closer to each other than grid points, and their last steps
+// leave the grid by far.
 BOOST_AUTO_TEST_CASE(lines_closer_than_points_end_at_the_edge) {
   for (const Complex direction : {Complex{1.0, 0.0}, Complex{-1.0, 0.3}, Complex{0.2, -1.0}}) {
     const Field field = square([&](Complex) { return direction; }, 5);

@@ -1,4 +1,4 @@
-/// Every way in which [flow] can be wrong, and the whole message that says so.
+// Tests every error in [flow], with the whole message of each.
 
 #include <string>
 

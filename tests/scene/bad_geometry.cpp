@@ -1,4 +1,4 @@
-/// Every way in which walls, bodies and fills can be wrong, and the whole message that says so.
+// Tests every error in walls, bodies and fills, with the whole message of each.
 
 #include <string>
 

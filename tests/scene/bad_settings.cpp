@@ -1,5 +1,5 @@
-/// Every way in which the top level and the settings can be wrong, and the whole message that says
-/// so.
+// Tests every error in the top level and the settings of a scene file, with the whole message of
+// each.
 
 #include <string>
 
@@ -9,7 +9,7 @@ using namespace stokesbook::test;
 
 BOOST_AUTO_TEST_SUITE(bad_settings)
 
-// The words are those of the TOML parser; the place is what matters here.
+// The words of the message are those of the TOML parser; the test compares the place only.
 BOOST_AUTO_TEST_CASE(no_toml) {
   const auto place = [](const std::string& text) {
     const std::string message = error_of(text);

@@ -1,4 +1,4 @@
-/// Every way in which a shape can be wrong, and the whole message that says so.
+// Tests every error in a shape, with the whole message of each.
 
 #include <string>
 

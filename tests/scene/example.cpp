@@ -1,4 +1,4 @@
-/// A scene with every section, as the documentation of the format shows them.
+// Tests a scene with every section, as in the documentation of the scene format.
 
 #include <string>
 

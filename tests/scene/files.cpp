@@ -1,4 +1,4 @@
-/// Scene files, and the files that they name.
+// Tests scene files, and the files that scenes name.
 
 #include <cmath>
 #include <string>
@@ -18,7 +18,7 @@ const std::string list =
     "[[body_lists]]\nfile = 'a.csv'\nshape = { kind = 'circle', radius = 0.5 }\nn_nodes = 32\n";
 const std::string list_of_ellipses = "[[body_lists]]\nfile = 'a.csv'\nn_nodes = 32\n";
 
-/// Error of a scene whose a.csv holds these lines, without the folder's name.
+/// Returns the error of a scene whose a.csv has the given lines, without the name of the folder.
 std::string error_with_csv(const std::string& scene, const std::string& csv) {
   const Folder folder;
   folder.write("a.csv", csv);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(nodal_curve) {
   BOOST_TEST(curve.points[0] == Complex(2.0, 0.0));
   BOOST_TEST(curve.points[7] == Complex(1.0, -1.0));
   BOOST_TEST(curve.file == folder.at("a.csv"));
-  // The written scene has the points in it, and needs no file.
+  // The written scene contains the points and needs no other file.
   BOOST_TEST((parse(to_toml({scene})) == scene));
 }
 

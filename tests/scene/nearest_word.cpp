@@ -1,3 +1,4 @@
+// Tests the guess of the key that a misspelt key of a scene file most likely stands for.
 #include "scene/nearest_word.hpp"
 
 #include <array>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> keys{"kind", "radius", "semi_axes", "dt", "omega"};
 
-/// The guess, or "none".
+/// Returns the guess, or "none".
 std::string_view guess(std::string_view word) {
   return nearest_word(word, keys).value_or("none");
 }

@@ -1,3 +1,4 @@
+// Tests the checks of polygons that a scene gives as curves.
 #include "scene/polygon.hpp"
 
 #include <cmath>
@@ -18,7 +19,7 @@ ComplexVector vector_of(const Points& points) {
   return Eigen::Map<const ComplexVector>(points.data(), static_cast<Eigen::Index>(points.size()));
 }
 
-/// The problem, after the number of the point if there is one; "none".
+/// Returns the fault, after the number of its point if there is one, or "none".
 std::string fault_of(const ComplexVector& points) {
   const auto fault = find_fault(points);
   if (!fault) return "none";
@@ -29,7 +30,7 @@ std::string fault_of(const Points& points) {
   return fault_of(vector_of(points));
 }
 
-/// Points of r = 1 + amplitude cos(5 t), moved.
+/// Returns points of the curve r = 1 + amplitude cos(5 t), moved to a centre.
 ComplexVector star(double amplitude, Complex centre = 0.0, Eigen::Index n = 100) {
   ComplexVector points(n);
   for (Eigen::Index k = 0; k < n; ++k) {
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(accepts_simple_curves) {
   BOOST_TEST(fault_of(ComplexVector(1e6 * star(0.3))) == "none");
   BOOST_TEST(fault_of(star(0.0, {0.9, 0.0})) == "none");
   BOOST_TEST(fault_of(octagon) == "none");  // three points on one line
-  BOOST_TEST(fault_of(vessel) == "none");   // two edges apart on one line
+  BOOST_TEST(fault_of(vessel) == "none");   // two separate edges on one line
 }
 
 BOOST_AUTO_TEST_CASE(wants_points_enough) {
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(finds_edges_that_meet) {
   BOOST_TEST(fault_of(points) == "1: " + meets + "[0, -1]");
   points[2] = points[6];  // onto a corner
   BOOST_TEST(fault_of(points) == "1: " + meets + "[-1, -1]");
-  // edges 0 and 4 lie on one line and overlap
+  // edges 0 and 4 overlap on one line
   BOOST_TEST(fault_of(Points{{1, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 0}, {2, 0}, {-1, -1}, {-1, 1}}) ==
              "0: " + meets + "[4, 0]");
 }

@@ -1,4 +1,4 @@
-/// What to_toml writes, parse_scene reads back: bit for bit.
+// Tests that parse_scene reads every scene that to_toml has written, bit for bit.
 
 #include <algorithm>
 #include <array>
@@ -19,14 +19,14 @@ using namespace stokesbook::test;
 
 namespace {
 
-/// Random values of the kinds that a scene holds.
+/// Draws random values of the kinds that a scene holds.
 class Dice {
  public:
   explicit Dice(unsigned seed) : engine_(seed) {}
 
   bool coin() { return integer(0, 1) == 1; }
   int integer(int low, int high) { return std::uniform_int_distribution(low, high)(engine_); }
-  /// All 53 bits random, between 2^-40 and 2^40.
+  /// Returns a number between 2^-40 and 2^40 with 53 random bits.
   double positive() { return std::ldexp(uniform(0.5, 1.0), integer(-39, 40)); }
   double number() { return coin() ? positive() : -positive(); }
   double uniform(double low, double high) {
@@ -128,7 +128,7 @@ TimeSettings adapted_steps(Dice& dice) {
   return time;
 }
 
-/// Contact, and what must suit it.
+/// Adds contact, and changes the settings that contact restricts.
 void add_contact(SceneFile& file, Dice& dice) {
   auto& [scene, fills] = file;
   using enum SteppingMethod;
@@ -145,7 +145,7 @@ void add_contact(SceneFile& file, Dice& dice) {
   for (Fill& fill : fills) fill.n_nodes = 2 * dice.integer(4, 200);
 }
 
-/// Makes a run of steps and frames that may be given.
+/// Chooses an end of the run for which the numbers of steps and frames are allowed.
 void let_end(TimeSettings& time, std::optional<double> dt_write) {
   for (const std::optional<double> length : {time.dt, time.dt_min, time.dt_max, dt_write}) {
     if (length) time.t_final = std::min(time.t_final, 5e11 * *length);

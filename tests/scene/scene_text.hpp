@@ -23,7 +23,7 @@ inline Scene parse(const std::string& text, const Overrides& overrides = {},
   return parse_file(text, overrides, directory).scene;
 }
 
-/// Message of the SceneError that parsing throws, or "no error".
+/// Returns the message of the SceneError that parsing throws, or "no error".
 inline std::string error_of(const std::string& text, const Overrides& overrides = {},
                             const std::filesystem::path& directory = {}) {
   try {
@@ -34,7 +34,7 @@ inline std::string error_of(const std::string& text, const Overrides& overrides 
   return "no error";
 }
 
-/// Folder for the files of one test.
+/// A folder for the files of one test, which is removed at the end.
 class Folder {
  public:
   Folder()
@@ -57,17 +57,17 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Scene of one body, on whose line 2 the shape stands.
+/// Returns a scene of one body, whose shape is on line 2.
 inline std::string body_with_shape(const std::string& shape) {
   return "[[bodies]]\nshape = " + shape + "\nn_nodes = 32\n";
 }
 
-/// Scene of one disk, whose own lines start with line 3.
+/// Returns a scene of one disk; the given lines begin with line 3.
 inline std::string disk(const std::string& lines = "n_nodes = 32\n") {
   return "[[bodies]]\nshape = { kind = 'circle', radius = 0.5 }\n" + lines;
 }
 
-/// Scene of an enclosing circle, in 4 lines.
+/// Returns a scene of an enclosing circle, in 4 lines.
 inline std::string tank() {
   return "[[walls]]\nrole = 'outer'\nshape = { kind = 'circle', radius = 9 }\nn_nodes = 64\n";
 }

@@ -1,4 +1,4 @@
-/// Every key of a scene file, each with a value that is not its default.
+// Tests every key of a scene file with a value that is not its default.
 
 #include <numbers>
 #include <string>
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(flows) {
               BackgroundFlow(TaylorGreenFlow{0.5})));
   BOOST_TEST((with_flow("kind = 'linear'\ngradient = [[1, 2], [3, -1]]\n").flow ==
               BackgroundFlow(LinearFlow{matrix(1, 2, 3, -1)})));
-  // rounding of the trace is no source of fluid
+  // Rounding errors of the trace are accepted: they are not a source of fluid.
   with_flow("kind = 'linear'\ngradient = [[1e6, 2], [3, -1000000.0000001]]\n");
   with_flow("kind = 'linear'\ngradient = [[0, 0], [0, 0]]\n");
 }
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(wall_motions) {
   BOOST_TEST((motion("{ kind = 'rotating', omega = -1 }") == WallMotion(RotatingWall{-1.0})));
   BOOST_TEST((motion("{ kind = 'translating', velocity = [1, 2] }") ==
               WallMotion(TranslatingWall{{1.0, 2.0}})));
-  // The net flux of all walls is the solver's to check: one wall may have some.
+  // The solver checks the net flux of all walls: a single wall may have a flux.
   BOOST_TEST((motion("{ kind = 'linear', gradient = [[1, 2], [3, 4]] }") ==
               WallMotion(LinearWall{matrix(1, 2, 3, 4)})));
   BOOST_TEST((motion("{ kind = 'radial', speed = 0.5 }") == WallMotion(RadialWall{0.5})));
@@ -244,7 +244,8 @@ BOOST_AUTO_TEST_CASE(contact_settings) {
   BOOST_TEST((contact("minimum_separation = '0.05h'\nallow_close = true") ==
               ContactSettings{0.05, true, true}));
   BOOST_TEST((contact("minimum_separation = '2.5e-1h'") == ContactSettings{0.25, true, false}));
-  // Nodes that the solver chooses have no spacing, but lengths do without; so do those of walls.
+  // Automatic nodes have no spacing, which a separation in lengths does not require. The same holds
+  // for the nodes of walls.
   const std::string automatic = disk("n_nodes = 'auto'\n");
   BOOST_TEST(contact("minimum_separation = 0.01", automatic).minimum_separation == 0.01);
   const std::string wall =

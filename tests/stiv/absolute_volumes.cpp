@@ -1,4 +1,5 @@
-// The volume by absolute velocities, and what is wrong with it; the relative one beside it.
+// Checks the volume by absolute velocities (10.11), which depends on the observer, and beside it
+// the relative volume, which does not.
 #include <boost/test/unit_test.hpp>
 
 #include "steps.hpp"
@@ -9,7 +10,7 @@ using namespace stokesbook::test;
 
 namespace {
 
-// Circle a on the left, b on the right, a little aside.
+// Circle a lies on the left, and circle b on the right, slightly shifted aside.
 PathPair paths(double velocity_a, double velocity_b) {
   return {0,
           1,
@@ -37,18 +38,18 @@ Contact relative(double velocity_a, double velocity_b) {
 
 }  // namespace
 
-// All of these are one relative motion: b comes nearer to a by .4.
+// All three cases are one relative motion: b approaches a by 0.4.
 BOOST_AUTO_TEST_CASE(one_relative_motion_seen_by_three_observers) {
   const AbsoluteVolume together = absolute(0.2, -0.2), hit = absolute(0.4, 0.0),
                        chase = absolute(0.8, 0.4);
-  // Symmetric: the forces are opposite.
+  // The motions are symmetric: the forces are opposite.
   const Complex sum = together.force.on_a.force + together.force.on_b.force;
   BOOST_TEST(std::abs(sum) < 1e-3 * std::abs(together.force.on_a.force));
   BOOST_TEST(together.force.on_a.force.real() < 0.0);
-  // B at rest is hit and feels nothing: forces are not opposite.
+  // B at rest is hit and feels no force: the forces are not opposite.
   BOOST_TEST(hit.force.on_a.force.real() < 0.0);
   BOOST_TEST(std::abs(hit.force.on_b.force) == 0.0);
-  // B is overtaken and pulled towards A: both are pushed back.
+  // A overtakes B, and B is pulled towards A: both bodies are pushed back.
   BOOST_TEST(chase.force.on_a.force.real() < 0.0);
   BOOST_TEST(chase.force.on_b.force.real() < 0.0);
   BOOST_TEST(std::abs(chase.force.on_b.force - chase.force.on_a.force) <
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_relative_volume_does_not_see_them) {
   }
 }
 
-// The derivative is that of the volume with frozen times.
+// Compares with differences of the volume at frozen contact times.
 BOOST_AUTO_TEST_CASE(the_derivative_with_frozen_times) {
   const PairEvents events = pair_events(circles(), paths(0.5, -0.1), {0.1, 1e-5, 0.4, 0.0});
   const auto volume = [&](Complex shift, double turn) {

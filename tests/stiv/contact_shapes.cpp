@@ -1,4 +1,4 @@
-// Polygons stand for curves: within the sag asked for, with few vertices, and their gaps with them.
+// Checks polygons in place of curves: the sag (10.1) within its limit, few vertices, and gaps.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -22,7 +22,7 @@ std::vector<Shape> shapes() {
           NodalCurve{sample(Star{1.0, 0.2, 3}, 64, Side::fluid_outside).x, {}}};
 }
 
-// Largest distance of the curve from the polygon, seen at places of its parameter.
+// Returns the largest distance of the curve from the polygon, at a grid of parameters.
 double farthest(const Shape& shape, const Polygon& polygon) {
   const Parametrisation point = parametrisation(shape);
   double distance = 0.0;
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(the_curve_is_within_the_sag_of_the_polygon) {
       BOOST_TEST(contact.sag <= limit);
       const double found = farthest(shape, contact.polygon);
       BOOST_TEST(found <= 1.05 * contact.sag);
-      // No more vertices than that takes.
+      // The polygon has no more vertices than the limit requires.
       if (contact.polygon.size() > 40) BOOST_TEST(found > 0.8 * limit);
     }
   }
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(the_sag_of_a_circle) {
     const double found = sag(sample(Circle{1.0}, n, Side::fluid_outside));
     BOOST_TEST(std::abs(found / exact - 1.0) < 1.0 / static_cast<double>(n * n));
   }
-  // The published polygon: the separation .05 h of N = 32 is half eaten by each of two circles.
+  // The published polygon has 32 nodes: the sags of two circles together are the separation 0.05 h.
   const Curve published = sample(Circle{1.0}, 32, Side::fluid_outside);
   BOOST_TEST(2.0 * sag(published) / (2.0 * std::numbers::pi / 32.0) == 0.049,
              boost::test_tools::tolerance(0.01));
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(weights_are_lengths_of_the_polygon) {
   BOOST_TEST(star.radius == bounding_radius(fine, 0.0));
 }
 
-// Seen through polygons a gap of circles is too wide, by less than the two sags.
+// Polygons overestimate the gap of two circles, by less than the two sags.
 BOOST_AUTO_TEST_CASE(gaps_of_polygons_bound_those_of_curves) {
   const ContactShape circle = contact_shape(Circle{1.0}, Side::fluid_outside, 1e-3);
   const ComplexVector turns = test::random_vector(200, 1);

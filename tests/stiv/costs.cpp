@@ -1,5 +1,5 @@
-// What a search takes, counted: queries a vertex whatever the polygon's size, the speed and the
-// tolerance; pairs and queries in proportion to the number of bodies.
+// Counts the cost of a search: queries a vertex for any polygon size, speed and tolerance; pairs
+// and queries in proportion to the number of bodies.
 #include <cmath>
 #include <numbers>
 
@@ -34,8 +34,8 @@ BOOST_AUTO_TEST_CASE(queries_do_not_grow_with_the_polygon) {
   }
 }
 
-// Where a body slides along a wall just above the tolerance, certain steps alone would creep: their
-// number grows as the travel over the tolerance.
+// A body slides along a wall just above the tolerance. With certain steps (10.3) alone, the number
+// of steps would grow as the travel divided by the tolerance.
 BOOST_AUTO_TEST_CASE(sliding_along_a_wall) {
   const double separation = 0.01;
   const auto wall = body(Superellipse{10.0, 1.0, 20}, 2000), disk = body(Circle{0.5}, 256);
@@ -47,13 +47,14 @@ BOOST_AUTO_TEST_CASE(sliding_along_a_wall) {
       step.add(disk, {{{-3.0, 1.5 + separation + above}, 0.0}, {2.0, 0.0}, 0.0});
       const Interferences found = interferences(step, {{separation}, tolerance});
       BOOST_TEST(found.admits_step());
-      // In the band of the tolerance steps are half the separation: the only ones that are many.
+      // Within the tolerance of the separation, steps are half the separation: only these steps are
+      // many.
       BOOST_TEST(queries_a_vertex(found.cost) < 4.0 + 2.0 * 2.0 / separation);
     }
   }
 }
 
-// Slow approaches at a slant end after few steps too, however sharp the tolerance.
+// Slow approaches at a slant end after few steps too, at any tolerance.
 BOOST_AUTO_TEST_CASE(slanting_approaches) {
   const auto wall = body(Superellipse{10.0, 1.0, 20}, 2000), disk = body(Circle{0.5}, 256);
   for (double slope : {1.0, 1e-1, 1e-2, 1e-3}) {
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(slanting_approaches) {
   }
 }
 
-// A lattice of circles in a container that grows with it.
+// A lattice of circles lies in a container that grows with the lattice.
 BOOST_AUTO_TEST_CASE(linear_in_the_number_of_bodies) {
   const auto circle = body(Circle{0.4}, 64);
   std::vector<double> pairs, queries;
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(linear_in_the_number_of_bodies) {
     pairs.push_back(static_cast<double>(cost.pairs) / (side * side));
     queries.push_back(static_cast<double>(cost.queries) / (side * side));
   }
-  // Bodies at the border have fewer neighbours: their part halves where the side doubles.
+  // Bodies at the border have fewer neighbours; their share halves where the side doubles.
   for (const std::vector<double>& count : {pairs, queries}) {
     BOOST_TEST(count[2] - count[1] < 0.8 * (count[1] - count[0]));
     BOOST_TEST(count[2] < 1.3 * count[0]);

@@ -1,5 +1,5 @@
-// First contact times in closed form: approaches head-on and oblique, however fast; turning bodies,
-// containers, walls that move; and steps without contact.
+// Checks first contact times against closed forms: approaches head-on and oblique, at any speed;
+// turning bodies, containers, walls that move; and steps without contact.
 #include <cmath>
 #include <numbers>
 
@@ -16,14 +16,14 @@ namespace {
 
 constexpr double delta = 0.1, tolerance = 1e-4 * delta;
 
-// Every touch counts as deep, so that it is told when it began.
+// With a dip of 0, every contact counts as deep, so that its first instant is reported.
 ContactRules rules(double tol = tolerance) {
   return {.separation = {delta}, .tolerance = tol, .rows = RowChoice::every, .dip = 0.0};
 }
 
 const ContactRules rules_with_a_dip{{delta}, tolerance, RowChoice::every};
 
-// Two unit circles that come from both sides, one of them shifted aside.
+// Two unit circles approach from both sides, one of them shifted aside.
 Step approach(double aside, double travel, Index m) {
   Step step;
   step.add(body(Circle{1.0}, m), {{{-3.0, 0.0}, 0.1}, {travel, 0.0}, 0.3});
@@ -31,7 +31,7 @@ Step approach(double aside, double travel, Index m) {
   return step;
 }
 
-// The orientation from which on an ellipse is nearer than a distance to a point, by bisection.
+// Returns the orientation at which an ellipse comes within a distance of a point, by bisection.
 double touching_orientation(const Ellipse& ellipse, Complex point, double distance, double low,
                             double high) {
   const Parametrisation curve = parametrisation(Shape{ellipse});
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(circles_head_on_and_oblique) {
   }
 }
 
-// The tolerance is how early a contact may be found, not how late.
+// The tolerance limits how early a contact is found; a contact is never found late.
 BOOST_AUTO_TEST_CASE(the_tolerance_bounds_the_time) {
   const double sharp = first_time(violated(interferences(approach(1.0, 3.0, 64), rules(1e-12))));
   for (double tol : {1e-2, 1e-4, 1e-6}) {
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_tolerance_bounds_the_time) {
   }
 }
 
-// Where static checks of the end see nothing: circles that have passed through each other.
+// The circles have passed through each other, so that a static check of the end finds no contact.
 BOOST_AUTO_TEST_CASE(tunnelling_is_found_for_every_step) {
   const auto circle = body(Circle{1.0}, 96);
   for (double dt : {0.02, 0.1, 0.3, 1.0, 1000.0}) {
@@ -98,32 +98,32 @@ BOOST_AUTO_TEST_CASE(tunnelling_is_found_for_every_step) {
     const std::vector<Contact> contacts = violated(interferences(step, rules()));
     BOOST_REQUIRE(contacts.size() == 1u);
     BOOST_TEST(std::abs(first_time(contacts) - 0.7 / (84.0 * dt)) < tolerance / (84.0 * dt));
-    // Vertices that face each other: the gap counts all of the way that is too long.
+    // The vertices face each other: the gap (10.5) counts the whole excess of the displacement.
     BOOST_TEST(std::abs(least_gap(contacts) + 84.0 * dt - 0.7) < 1e-12 * (1.0 + 84.0 * dt));
   }
 }
 
-// How near circles come on their way past each other: a dip into the separation is passed, up to
-// the part of it that is allowed.
+// Checks how near circles come as they pass each other: a dip into the separation is admitted, up
+// to the permitted part of the separation.
 BOOST_AUTO_TEST_CASE(passing_by_is_no_contact) {
   const double sags = 2.0 * sag(sample(Circle{1.0}, 1024, Side::fluid_outside));
   for (double travel : {3.0 + 1.5, 6.0, 100.0}) {
     for (double dip : {0.0, 0.5, 1.0}) {
       ContactRules with_dip = rules_with_a_dip;
-      if (dip != 0.5) with_dip.dip = dip;  // else the default
+      if (dip != 0.5) with_dip.dip = dip;  // otherwise the default
       const auto is_admitted = [&](double nearest) {
         return interferences(approach(2.0 + nearest, travel, 1024), with_dip).admits_step() &&
                interferences(approach(-2.0 - nearest, travel, 1024), with_dip).admits_step();
       };
       const double allowed = (1.0 - dip) * delta;
       BOOST_TEST(is_admitted(allowed + 2.0 * tolerance));
-      // Steps in contact are half the separation, and may miss a dip that is only a little deeper.
+      // Steps in contact are half the separation, and may miss a dip that is only slightly deeper.
       BOOST_TEST(!is_admitted(dip == 0.0 ? allowed - sags - 1e-3 : -1e-2));
     }
   }
 }
 
-// Half a turn takes an ellipse through a circle and back to where it was.
+// An ellipse passes through a circle in half a turn and returns to its initial shape.
 BOOST_AUTO_TEST_CASE(a_turning_ellipse_sweeps_a_circle) {
   const Ellipse ellipse{1.0, 0.1};
   const Complex centre{0.3, 0.9};
@@ -142,12 +142,12 @@ BOOST_AUTO_TEST_CASE(a_turning_ellipse_sweeps_a_circle) {
     BOOST_TEST(first_time(contacts) * turn > touching - 4.0 * tolerance);
     BOOST_TEST(first_time(contacts) * turn < touching + 1e-4);
   }
-  // Any number of turns is too many.
+  // Any number of turns violates the separation.
   for (double turn : {2.0 * std::numbers::pi, -60.0}) {
     step.paths[0].rotation = turn;
     BOOST_TEST(!interferences(step, rules()).admits_step());
   }
-  // The circle may turn as it likes.
+  // The circle may turn by any angle.
   Step turned = step;
   turned.paths[0].rotation = 0.0;
   turned.paths[1].rotation = -std::numbers::pi;
@@ -173,14 +173,14 @@ BOOST_AUTO_TEST_CASE(containers_and_walls_that_move) {
       const double late = first_time(contacts) * travel - way;
       BOOST_TEST(late > -1.05 * wall->sag - tolerance);
       BOOST_TEST(late < 1.05 * disk->sag);
-      // Far outside nothing else is met: the force is inward.
+      // Far outside, the disk meets nothing else: the force points inwards.
       for (const ContactRow& row : contacts[0].rows) BOOST_TEST(row.normal.real() < 0.0);
       BOOST_TEST(std::abs(least_gap(contacts) - (way - travel)) < 1e-3 * travel);
     }
   }
 }
 
-// An inner wall is a body that is held: what comes near it may be a wall that turns, too.
+// An inner wall is a held body and may turn: the turning wall approaches a body at rest.
 BOOST_AUTO_TEST_CASE(a_turning_inner_wall) {
   Step step;
   step.add(body(Circle{0.5}, 256), {{{1.8, 0.0}, 0.0}, {0.0, 0.0}, 0.0});
@@ -207,11 +207,11 @@ BOOST_AUTO_TEST_CASE(a_start_at_the_separation) {
     BOOST_REQUIRE(contacts.size() == 1u);
     BOOST_TEST(first_time(contacts) == 0.0);
     BOOST_TEST(std::abs(least_gap(contacts) - (slack - 0.01)) < 1e-14);
-    // At rest, sliding, leaving: no contact, however long the way.
+    // At rest, sliding or leaving, the circles have no contact, for any displacement.
     for (Complex displacement : {Complex{0.0, 0.0}, {0.0, 0.3}, {0.01, -0.2}, {5.0, 0.0}}) {
       const Interferences found = after(displacement);
       BOOST_TEST(found.admits_step());
-      // What stays near is listed.
+      // Pairs that stay near are listed.
       BOOST_TEST(found.contacts.empty() == (std::abs(displacement) > 1.0));
     }
   }
@@ -226,11 +226,12 @@ BOOST_AUTO_TEST_CASE(what_is_apart_costs_nothing) {
   BOOST_TEST((found.cost == SearchCost{}));
 }
 
-// A disk is pressed into the valley of a star: it meets both flanks at once.
+// A disk is pressed into the valley of a star and meets both flanks at once.
 BOOST_AUTO_TEST_CASE(a_disk_in_a_valley_has_two_contacts) {
   const auto star = body(Star{1.0, 0.45, 3}, 768), disk = body(Circle{0.45}, 256);
   const Complex valley = std::polar(1.0, std::numbers::pi / 3.0);
-  // Where the disk's surface is delta from the star's: its centre is .45 + delta from it.
+  // Finds the centre at which the disk's surface is delta from the star's, which is 0.45 + delta
+  // from the centre.
   double low = 1.0, high = 2.0;
   while (high - low > 1e-12) {
     const double middle = 0.5 * (low + high);
@@ -243,9 +244,9 @@ BOOST_AUTO_TEST_CASE(a_disk_in_a_valley_has_two_contacts) {
     step.add(disk, {{(low + 0.5) * valley, std::numbers::pi / 3.0}, -travel * valley, 0.0});
     const std::vector<Contact> contacts = violated(interferences(step, rules()));
     BOOST_TEST(std::abs(first_time(contacts) * travel - 0.5) < 2e-3);
-    if (travel > 1.0) continue;  // right through: flanks are no longer apart
+    if (travel > 1.0) continue;  // right through: both flanks are a single contact
     BOOST_REQUIRE(contacts.size() == 2u);
-    // Mirror images about the axis of the valley.
+    // The two contacts are mirror images about the axis of the valley.
     const auto mean_normal = [&](const Contact& contact) {
       Complex sum{};
       for (const ContactRow& row : contact.rows) sum += row.normal;
@@ -258,7 +259,7 @@ BOOST_AUTO_TEST_CASE(a_disk_in_a_valley_has_two_contacts) {
   }
 }
 
-// A disk grazes one lobe and runs into the other: the first contact is that with the other.
+// A disk grazes a lobe and runs into the other lobe, which is the first contact.
 BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
   const double radius = 0.3;
   const auto lobes = body(Star{1.0, 0.45, 2}, 512), disk = body(Circle{radius}, 256);
@@ -267,7 +268,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
   const Complex summit = lobes->polygon.vertex(top);
   const double half = std::abs(summit.real()), height = summit.imag() + radius;
   BOOST_REQUIRE(half > 0.5);
-  // Over one summit at .9 of the separation, at the other one half of it inside.
+  // The gap is 0.9 of the separation over the first summit, and -0.5 over the second.
   const double slope = -(0.9 * delta + 0.5 * delta) / (2.0 * half), run_up = 1.5;
   const double way = 2.0 * half + run_up;
   Step step;
@@ -283,8 +284,8 @@ BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
   BOOST_TEST(first_time(contacts) > (half + run_up) / way);
 }
 
-// What slides along a floor is in contact all the time; the thin wall that it then meets, and would
-// have passed at the end, is seen all the same.
+// A body that slides along a floor is in contact all the time. The search must find the thin wall
+// that the body then meets, although the body has passed the wall at the end.
 BOOST_AUTO_TEST_CASE(a_second_contact_within_the_first) {
   const ComplexVector corners = ComplexVector{{Complex{-3.0, -1.0},
                                                {3.0, -1.0},

@@ -1,5 +1,5 @@
-// Wrenches of rows: the derivative against finite differences, forces that balance, gaps that do
-// not change when both components move together.
+// Checks the wrenches of rows: the derivative (10.9) against finite differences, balanced forces
+// (10.10), and gaps that do not change when both components move together.
 #include <cmath>
 #include <map>
 
@@ -15,7 +15,8 @@ namespace {
 
 const ContactRules every{{0.1}, 1e-6, RowChoice::every};
 
-// Oblique, turning, of different shapes and sizes, in a star-shaped container that moves too.
+// The steps are oblique and turning, with different shapes and sizes, also in a moving star-shaped
+// container.
 std::vector<Step> steps() {
   const auto ellipse = body(Ellipse{1.0, 0.4}, 200), star = body(Star{0.8, 0.25, 5}, 300);
   Step pair;
@@ -37,7 +38,7 @@ std::vector<ContactRow> rows(const Step& step) {
   return rows;
 }
 
-// A motion of one component: what it does to a row's gap by the wrench on it.
+// A motion of one component changes a row's gap by the wrench on the component.
 struct Motion {
   std::size_t component;
   Complex shift;
@@ -59,7 +60,7 @@ std::vector<Motion> motions() {
   return all;
 }
 
-// The edge that a row's vertex touches between its ends, -1 where it touches a corner.
+// Returns the edge that a row's vertex touches between the edge's ends, or -1 at a corner.
 Eigen::Index touched_edge(const Step& step, const ContactRow& row) {
   const std::size_t a = row.key.vertex_of, b = row.key.polygon_of;
   const RelativePath path(step.paths[a], step.paths[b]);
@@ -87,7 +88,7 @@ std::map<RowKey, Touch> touches_after(Step step, const Motion& motion, double si
 
 }  // namespace
 
-// The whole search is repeated for each difference: times and touched points move too.
+// The whole search is repeated for each difference, so that times and touched points move too.
 BOOST_AUTO_TEST_CASE(derivatives_by_finite_differences) {
   constexpr double h = 1e-5;
   for (const Step& step : steps()) {
@@ -97,8 +98,8 @@ BOOST_AUTO_TEST_CASE(derivatives_by_finite_differences) {
       std::map<int, std::map<RowKey, Touch>> moved;
       for (int k : {-2, -1, 1, 2}) moved[k] = touches_after(step, motion, k * h);
       for (const ContactRow& row : all) {
-        // Where another edge is touched there is no derivative; at corners the normal changes with
-        // the path, which the derivative leaves out.
+        // The gap has no derivative if the touched edge changes. At corners the normal changes with
+        // the path, which the derivative (10.9) neglects.
         const Eigen::Index edge = touched_edge(step, row);
         const bool stays = std::ranges::all_of(moved, [&](const auto& entry) {
           const auto found = entry.second.find(row.key);
@@ -121,7 +122,7 @@ BOOST_AUTO_TEST_CASE(gaps_do_not_change_when_both_components_move_together) {
                   centre_b = step.paths[1].at(1.0).position;
     for (const ContactRow& row : rows(step)) {
       for (Complex about : {Complex{0.0, 0.0}, {3.0, -7.0}}) {
-        // A turn about a point, and shifts.
+        // Turns both components about a point; the forces cover the shifts.
         const double turn =
             dot(row.derivative.on_a.force, perp(centre_a - about)) + row.derivative.on_a.torque +
             dot(row.derivative.on_b.force, perp(centre_b - about)) + row.derivative.on_b.torque;
@@ -147,18 +148,18 @@ BOOST_AUTO_TEST_CASE(forces_balance_about_the_start) {
                               cross(centre_b - about, on_b.force) + on_b.torque;
         BOOST_TEST(std::abs(torque) < 1e-14);
       }
-      // Both act at the point.
+      // Both forces act at the point of the row.
       BOOST_TEST(std::abs(on_a.torque - cross(row.point - centre_a, on_a.force)) < 1e-14);
       BOOST_TEST(std::abs(on_b.torque - cross(row.point - centre_b, on_b.force)) < 1e-14);
     }
   }
 }
 
-// The two forms differ by how far the components move in the step.
+// The two forms differ by the components' displacements in the step.
 BOOST_AUTO_TEST_CASE(both_forms_agree_for_small_steps) {
   const auto ellipse = body(Ellipse{1.0, 0.4}, 200), circle = body(Circle{0.5}, 200);
   const Pose fixed{{0.0, 0.0}, 0.4};
-  // Where the circle is at the separation.
+  // Finds the place at which the circle is at the separation.
   double low = 1.0, high = 2.0;
   while (high - low > 1e-13) {
     const double x = 0.5 * (low + high);

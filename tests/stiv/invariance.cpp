@@ -1,5 +1,5 @@
-// What must not matter: the observer, where and how the scene lies, its unit, which component comes
-// first, and how many threads look.
+// Checks that results do not depend on the observer, the scene's place and direction, its unit of
+// length, the order of the components, and the number of threads.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -20,7 +20,7 @@ ContactRules rules(RowChoice choice, double scale = 1.0) {
   return {{separation * scale}, 1e-4 * separation * scale, choice};
 }
 
-// Positions, shifts and sizes in another frame and unit.
+// Maps positions, shifts and sizes to another frame and unit.
 struct View {
   double scale = 1.0, turn = 0.0;
   Complex shift{}, boost{};
@@ -66,7 +66,7 @@ void check_same(const std::vector<Contact>& contacts, const std::vector<Contact>
       const ContactRow &row = contact.rows[i], &copy = other.rows[i];
       BOOST_TEST((row.key == copy.key));
       BOOST_TEST(std::abs(row.gap - copy.gap / view.scale) < rounding);
-      // Times may come out anywhere within the tolerance.
+      // Times are accurate only to the tolerance.
       BOOST_TEST(std::abs(row.time - copy.time) < 1e-6);
       BOOST_TEST(difference(row.derivative, copy.derivative, view) < 1e-6);
       BOOST_TEST(difference(row.force, copy.force, view) < 1e-6);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(rotation_translation_unit_and_observer) {
   }
 }
 
-// The same rows come out with a and b exchanged.
+// The rows are the same with a and b exchanged.
 BOOST_AUTO_TEST_CASE(the_order_of_components) {
   for (const Step& step : scenes()) {
     Step reversed;

@@ -1,5 +1,6 @@
-// Paths of a step: relative places, bounds of speed and straying that hold and are not far off, and
-// the rectangles and pairs of the broad phase against a look at all.
+// Checks the paths of a step: relative places (10.2), bounds of speed (10.4) and straying that hold
+// and are nearly sharp, and the rectangles and pairs of the broad phase against a comparison of
+// all.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(bounds_of_speed_and_straying) {
   BOOST_TEST(tightest_stray > 0.9);
 }
 
-// Each term of the straying alone: a turning observer, one that is passed, a turning body.
+// Checks each term of the straying alone: a turning observer, a passed observer, a turning body.
 BOOST_AUTO_TEST_CASE(each_cause_of_straying) {
   const Complex x{0.3, 0.1};
   const auto ratio = [&](const RigidPath& a, const RigidPath& b) {
@@ -114,7 +115,7 @@ BOOST_AUTO_TEST_CASE(swept_rectangles_hold_all_places) {
     BOOST_TEST(swept.lower.imag() <= seen.lower.imag() + 1e-12);
     BOOST_TEST(swept.upper.real() >= seen.upper.real() - 1e-12);
     BOOST_TEST(swept.upper.imag() >= seen.upper.imag() - 1e-12);
-    // A turn adds what it must, and not much more.
+    // The turn enlarges the rectangle by little more than necessary.
     if (std::abs(path.rotation) < 1.0) {
       BOOST_TEST(swept.upper.real() < seen.upper.real() + 0.13 * shape->radius);
     }
@@ -135,7 +136,7 @@ BOOST_AUTO_TEST_CASE(near_pairs_are_those_of_all) {
         const bool is_near =
             p.lower.real() - reach <= q.upper.real() && q.lower.real() - reach <= p.upper.real() &&
             p.lower.imag() - reach <= q.upper.imag() && q.lower.imag() - reach <= p.upper.imag();
-        if (a == 0 || is_near) expected.emplace_back(a, b);  // the first one encloses
+        if (a == 0 || is_near) expected.emplace_back(a, b);  // component 0 is the container
       }
     }
     BOOST_TEST((near_pairs(step.shapes, swept, reach) == expected));

@@ -1,5 +1,5 @@
-// Queries of a polygon against a look at all of its edges: closest points with their side, chords,
-// vertices in rectangles.
+// Checks queries of a polygon against a comparison with all of its edges: closest points with their
+// side, chords, vertices in rectangles.
 #include "stiv/polygon.hpp"
 
 #include <cmath>
@@ -31,7 +31,7 @@ double distance_to_edge(Complex z, Complex from, Complex to) {
   return std::abs(z - from - std::clamp(along, 0.0, 1.0) * (to - from));
 }
 
-// All edges are looked at; the side is told by the winding number.
+// Compares all edges; the winding number determines the side.
 double signed_distance(const Polygon& polygon, Complex z) {
   double distance = infinity, angle = 0.0;
   for (Index i = 0; i < polygon.size(); ++i) {
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_found_beyond_the_reach) {
   }
 }
 
-// On the polygon itself distances are 0, and normals still point into the fluid.
+// On the polygon itself the distance is 0, and the normal still points into the fluid.
 BOOST_AUTO_TEST_CASE(normals_where_the_distance_is_zero) {
   for (const Polygon& p : polygons()) {
     for (Index i = 0; i < p.size(); ++i) {

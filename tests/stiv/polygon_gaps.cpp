@@ -1,5 +1,5 @@
-// The test that accepts a state: gaps of polygons that are apart, depths of those that overlap, in
-// all the ways in which they can.
+// Checks the test that accepts a state: gaps of polygons that are apart, and depths of polygons
+// that overlap in different ways.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(a_body_in_a_body) {
     const auto found = gaps({large, small}, {{{0.0, 0.0}, 0.0}, {place, 0.0}}, 0.05);
     BOOST_REQUIRE(found.size() == 1u);
     BOOST_TEST(found[0].gap < -0.2);
-    // The depth of the small one's farthest vertex.
+    // The depth is that of the small body's farthest vertex.
     BOOST_TEST(std::abs(found[0].gap + (1.0 - std::max(0.0, std::abs(place) - 0.2))) < 0.21);
   }
 }
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_body_and_its_container) {
   BOOST_TEST(std::abs(at({0.0, 90.0})[0].gap + 88.5) < 1e-3);
 }
 
-// Thin rods across each other: none of their few vertices lies in the other.
+// Thin rods cross each other: none of the rods' few vertices lies in the other rod.
 BOOST_AUTO_TEST_CASE(edges_that_cross_without_a_vertex_inside) {
   const auto rod = body(Ellipse{1.0, 0.02}, 6);
   const auto found =
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(edges_that_cross_without_a_vertex_inside) {
   BOOST_TEST(found[0].gap <= 0.0);
 }
 
-// A look at all pairs of vertices and edges finds the same gaps, and no others.
+// A comparison of all pairs of vertices and edges finds the same gaps, and no others.
 BOOST_AUTO_TEST_CASE(all_pairs_of_a_crowd) {
   std::size_t overlaps = 0;
   for (unsigned seed = 1; seed <= 4; ++seed) {

@@ -1,5 +1,6 @@
-// Crowds on random paths against brute force, which follows all pairs of vertices and edges through
-// many instants of the step: nothing is missed, nothing is made up, first contacts are the first.
+// Checks crowds on random paths by brute force, which follows all pairs of vertices and edges
+// through many instants of the step: the search misses no contact, reports no false contact, and
+// finds the first contact first.
 #include <cmath>
 
 #include <boost/test/unit_test.hpp>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double separation = 0.05, tolerance = 1e-4 * separation;
 
-// Least distance of the vertices of one polygon from all edges of the other one, unsigned.
+// Returns the least unsigned distance of one polygon's vertices from all edges of the other
+// polygon.
 double least_distance(const Step& step, std::size_t a, std::size_t b, double tau) {
   const RelativeFrame frame = RelativePath(step.paths[a], step.paths[b]).at(tau);
   const Polygon &of = step.shapes[a]->polygon, &about = step.shapes[b]->polygon;
@@ -44,8 +46,8 @@ double speed_bound(const Step& step, const ComponentPair& pair) {
                   RelativePath(step.paths[b], step.paths[a]).speed_bound(step.shapes[b]->radius));
 }
 
-// The first instant of a fine grid at which a pair is nearer than the separation; 2 if there is
-// none. Instants at which it cannot be are passed.
+// Returns the first instant of a fine grid at which a pair is nearer than the separation, or 2 if
+// the pair never is. Skips instants at which the pair is certainly apart.
 double first_instant(const Step& step, const ComponentPair& pair, double grid) {
   const double speed = speed_bound(step, pair);
   for (double tau = 0.0; tau <= 1.0;) {
@@ -74,7 +76,7 @@ void compare(const Step& step, Tally& tally) {
         if (contact.a == a && contact.b == b) contacts.push_back(contact);
       }
       if (instant > 1.0) {
-        // Never near at any instant: no contact, up to what lies between instants.
+        // The pair is not near at any instant: there is no contact, up to events between instants.
         ++tally.contact_free;
         if (!contacts.empty()) {
           const double least = distance(step, pair, first_time(contacts));
@@ -85,13 +87,13 @@ void compare(const Step& step, Tally& tally) {
       }
       ++tally.near;
       if (contacts.empty()) {
-        // It has come near and left: allowed where it ends apart.
+        // The pair has come near and left: the step is allowed if the pair is apart at the end.
         BOOST_TEST(end > separation - 1.01 * tolerance);
         ++tally.passed;
         continue;
       }
       ++tally.violated;
-      // The first contact is the first, up to vertices that come near and leave by themselves.
+      // The first contact is the first instant, up to vertices that come near and leave again.
       const double time = first_time(contacts);
       if (time > instant) {
         ++tally.later;
@@ -144,7 +146,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_missed_in_many_crowds_and_containers,
   compare_containers(6);
 }
 
-// What a step may do, its end does not regret: the independent test of the end agrees.
+// An admitted step ends apart, also by the independent test of the end.
 BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
   std::size_t admitted = 0, refused = 0;
   for (double travel : {0.02, 0.1, 0.5, 2.0}) {

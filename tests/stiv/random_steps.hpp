@@ -1,4 +1,4 @@
-// Crowds of circles, slender ellipses and stars, well apart, each on its way.
+// Crowds of circles, slender ellipses and stars, well apart, each body on its own path.
 #pragma once
 
 #include <numbers>
@@ -9,8 +9,8 @@
 
 namespace stokesbook::test {
 
-/// Components that are at least .05 apart at the start, the same in every run, with displacements
-/// and turns up to `travel`; in a container of a star's shape where one is asked for.
+/// Returns components that are at least 0.05 apart at the start, the same in every run, with
+/// displacements and turns up to `travel`, in a star-shaped container if `enclosed`.
 inline Step random_step(std::size_t count, unsigned seed, double travel, bool enclosed = false) {
   static const std::vector<std::shared_ptr<const ContactShape>> shapes{
       body(Circle{0.5}, 96), body(Ellipse{0.8, 0.08}, 160), body(Star{0.5, 0.3, 5}, 200),

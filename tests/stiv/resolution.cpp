@@ -1,6 +1,6 @@
-// Rows are what a solver needs: Newton's method in total multipliers, with a made-up mobility for
-// bodies that do not feel each other, makes violated steps admissible within few iterations, with
-// forces that balance and gaps closed where forces act.
+// Checks that rows suffice for a solver: Newton's method in total multipliers, with an invented
+// mobility for bodies without hydrodynamic interaction, makes violated steps admissible within few
+// iterations. The forces balance, and the gaps with forces are closed.
 #include <cmath>
 #include <map>
 
@@ -13,7 +13,7 @@ using namespace stokesbook::test;
 
 namespace {
 
-// Solves 0 <= b + N z, z >= 0, one of them 0, by projected Gauss-Seidel.
+// Solves the complementarity problem of b + N z >= 0 and z >= 0 by projected Gauss-Seidel.
 Eigen::VectorXd solve(const Eigen::MatrixXd& n, const Eigen::VectorXd& b) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());
   for (int sweep = 0; sweep < 3000; ++sweep) {
@@ -28,7 +28,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& n, const Eigen::VectorXd& b) {
   return z;
 }
 
-// A unit of force moves by 1, a unit of torque turns by 2; what encloses is held.
+// A unit force moves a body by 1, and a unit torque turns it by 2; enclosing walls are held.
 Eigen::VectorXd mobility(const Step& step) {
   Eigen::VectorXd diagonal(3 * static_cast<Eigen::Index>(step.shapes.size()));
   for (std::size_t k = 0; k < step.shapes.size(); ++k) {
@@ -87,7 +87,7 @@ struct Resolved {
   bool is_admitted = false;
 };
 
-// Violated rows stay for two more iterations: the deepest vertex of a flat contact wanders.
+// Violated rows stay for two more iterations, because the deepest vertex of a flat contact changes.
 Resolved resolve(const Step& start, const ContactRules& rules) {
   const Eigen::VectorXd free = motion(start), b_diagonal = mobility(start);
   Eigen::VectorXd u = free;
@@ -130,7 +130,7 @@ constexpr double separation = 0.05, tolerance = 1e-3 * separation;
 
 }  // namespace
 
-// Steps of up to ten separations, and half a radian.
+// The steps are up to ten separations and half a radian long.
 BOOST_AUTO_TEST_CASE(crowds_come_apart) {
   int steps = 0, iterations = 0, most = 0, failed = 0;
   for (double travel : {0.1, 0.2, 0.5}) {

@@ -1,5 +1,6 @@
-// Which rows stand for a contact: one where curves are curved, both ends where they are flat, one a
-// flank in a valley; what is near keeps a row; names last from one iteration to the next.
+// Checks the rows of a contact: a single row where curves are curved, both ends where curves are
+// flat, a row a flank in a valley; near pairs keep a row; row names last from one iteration to the
+// next.
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double delta = 0.02, tolerance = 1e-3 * delta;
 
-// One body above another, that comes down to a depth below the separation.
+// Places a body above another body, and lowers it to a depth below the separation.
 Interferences pressed(const Shape& below, const Shape& above, double between, double depth,
                       double tilt = 0.0, RowChoice rows = RowChoice::deepest) {
   const auto shape = [](const Shape& s) {
@@ -48,7 +49,7 @@ BOOST_AUTO_TEST_CASE(curved_contacts_have_one_row) {
 }
 
 // Parallel slender ellipses touch along a stretch that is nearly straight: the deepest row is in
-// its middle, and none is far from it.
+// the middle of the stretch, and all rows are near it.
 BOOST_AUTO_TEST_CASE(slender_ellipses_side_by_side) {
   for (double depth : {-0.01, 1e-3, 5e-3}) {
     const Interferences found = pressed(Ellipse{1.0, 0.1}, Ellipse{1.0, 0.1}, 0.2, depth);
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(slender_ellipses_side_by_side) {
   }
 }
 
-// Flat sides have a row at either end, which keep the body from rocking.
+// Flat sides have a row at either end, which prevents the body from rocking.
 BOOST_AUTO_TEST_CASE(flat_sides_are_held_at_both_ends) {
   const Superellipse brick{1.0, 0.5, 20};
   for (double depth : {-0.01, 1e-3, 5e-3}) {
@@ -79,15 +80,15 @@ BOOST_AUTO_TEST_CASE(flat_sides_are_held_at_both_ends) {
     BOOST_TEST(left < -0.4);
     BOOST_TEST(right > 0.5);
   }
-  // Tilted, it stands on one corner.
+  // The tilted body stands on one corner.
   const Interferences tilted = pressed(brick, brick, 1.04, 0.01, 0.05);
   BOOST_REQUIRE(tilted.contacts.size() == 1u);
   BOOST_TEST(tilted.contacts[0].rows.size() == 1u);
 }
 
-// The sawtooth of polygons with different edges is no contact of its own.
+// The sawtooth of polygons with different edges makes no additional rows.
 BOOST_AUTO_TEST_CASE(edges_of_polygons_make_no_rows) {
-  // A disk in a container that is hardly larger: the gap is nearly the same all around.
+  // A container is hardly larger than its disk: the gap is nearly the same all around.
   const double delta_wide = 0.1;
   const auto disk = body(Circle{1.0}, 61 * 2), wall = container(Circle{1.15}, 150);
   Step step;
@@ -111,14 +112,14 @@ BOOST_AUTO_TEST_CASE(choices_of_rows) {
   BOOST_TEST(deepest.volume == aggregate.volume);
   BOOST_REQUIRE(aggregate.rows.size() == 1u);
   BOOST_TEST(every.rows.size() > 6u);
-  // The deepest is the deepest of all.
+  // The deepest row is the deepest of all rows.
   double least = 0.0;
   for (const ContactRow& row : every.rows) {
     BOOST_TEST(row.gap < -tolerance);
     least = std::min(least, row.gap);
   }
   BOOST_TEST(least_gap({deepest}) == least);
-  // The aggregate is between, and balances like the others.
+  // The gap of the aggregate lies between, and its forces balance as well.
   const ContactRow& mean = aggregate.rows[0];
   BOOST_TEST(mean.gap > least);
   BOOST_TEST(mean.gap < 0.0);
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(choices_of_rows) {
   BOOST_TEST((mean.key == deepest.rows[0].key));
 }
 
-// A small change of the step leaves the names of most rows.
+// A small change of the step leaves the names of most rows unchanged.
 BOOST_AUTO_TEST_CASE(keys_last_between_iterations) {
   const auto at = [](double depth) {
     return keys(pressed(Circle{1.0}, Ellipse{0.6, 0.3}, 1.29, depth));
@@ -135,15 +136,15 @@ BOOST_AUTO_TEST_CASE(keys_last_between_iterations) {
   BOOST_TEST(at(0.01).size() == 1u);
   BOOST_TEST((at(0.01) == at(0.010001)));
   BOOST_TEST((at(0.01) == at(0.002)));
-  // A row does not drop out where the contact is resolved.
+  // A row stays where the contact is resolved.
   BOOST_TEST(at(-1e-6).size() == 1u);
 }
 
-// Two stars, a tip of the one in a valley of the other: flanks are contacts of their own.
+// A tip of a star lies in a valley of another star: each flank is a contact of its own.
 BOOST_AUTO_TEST_CASE(a_tip_in_a_valley) {
   const auto wide = body(Star{1.0, 0.45, 3}, 800), blunt = body(Star{0.5, 0.05, 3}, 300);
   const Complex valley = std::polar(1.0, std::numbers::pi / 3.0);
-  // A tip is turned towards the valley.
+  // Turns a tip towards the valley.
   const auto pose = [&](double away) {
     return Pose{away * valley, std::numbers::pi / 3.0 + std::numbers::pi};
   };
@@ -162,12 +163,12 @@ BOOST_AUTO_TEST_CASE(a_tip_in_a_valley) {
   for (const Contact& contact : contacts) {
     for (const ContactRow& row : contact.rows) sum += row.normal * std::conj(valley);
   }
-  // Flanks push evenly: the tip is pushed out along the valley.
+  // The flanks push evenly: the tip is pushed out along the valley.
   BOOST_TEST(std::abs(sum.imag()) < 0.05 * std::abs(sum));
-  BOOST_TEST(sum.real() < 0.0);  // the normal is that on the first component
+  BOOST_TEST(sum.real() < 0.0);  // the normal is the one on the first component
 }
 
-// Pairs may be allowed to come closer than the others.
+// A pair may have a smaller separation than the others.
 BOOST_AUTO_TEST_CASE(a_separation_of_one_pair) {
   const auto circle = body(Circle{0.5}, 128);
   Step step;
@@ -184,11 +185,11 @@ BOOST_AUTO_TEST_CASE(a_separation_of_one_pair) {
   BOOST_TEST((violated_pairs({0.02}) == std::set<ComponentPair>{{0, 1}, {1, 2}}));
   BOOST_TEST((violated_pairs({0.02, {{{0, 1}, 0.01}}}) == std::set<ComponentPair>{{1, 2}}));
   BOOST_TEST((violated_pairs({0.02, {{{1, 2}, 0.01}}}) == std::set<ComponentPair>{{0, 1}}));
-  // A pair's own separation cannot widen it.
+  // A pair's own separation cannot be wider than the separation of all.
   BOOST_TEST((violated_pairs({0.01, {{{1, 2}, 0.02}}}).empty()));
 }
 
-// Contacts of the polygon of a disk with a copy of it, by the gaps of vertices from number 4 on.
+// Returns contacts of a disk's polygon with its copy, from the gaps of vertices from number 4 on.
 std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
   const auto coarse = body(Circle{1.0}, 32);
   BOOST_TEST(coarse->sag > 4.0 * tolerance);
@@ -202,7 +203,7 @@ std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
                             RowChoice::deepest);
 }
 
-// Two violations with less than a sag between their depths: one minimum, but a row for each.
+// The depths of two violations differ by less than a sag: there is one minimum, but a row for each.
 BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
   const std::vector<Contact> contacts = contacts_by_gaps({-3 * tolerance, 0.0, -2 * tolerance});
   BOOST_REQUIRE(contacts.size() == 2u);
@@ -212,7 +213,7 @@ BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
   }
 }
 
-// The same where the first is flat: the end of its support is all that the second has.
+// The first contact is flat, and the end of its support is the second contact's only row.
 BOOST_AUTO_TEST_CASE(contacts_share_no_row) {
   const double t = tolerance;
   const std::vector<Contact> contacts =

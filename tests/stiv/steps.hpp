@@ -1,4 +1,4 @@
-// Steps of a few components, and what is asked of their contacts.
+// Steps of a few components, and functions of their contacts.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ inline std::vector<Contact> violated(const Interferences& found) {
   return contacts;
 }
 
-/// The earliest first contact; infinite without any.
+/// Returns the earliest first contact, or infinity without contacts.
 inline double first_time(const std::vector<Contact>& contacts) {
   double time = INFINITY;
   for (const Contact& contact : contacts) {

@@ -1,5 +1,6 @@
-// Free bodies in linear flows: stresslets and surface stress against closed forms and reference
-// numbers, the field's equations by finite differences, jumps across the boundary.
+// Checks free bodies in linear flows: stresslets (07.14), (07.15) and surface stress against closed
+// forms and reference numbers, the field's equations by finite differences, and jumps across the
+// boundary (07.9).
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -28,7 +29,7 @@ SolvedFlow in_linear_flow(std::vector<Component> bodies, double mu, const FlowDe
   return test::solve_flow(problem);
 }
 
-// Derivatives of the whole flow.
+// Returns the derivatives of the whole flow, which is the disturbance plus the linear flow.
 std::vector<FlowDerivatives> whole(const SolvedFlow& flow, const FlowDerivatives& linear,
                                    const ComplexVector& targets) {
   std::vector<FlowDerivatives> result = flow.derivatives(targets);
@@ -36,7 +37,7 @@ std::vector<FlowDerivatives> whole(const SolvedFlow& flow, const FlowDerivatives
   return result;
 }
 
-// Stresslet of the first body by its density; by its traction it must be the same.
+// Returns the first body's stresslet by the density (07.14), and checks it against the traction's.
 Complex first_stresslet(const SolvedFlow& flow, const FlowDerivatives& linear) {
   const StokesProblem& problem = flow.problem();
   const Component& body = problem.components[0];
@@ -77,7 +78,8 @@ BOOST_AUTO_TEST_CASE(ellipse_C3_and_its_surface_NF) {
   BOOST_TEST(std::abs(traction[0] - Complex{-1.749118284612, -2.063755827537}) < 1e-11);
   BOOST_TEST(std::abs(at_nodes[32].pressure - 1.262206477212) < 1e-11);
   BOOST_TEST(std::abs(at_nodes[32].vorticity + 1.648362767042) < 1e-11);
-  // On a rigid surface that turns with Omega the traction is -p n + mu (w - 2 Omega) t.
+  // On a rigid surface that turns with Omega the traction is -p n + mu (w - 2 Omega) t (07.5),
+  // (07.8).
   const double omega = flow.completion().motions[0].omega;
   const ComplexVector normal = normals(problem.components[0].curve);
   for (std::size_t j = 0; j < at_nodes.size(); ++j) {
@@ -110,7 +112,7 @@ BOOST_AUTO_TEST_CASE(pairs_of_circles_N3) {
                       16.8631930688144) < 1e-11);
 }
 
-// Loads add a force and a torque, but nothing to the symmetric dipole about their centre.
+// A load adds a force and a torque, but nothing to the symmetric dipole about the body's centre.
 BOOST_AUTO_TEST_CASE(loads_do_not_enter_the_stresslet) {
   const auto found = [](const Load& load) {
     return first_stresslet(
@@ -120,10 +122,10 @@ BOOST_AUTO_TEST_CASE(loads_do_not_enter_the_stresslet) {
         unit_shear);
   };
   const Complex loaded = found({{2.0, 1.0}, 0.7});
-  BOOST_TEST(std::abs(loaded - found({})) > 0.01);  // through the other body only, yet consistent
+  BOOST_TEST(std::abs(loaded - found({})) > 0.01);  // the other body's flow changes both results
 }
 
-// The momentum equation, incompressibility, and the gradient of the velocity, between two bodies.
+// Checks the momentum equation, incompressibility, and the velocity gradient between two bodies.
 BOOST_AUTO_TEST_CASE(equations_by_finite_differences) {
   const double mu = 1.3;
   const SolvedFlow flow =
@@ -155,9 +157,9 @@ BOOST_AUTO_TEST_CASE(equations_by_finite_differences) {
   }
 }
 
-// [p] = -2 mu t.eta_s, [q] = 2 (t.eta_s) t^2, [w] = -2 n.eta_s from the fluid to the other side,
-// and no jump of the traction. A curve seen from the other side has the opposite normal, which
-// turns the sign of its double layer.
+// The jumps from the fluid to the other side are [p] = -2 mu t.eta_s, [q] = 2 (t.eta_s) t^2 and [w]
+// = -2 n.eta_s, and the traction has no jump (07.9). A curve with the fluid on its other side has
+// the opposite normal, so its double layer has the opposite sign.
 BOOST_AUTO_TEST_CASE(jumps_across_the_boundary) {
   Curve curve = sample(test::lopsided_curve(), 192, Side::fluid_outside);
   const ComplexVector density =

@@ -1,5 +1,5 @@
-// What the boundary puts in, by tractions and by motions and loads, and what the fluid dissipates:
-// three numbers that must agree, and closed forms.
+// Checks that three numbers agree (07.11): the power of the tractions on the boundary, the power of
+// motions and loads, and the fluid's dissipation. Compares the numbers with closed forms.
 #include "stress/dissipation.hpp"
 
 #include <cmath>
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annulus) {
   BOOST_TEST(std::abs(d.by_loads - exact) < 1e-12 * exact);
 }
 
-// Free bodies with loads and a held one in a container whose wall deforms.
+// Free bodies with loads and a held body lie in a container whose wall deforms.
 BOOST_AUTO_TEST_CASE(several_bodies_in_a_deforming_container) {
   Component wall = test::enclosing_wall(Ellipse{4.0, 3.0}, 160, {});
   wall.velocity = 0.5 * wall.curve.x.conjugate() + (0.3 * imaginary) * wall.curve.x;
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(several_bodies_in_a_deforming_container) {
   BOOST_TEST(d.by_loads > 0.0);
 }
 
-// Unbounded: bodies whose forces balance do the work that the fluid dissipates.
+// In an unbounded fluid, bodies whose forces balance do the work that the fluid dissipates.
 BOOST_AUTO_TEST_CASE(bodies_in_an_unbounded_fluid) {
   const StokesProblem problem{
       {test::free_body(Ellipse{1.0, 0.5}, 160, {{-1.3, 0.3}, 0.7}, {{1.0, -2.0}, 0.5}),

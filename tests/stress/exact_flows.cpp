@@ -1,5 +1,5 @@
-// The flow of a solved problem whose walls move as an exact flow does: velocity, stress and
-// traction anywhere, at any distance from the boundary, and on its nodes.
+// Checks a solved problem whose walls move as an exact flow does: velocity, stress and traction
+// anywhere, at any distance from the boundary, and on the nodes.
 #include "support/exact_flows.hpp"
 
 #include <cmath>
@@ -17,8 +17,8 @@ using test::ExactFlow;
 
 namespace {
 
-// A star in an elliptic container, both of which move as the flow does; the poles lie in the star
-// and beyond the wall.
+// A star lies in an elliptic container, and both move with the flow. The poles lie in the star and
+// beyond the wall.
 const Pose star{{0.4, -0.3}, 0.6};
 const ExactFlow known_flow{{{star.position + Complex{0.05, 0.1}, {0.3, -0.2}, 0.4},
                             {{3.5, 2.5}, {0.5, 0.8}, -0.6},
@@ -37,8 +37,8 @@ struct Errors {
   double velocity = 0.0, derivatives = 0.0;
 };
 
-// Largest errors relative to the largest values on the boundary; of the pressure, whose datum is
-// free, that of differences.
+// Returns the largest errors relative to the largest values on the boundary. The pressure has a
+// free constant, so its error is that of differences.
 Errors errors_at(const SolvedFlow& solved, const ComplexVector& targets) {
   const std::vector<FlowDerivatives> found = solved.derivatives(targets);
   const ComplexVector velocity = solved.velocity(targets);
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(traction_on_the_boundary) {
         ++first;
       }
     }
-    // The free datum of the pressure is the same on all components.
+    // The free constant of the pressure is the same on all components.
     const Complex datum = (traction[0] - exact[0]) / normal[0];
     BOOST_TEST(std::abs(datum.imag()) < 1e-10 * test::largest(exact));
     BOOST_TEST(test::largest(traction - exact - datum.real() * normal) <

@@ -1,5 +1,5 @@
-// The quadrature over the fluid: areas, moments and functions with poles in the bodies, against
-// boundary integrals.
+// Checks the quadrature over the fluid (07.12), (07.13): areas, moments and functions with poles in
+// the bodies, against boundary integrals.
 #include "stress/fluid_quadrature.hpp"
 
 #include <cmath>
@@ -41,7 +41,7 @@ std::vector<Case> cases(double scale = 1.0) {
            {scale * Complex{-1.4, 0.3}, scale * Complex{1.5, -0.2}}}};
 }
 
-// The strips are narrow: the body has a hollow.
+// The body has a hollow, so the strips are narrow.
 Case lopsided_body() {
   const Complex centre{1.6, -0.2};
   return {"lopsided body",
@@ -50,7 +50,7 @@ Case lopsided_body() {
           {centre}};
 }
 
-// An analytic function of the fluid and its derivative.
+// A function that is analytic in the fluid, and its derivative.
 struct Analytic {
   std::vector<Complex> poles;  // of order 1
   int power = 0;
@@ -67,7 +67,7 @@ struct Analytic {
   }
 };
 
-// The integral of |f'|^2 over the fluid, by the rule and by Green's theorem.
+// Integrates |f'|^2 over the fluid, here by the rule, and below by Green's theorem.
 double by_rule(const FluidQuadrature& rule, const Analytic& f) {
   double sum = 0.0;
   for (Index i = 0; i < rule.points.size(); ++i) {
@@ -96,7 +96,7 @@ void check_area(const FluidQuadrature& rule, const std::vector<Curve>& curves) {
   BOOST_TEST(rule.weights.minCoeff() > 0.0);
 }
 
-// Measured up to 2e-13 with 18 points a width.
+// The measured errors are up to 2e-13 with 18 points a width.
 void check_integrals(const Case& c) {
   const FluidQuadrature rule = fluid_quadrature(c.curves);
   BOOST_TEST_CONTEXT(c.name) {
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(areas_polynomials_and_poles_around_a_hollow,
   check_integrals(lopsided_body());
 }
 
-// A grid that is too coarse shows: the error falls with the spacing.
+// The error falls with the spacing, so that a grid that is too coarse is visible.
 BOOST_AUTO_TEST_CASE(converges_with_the_grid) {
   const Case c = cases()[1];
   const Analytic f{c.poles, 3};

@@ -1,5 +1,5 @@
-// Stresses turn with the whole configuration, do not see where it is, and scale with the units of
-// length, time and viscosity.
+// Checks that stresses turn with the whole configuration, do not depend on its place, and scale
+// with the units of length, time and viscosity.
 #include <cmath>
 #include <vector>
 
@@ -16,7 +16,7 @@ using Eigen::Index;
 
 namespace {
 
-// How a configuration differs from the one in the plane's own units.
+// The map of a configuration to another place, direction, unit of length, speed and viscosity.
 struct Change {
   Complex shift{};
   double turn = 0.0, length = 1.0, speed = 1.0, viscosity = 1.0;
@@ -25,7 +25,7 @@ struct Change {
   Complex point(Complex z) const { return length * (direction() * z + shift); }
 };
 
-// Two bodies and a deforming wall, all of it changed.
+// Solves for two bodies and a deforming wall after the change.
 SolvedFlow changed(const Change& change) {
   const auto pose = [&](Complex position, double orientation) {
     return Pose{change.point(position), orientation + change.turn};

@@ -1,5 +1,5 @@
-// Stress, traction, velocity gradient and dissipation of the derivatives at a point, against finite
-// differences of exact flows.
+// Checks stress, traction, velocity gradient and dissipation (07.5) from the derivatives at a
+// point, against finite differences of exact flows.
 #include <cmath>
 
 #include <boost/test/unit_test.hpp>
@@ -23,9 +23,9 @@ Complex velocity(Complex z) {
 }
 
 constexpr Complex point{1.1, -0.7};
-constexpr double accuracy = 1e-10;  // of the differences
+constexpr double accuracy = 1e-10;  // of the finite differences
 
-// Force of the material towards which n points, a unit of length.
+// Returns the force per length that the material on the side of n exerts.
 Complex applied(const Stress& s, Complex n) {
   return {s.s11 * n.real() + s.s12 * n.imag(), s.s12 * n.real() + s.s22 * n.imag()};
 }
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(stress_and_traction) {
   BOOST_TEST(std::abs(applied(stress(there, mu), n) - expected) < accuracy);
 }
 
-// Twice mu times the sum of squares of the rate of strain; the principal shear stress.
+// Checks 2 mu e:e, and the principal shear stress against the largest shear over all directions.
 BOOST_AUTO_TEST_CASE(dissipation_and_largest_shear_stress) {
   const double mu = 1.3;
   const VelocityGradient g = velocity_gradient(at(point));

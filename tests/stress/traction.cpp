@@ -1,6 +1,6 @@
-// Tractions integrate to forces and torques, those given and those solved for, whatever the
-// viscosity and the unit of length; tractions of disks and pressures between
-// circles in closed form.
+// Checks that tractions integrate to forces and torques, both given and solved, at any viscosity
+// and unit of length. Compares the tractions of disks and the pressure between circles with closed
+// forms.
 #include "stress/traction.hpp"
 
 #include <cmath>
@@ -18,8 +18,8 @@ using std::numbers::pi;
 
 namespace {
 
-// Largest difference of integrated and given loads relative to the largest load; torques over a
-// length.
+// Returns the largest difference of integrated and given loads relative to the largest load, with
+// torques divided by a length.
 double load_error(const SolvedFlow& flow, double length) {
   const StokesProblem& problem = flow.problem();
   const std::vector<Load> found =
@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(one_body_in_an_unbounded_fluid) {
   }
 }
 
-// A disk pulled by F has the traction F / (2 pi a) everywhere; turned by L, L x^perp / (2 pi a^3).
+// The traction of a disk is F / (2 pi a) under a force F, and L x^perp / (2 pi a^3) under a torque
+// L.
 BOOST_AUTO_TEST_CASE(pulled_and_turned_disk) {
   for (double radius : {0.7, 1e-3, 1e3}) {
     const Load load{{1.0, 0.5}, 0.7 * radius};
@@ -75,7 +76,8 @@ BOOST_AUTO_TEST_CASE(close_bodies_in_a_container) {
   }
 }
 
-// No wall, fixed bodies among free ones: a uniform velocity at infinity balances the forces.
+// Held bodies move among free bodies without a wall: a uniform velocity at infinity balances
+// forces.
 BOOST_AUTO_TEST_CASE(held_and_free_bodies_in_an_unbounded_fluid) {
   const StokesProblem problem{
       {test::held_body(Ellipse{1.0, 0.7}, 160, {{-1.3, 0.0}, 0.3}, {{1.0, 0.0}, 0.5}),
@@ -94,7 +96,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annulus_C7) {
   BOOST_TEST(test::distance(loads[0], {-13.83366424161095, 20.023919863023254}) < 1e-11);
 }
 
-// Couette: u = A r + B / r with the pressure the same everywhere.
+// The Couette flow u = A r + B / r has a constant pressure.
 BOOST_AUTO_TEST_CASE(couette_pressure) {
   const StokesProblem problem{{test::held_body(Circle{1.0}, 96, {}, {0.0, 0.4}),
                                test::enclosing_wall(Circle{2.5}, 96, {}, {0.0, -0.7})},

@@ -1,4 +1,4 @@
-// Verdicts on synthetic errors, of known order, rate and floor.
+// Checks the verdicts on synthetic errors of known order, rate and floor.
 
 #include <limits>
 #include <random>
@@ -113,7 +113,8 @@ BOOST_AUTO_TEST_CASE(superalgebraic_grows) {
   BOOST_TEST(outcome(Superalgebraic{60.0}, doubling(4, exponential(0.2))) == Outcome::fails);
   const auto settling = [](double x) { return std::pow(x, -8.0) + 1e-6 * std::pow(x, -2.0); };
   BOOST_TEST(outcome(Superalgebraic{1.0}, doubling(8, settling)) == Outcome::fails);
-  // Beside an error of zero there is no order, and what falls on both of its sides proves nothing.
+  // An error of zero has no order, and errors before and after a zero prove nothing about the
+  // order.
   std::vector<Measurement> with_zero = doubling(5, exponential(0.2));
   const double errors[] = {1e-2, 1e-12, 0.0, 1e-13, 1e-16};
   for (std::size_t k = 0; k < with_zero.size(); ++k) with_zero[k].error = errors[k];

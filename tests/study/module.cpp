@@ -1,3 +1,3 @@
-// The test module of the study harness.
+// Defines the test module of the study harness.
 #define BOOST_TEST_MODULE study
 #include <boost/test/unit_test.hpp>

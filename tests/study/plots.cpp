@@ -1,4 +1,4 @@
-// Figures: what is drawn where.
+// Checks which elements a figure contains, and where they are.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ Plot decay(std::vector<PlotPoint> points) {
       .title = "decay", .x_label = "N", .y_label = "error", .lines = {{"a", std::move(points)}}};
 }
 
-// Returns where labels of an anchor stand, those of ticks: x for "middle", y for "end".
+// Returns the places of the ticks' labels with an anchor: x for "middle", y for "end".
 std::vector<double> places_of_ticks(const std::string& svg, const std::string& anchor) {
   const std::regex label("<text x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"[^>]*text-anchor=\"" + anchor +
                          "\"[^>]*>[0-9]");
@@ -60,7 +60,7 @@ std::vector<double> corners_of_marker(const std::string& svg, int line) {
 BOOST_AUTO_TEST_SUITE(plots)
 
 BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
-  // One marker more in the legend.
+  // The legend contains one more marker.
   const std::string svg = draw_plot(decay({{8, 1e-1}, {16, 1e-2}, {32, 1e-3, true}}));
   BOOST_TEST(count(svg, "a3.6 3.6 0 1 0 7.2 0") == 4);
   BOOST_TEST(count(svg, "fill=\"none\" d=\"M") >= 1);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(markers_of_the_first_lines_are_regular_polygons) {
       longest = std::max(longest, side);
     }
     BOOST_TEST(shortest > 1.0);
-    BOOST_TEST(longest - shortest < 0.03);  // of coordinates with two decimals
+    BOOST_TEST(longest - shortest < 0.03);  // coordinates have two decimals
   }
 }
 
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(points_stay_clear_of_the_frame) {
     for (std::sregex_iterator at(svg.begin(), svg.end(), marker), end; at != end; ++at) {
       centres.push_back(std::stod((*at)[1]) + 3.6);
     }
-    BOOST_REQUIRE(centres.size() == 4u);  // one in the legend
+    BOOST_REQUIRE(centres.size() == 4u);  // one marker is in the legend
     BOOST_TEST(centres[0] > std::stod(edges[1]) + 5.0);
     BOOST_TEST(centres[2] < std::stod(edges[3]) - 5.0);
   }
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   BOOST_TEST(corners[5].str() == corners[1].str());
   BOOST_TEST(corners[6].str() == corners[4].str());
 
-  // Order 0 is a level, not a slope.
+  // A line of order 0 is a level, not a slope.
   Line& line = study.experiments[0].lines[0];
   line.claim->law = Algebraic{0.0};
   const StudyResult steep = run(study, Size::quick, progress);

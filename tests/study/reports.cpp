@@ -1,4 +1,4 @@
-// What a study writes: tables, CSV, JSON and the numbers of the chapters.
+// Checks the output of a study: tables, CSV, JSON and the numbers of the chapters.
 
 #include <regex>
 #include <set>

@@ -1,4 +1,4 @@
-// A study as a whole: claims, controls, and what makes one invalid.
+// Checks a study as a whole: claims, controls, and reasons that make a study invalid.
 
 #include <sstream>
 #include <stdexcept>

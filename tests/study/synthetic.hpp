@@ -7,7 +7,7 @@
 
 namespace stokesbook::test {
 
-/// Measurements e(x) at 8, 16, ..., 8 * 2^(n-1).
+/// Returns measurements e(x) at 8, 16, ..., 8 * 2^(n-1).
 template <class Error>
 std::vector<study::Measurement> doubling(int n, const Error& error) {
   std::vector<study::Measurement> measurements;
@@ -18,7 +18,7 @@ std::vector<study::Measurement> doubling(int n, const Error& error) {
   return measurements;
 }
 
-/// Measurements e(x) at x = first, first + step, ...
+/// Returns measurements e(x) at x = first, first + step, ...
 template <class Error>
 std::vector<study::Measurement> stepping(double first, double step, int n, const Error& error) {
   std::vector<study::Measurement> measurements;
@@ -33,7 +33,7 @@ inline study::Claim claim_of(const study::Law& law, const study::Window& window 
   return {.id = "99_1", .statement = "a < b & c", .law = law, .window = window, .reason = "none"};
 }
 
-/// A study with one experiment of one claim, whose control errs by a factor x.
+/// Returns a study with an experiment of a single claim, whose control errs by a factor x.
 inline study::Study sample_study() {
   using namespace study;
   const auto second_order = [](Size) {

@@ -1,5 +1,6 @@
-// Methods that adapt their steps reach the tolerance that is asked, and not much more, on a Jeffery
-// orbit and on two circles that pass each other; where the flow contracts, errors die out.
+// Tests methods with adaptive steps (chapter 09): they reach the tolerance, and not a much smaller
+// error, on a Jeffery orbit and on two circles that pass each other. Where the flow contracts,
+// errors decay.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ Scene passing_circles() {
   return scene;
 }
 
-// Largest error of the angle at the ends of all steps.
+// Returns the largest error of the angle at the ends of all steps.
 double jeffery_error(SteppingMethod method, double tolerance) {
   double error = 0.0;
   for (const Frame& frame : frames_of(adapted(jeffery(), method, tolerance))) {
@@ -50,7 +51,7 @@ double jeffery_error(SteppingMethod method, double tolerance) {
   return error;
 }
 
-// Largest difference of positions and angles; the radius is 1.
+// Returns the largest difference of positions and angles of bodies of radius 1.
 double difference(const std::vector<Frame>& frames, const std::vector<Frame>& others) {
   double largest = 0.0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -68,7 +69,7 @@ double difference(const std::vector<Frame>& frames, const std::vector<Frame>& ot
 void check_error(double error, SteppingMethod method, double tolerance) {
   BOOST_TEST_CONTEXT("method " << static_cast<int>(method) << ", tolerance " << tolerance) {
     BOOST_TEST(error < 10.0 * tolerance);
-    // The estimate of the largest pair is pessimistic.
+    // The error estimate of the pair of the highest order is pessimistic.
     BOOST_TEST(error > (method == prince_dormand87 ? 0.02 : 0.1) * tolerance);
   }
 }
@@ -102,7 +103,7 @@ BOOST_AUTO_TEST_CASE(circles_that_pass_each_other_are_as_accurate_as_asked) {
 }
 
 BOOST_AUTO_TEST_CASE(circles_that_approach_each_other_are_better_than_asked) {
-  // The flow contracts: D(t) forgets early errors as D' = O(gap) does.
+  // The flow contracts: D' = O(gap), so D(t) forgets early errors.
   for (const SteppingMethod method : {bogacki_shampine32, dormand_prince54, prince_dormand87}) {
     Scene scene;
     scene.flow = ExtensionalFlow{-1.0};
@@ -137,7 +138,8 @@ BOOST_AUTO_TEST_CASE(the_least_step_is_a_millionth_of_the_longest_that_may_be) {
 }
 
 BOOST_AUTO_TEST_CASE(units_of_length_and_time_do_not_matter) {
-  // Millimetres and minutes instead of metres and seconds, in powers of two.
+  // Lengths are in millimetres and times in minutes instead of metres and seconds, approximated by
+  // powers of two.
   const auto ends_of = [](double length, double time) {
     Scene scene = passing_circles();
     scene.flow = ShearFlow{1.0 / time};

@@ -1,5 +1,5 @@
-// Automatic node counts meet the tolerance, depend on the configuration alone, leave given counts
-// as they are, and stop with what would be needed where they cannot do.
+// Tests automatic numbers of nodes: they meet the tolerance, depend on the configuration alone and
+// keep given numbers. If no number suffices, the error message contains the number needed.
 
 #include "scenes.hpp"
 #include "support/closed_forms.hpp"
@@ -16,7 +16,8 @@ Scene automatic_pair(double gap, double tolerance) {
   return pair;
 }
 
-// A slender loaded body asks for more than its shape does: the Stokeslet inside is close.
+// A slender loaded body requires more nodes than its shape does, since the Stokeslet inside is
+// close to the boundary.
 Scene slender_beside_circle(int nodes_of_the_slender, int nodes_of_the_circle) {
   Scene both = with_gauge(scene({body(Ellipse{1, 0.25}, nodes_of_the_slender, {}, 0.3, {1.0, 0.2}),
                                  body(Circle{0.5}, nodes_of_the_circle, {0.2, 2.0})}),
@@ -55,7 +56,7 @@ BOOST_AUTO_TEST_CASE(nodes_are_raised_where_the_tail_asks_for_them) {
   const std::vector<int> nodes = nodes_of(solved.solution);
   BOOST_TEST(nodes[0] > first[0].n_nodes);
   BOOST_TEST(nodes[0] > nodes[1]);
-  // All attempts count.
+  // The cost includes all attempts.
   BOOST_TEST(solved.solution.cost.gmres_iterations > solved.solution.gmres.iterations);
 }
 
@@ -65,7 +66,7 @@ BOOST_AUTO_TEST_CASE(given_counts_stay) {
   check_refused(slender_beside_circle(32, automatic_nodes), {"body 0", "32 nodes", "n_nodes"});
 }
 
-// What a solver did before does not matter.
+// The nodes do not depend on earlier solves of the same solver.
 BOOST_AUTO_TEST_CASE(nodes_depend_on_the_configuration_alone) {
   const Scene scene = slender_beside_circle(automatic_nodes, automatic_nodes);
   const SuspensionSolver experienced(scene), fresh(scene);
@@ -79,7 +80,7 @@ BOOST_AUTO_TEST_CASE(nodes_depend_on_the_configuration_alone) {
   BOOST_TEST((again.density == first.density));
 }
 
-// Inner stages of a step have at least the nodes of its first solve.
+// Inner stages of a step have at least the nodes of the first solve of the step.
 BOOST_AUTO_TEST_CASE(nearby_solves_keep_the_nodes) {
   const Solved solved(slender_beside_circle(automatic_nodes, automatic_nodes));
   Instant moved = solved.solver.start();
@@ -115,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_cache_drops_the_shapes_that_were_not_used_lately) {
     BOOST_TEST(cache.size() <= 3u);
   }
   const auto latest = cache.get(Circle{1}, {98}, ComponentKind::free_body);
-  cache.get(Circle{1}, {94}, ComponentKind::free_body);  // used now, so that 96 goes first
+  cache.get(Circle{1}, {94}, ComponentKind::free_body);  // used now, so that 96 is dropped first
   cache.get(Circle{1}, {34}, ComponentKind::free_body);
   BOOST_TEST((cache.get(Circle{1}, {98}, ComponentKind::free_body) == latest));
   const auto anew = cache.get(Circle{1}, {32}, ComponentKind::free_body);

@@ -1,4 +1,4 @@
-// Every background flow is the formula of the scene format, and none has divergence.
+// Tests that every background flow has the formula of the scene format and no divergence.
 
 #include "suspension/bodies/background_flow.hpp"
 

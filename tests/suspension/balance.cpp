@@ -1,5 +1,5 @@
-// Loads measured in the flow itself, by averages of the velocity over circles: every body feels the
-// load that was given, held bodies and walls the one that is reported, and the outer wall takes up
+// Tests loads that are measured in the flow itself, by averages of the velocity over circles: every
+// body has the given load, held bodies and walls have the reported one, and the outer wall carries
 // the sum of all.
 
 #include "circle_averages.hpp"
@@ -8,8 +8,8 @@
 namespace stokesbook::test {
 namespace {
 
-// A pushed star, a held ellipse, an inner wall that turns, a free lopsided body; far enough apart
-// for circles in between.
+// Returns a pushed star, a held ellipse, an inner wall that turns and a free lopsided body, far
+// enough apart for circles between them.
 Scene crowd() {
   return scene({body(Star{0.6, 0.15, 5}, 192, {-1.9, 0.8}, 0.4, {{0.7, -1.1}, 0.4}),
                 held_body(Ellipse{0.7, 0.4}, 128, {0.4, 1.8}, 0.9, {{0.3, 0.2}, -0.6}),
@@ -17,7 +17,8 @@ Scene crowd() {
                {}, {inner_wall(Superellipse{0.5, 0.6, 4}, 160, RotatingWall{0.8}, {-0.4, -1.7})});
 }
 
-// About component k, from its outermost point to its nearest neighbour's.
+// Measures the load of component k on circles between its outermost point and the nearest point of
+// the other components.
 Enclosed around(const Solved& solved, std::size_t k) {
   const StokesProblem problem =
       solved.solver.problem(solved.solution.instant, solved.solution.discretisation);
@@ -61,15 +62,15 @@ BOOST_AUTO_TEST_CASE(loads_in_a_container) {
   for (const Units& units : two_units) {
     const Solved solved(in_units(cell, units));
     for (std::size_t k = 0; k < 4; ++k) check_load(around(solved, k), solved.load(k), units);
-    // Just inside the outer wall, a circle encloses what the wall holds.
+    // A circle just inside the outer wall encloses the opposite of the load of the wall.
     const Load wall = solved.load(4);
     check_load(enclosed_by(solved, 0.0, 3.0 * units.length, 3.55 * units.length),
                {-wall.force, -wall.torque}, units);
   }
 }
 
-// Given loads are what the flow shows, also where bodies nearly touch and only both together fit
-// into a circle.
+// The flow has the given loads also if the bodies nearly touch, and a circle can only enclose both
+// of them.
 BOOST_AUTO_TEST_CASE(sum_of_close_loads) {
   Scene pair = scene({body(Circle{0.7}, 0, -0.705, 0.0, {{1.0, 0.4}, 0.3}),
                       body(Ellipse{0.7, 0.4}, 0, 0.705, 0.0, {{-0.2, 0.5}, -0.9})});

@@ -9,13 +9,13 @@
 
 namespace stokesbook::test {
 
-/// What the velocity on circles about a centre says about what they enclose.
+/// Load and flux inside of circles about a centre, measured from the velocity on these circles.
 ///
 /// Averages over a circle of radius r are exact for every Stokes flow in an annulus:
 /// <u> = c - F log(r) / (4 pi mu) + d r^2, <u_theta> = A r + L / (4 pi mu r), <u_r> = Q / (2 pi r),
-/// with the force F, the torque L about the centre and the flux Q of what lies within. No
-/// derivative, no pressure, no density is needed, so this is independent of how a solver finds
-/// loads.
+/// with the force F, the torque L about the centre and the flux Q inside the circle. The averages
+/// require no derivative, pressure or density, so the measurement does not depend on how a solver
+/// computes loads.
 struct Enclosed {
   Load load;
   double flux = 0.0;
@@ -39,7 +39,8 @@ inline CircleAverage circle_average(const Solved& solved, Complex centre, double
   return {velocity.mean(), polar.imag(), polar.real()};
 }
 
-/// Measures between two radii of an annulus that must be in the fluid.
+/// Measures load and flux from circles in an annulus between two radii, which must lie in the
+/// fluid.
 inline Enclosed enclosed_by(const Solved& solved, Complex centre, double inner, double outer) {
   const std::array radii{inner, std::cbrt(inner * inner * outer), std::cbrt(inner * outer * outer),
                          outer};

@@ -1,4 +1,5 @@
-// Clusters of neighbours: the counts of nearly touching bodies, and the same solutions as without.
+// Tests the cluster preconditioner: iteration counts of nearly touching bodies, and solutions equal
+// to those without it.
 
 #include "suspension/system/clusters.hpp"
 
@@ -24,7 +25,8 @@ int iterations_by_clusters(const Scene& scene) {
   return iterations(with_preconditioner(scene, PreconditionerKind::clusters));
 }
 
-// A free disk, a held one and an inner wall, all nearly touching, perhaps in a container.
+// Returns an ellipse, a held disk, a free disk and an inner wall, all nearly touching, with further
+// walls.
 Scene mixed(const std::vector<Wall>& walls) {
   std::vector<Wall> all = walls;
   all.push_back(inner_wall(Circle{1.0}, automatic_nodes, RotatingWall{0.5}, {-1.0, 1.83}));
@@ -86,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
   const Eigen::VectorXd sum = discrete.precondition(2.0 * v - 3.0 * w),
                         terms = 2.0 * discrete.precondition(v) - 3.0 * discrete.precondition(w);
   BOOST_TEST((sum - terms).norm() < 1e-8 * terms.norm());
-  // The operator takes a rigid motion of one body to its negative, and nothing to the others.
+  // The operator maps a rigid motion of one body to its negative, and to zero on the other bodies.
   ComplexVector motion = ComplexVector::Zero(n / 2);
   const Component& component = discrete.problem.components[2];
   motion.segment(discrete.system.offsets()[2], component.curve.size()) =
@@ -174,7 +176,7 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
-  BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == none));  // too many nodes for the one, gaps too wide
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == none));  // too many nodes, too wide gaps
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));

@@ -1,5 +1,5 @@
-// Contact in the suspension: bodies that a flow or loads drive together stay apart, forces balance,
-// runs end.
+// Tests contact in the suspension (chapter 12): bodies that a flow or loads drive together stay
+// apart, contact forces balance, and runs reach their end.
 
 #include <boost/test/unit_test.hpp>
 
@@ -37,8 +37,9 @@ BOOST_AUTO_TEST_CASE(disks_driven_through_each_other_stop_at_the_separation) {
   }
 }
 
-// A little off their line they meet, for freely they would pass at 0.8 separations; they slide
-// round each other, and part. Steps must be short enough to see that.
+// The disks are driven along slightly offset lines. Without contact they would pass at 0.8
+// separations; with contact they slide round each other and separate. Only short steps resolve this
+// motion, so the step control rejects long ones.
 BOOST_AUTO_TEST_CASE(disks_that_nearly_miss_each_other_slide_past) {
   Scene free = over(head_on(0.05), 0.1, 5e-4, heun);
   free.contact.reset();
@@ -53,8 +54,8 @@ BOOST_AUTO_TEST_CASE(disks_that_nearly_miss_each_other_slide_past) {
   BOOST_TEST(distance(run.frames.back(), 0, 1) - 2.0 > 1.5 * 0.1);
 }
 
-// At twice the offset they pass at more than the separation: contact must not make itself felt, in
-// steps that are cut though a long one would meet it.
+// At twice the offset the disks pass at more than one separation, so contact must not act. A long
+// step would meet a contact, and the step control shortens it.
 BOOST_AUTO_TEST_CASE(disks_that_miss_each_other_are_not_in_contact) {
   const Scene scene = with_control(over(head_on(0.1), 0.1, 0.1, heun));
   const RecordedRun run = recorded_run(scene);
@@ -99,7 +100,8 @@ BOOST_AUTO_TEST_CASE(stacks_of_three_keep_both_separations) {
   }
 }
 
-// Columns are coarse, their sum is not: loads put on the bodies by hand move them alike.
+// The columns of the contact mobility are coarse, but the motion under the sum of all contact
+// forces is accurate: given as loads, these forces move the bodies in the same way.
 BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
   std::vector<Body> bodies{body_at(Circle{1.0}, {0.02, -0.01}, automatic_nodes)};
   for (int k = 0; k < 6; ++k) {
@@ -123,8 +125,9 @@ BOOST_AUTO_TEST_CASE(bodies_move_as_under_the_forces_of_contact) {
   }
 }
 
-// Radius 1/2 on the axis of u = (-x, y), held at a gap of so many h = pi / 32: forces by a
-// prototype of the specification, which tend to 3 pi with the gap.
+// Disks of radius 1/2 on the axis of u = (-x, y) are held at gaps that are multiples of h = pi /
+// 32. A prototype of the specification computed the forces, which tend to 3 pi as the gap tends to
+// zero.
 BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
   const double h = std::numbers::pi / 32;
   const std::vector<std::pair<double, double>> known{{4.0, 10.1758}, {3.0, 9.9867}, {2.0, 9.7982},
@@ -144,8 +147,8 @@ BOOST_AUTO_TEST_CASE(the_force_that_holds_two_disks_apart) {
   }
 }
 
-// Two disks pass each other in shear and come back: without contact they would return to where they
-// began.
+// Two disks pass each other in shear, and the flow is reversed. Without contact they would return
+// to their start.
 BOOST_AUTO_TEST_CASE(reversed_shear_leaves_what_contact_has_moved) {
   const double h = std::numbers::pi / 32;
   const auto returned = [&](double gaps, double dt) {
@@ -170,7 +173,8 @@ BOOST_AUTO_TEST_CASE(reversed_shear_leaves_what_contact_has_moved) {
   BOOST_TEST(returned(3.0, 0.08) == 0.412, boost::test_tools::tolerance(0.06));
 }
 
-// A chases B: what an observer who moves along sees, is the same.
+// Body A chases body B: the relative motion and the force are the same for an observer who moves
+// uniformly.
 BOOST_AUTO_TEST_CASE(contact_is_the_same_for_every_observer) {
   const auto run = [](Complex boost) {
     Body chaser = body_at(Circle{1.0}, {-1.2, 0.1}, automatic_nodes);
@@ -206,8 +210,8 @@ BOOST_AUTO_TEST_CASE(a_hexagon_under_compression_is_resolved_at_any_step) {
   }
 }
 
-// The tip of a star is pressed into the valley of another one, not quite straight, from where the
-// two just touch.
+// The tip of a star is pressed, slightly off the axis, into the valley of another star. The motion
+// begins where the gap is one separation.
 BOOST_AUTO_TEST_CASE(stars_are_pressed_tip_in_valley) {
   const double separation = 0.05;
   const Star star{1.0, 0.2, 5};
@@ -222,8 +226,8 @@ BOOST_AUTO_TEST_CASE(stars_are_pressed_tip_in_valley) {
   BOOST_TEST(run.frames.back().contacts.size() == 2);
 }
 
-// Two slender ellipses, flat on each other, are pressed together: on few graded nodes, and on many
-// that are not.
+// Two slender ellipses are pressed together along their flat sides: once with few graded nodes,
+// once with many nodes that are not graded.
 BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
   for (const int nodes : {automatic_nodes, 256}) {
     std::vector<Body> bodies{pushed(Ellipse{1.0, 0.1}, {0.0, 0.3}, {0.0, -10.0}),
@@ -243,7 +247,7 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
   }
 }
 
-// The same scene ten times larger, and a thousand times smaller.
+// A separation in units of the node spacing refers to the mean spacing of all bodies.
 BOOST_AUTO_TEST_CASE(separations_in_spacings_are_those_of_all_bodies) {
   Scene scene = in_contact(QuiescentFlow{},
                            {body_at(Circle{1.0}, 0.0, 64), body_at(Circle{0.5}, 5.0, 32)}, 0.2);
@@ -254,6 +258,7 @@ BOOST_AUTO_TEST_CASE(separations_in_spacings_are_those_of_all_bodies) {
              boost::test_tools::tolerance(1e-12));
 }
 
+// The same scene is ten times larger, or a thousand times smaller.
 BOOST_AUTO_TEST_CASE(lengths_have_no_meaning) {
   const auto end = [](double unit) {
     const Scene scene =

@@ -1,4 +1,5 @@
-// Contact with walls and held bodies: rests, slides, slots, and what supports carry.
+// Tests contact with walls and held bodies (chapter 12): bodies that rest, slide or move through
+// slots, and the loads that walls and supports carry.
 
 #include <set>
 #include <utility>
@@ -14,7 +15,8 @@ namespace stokesbook::test {
 
 using std::numbers::pi;
 
-// The free end of the step lies in the middle of a held body, where the nearest way out is any.
+// Without contact, the step would end at a point deep within a held body, where the nearest way out
+// is not unique.
 BOOST_AUTO_TEST_CASE(a_step_that_would_end_deep_within_a_body) {
   for (const double angle : {0.0, 0.4, pi / 2}) {
     Scene scene = loaded({pushed(Circle{0.3}, {0.1, 2.0}, {0.0, -100.0}),
@@ -34,8 +36,8 @@ BOOST_AUTO_TEST_CASE(a_step_that_would_end_deep_within_a_body) {
 
 namespace {
 
-// A disk is pressed into the slit of two held ones: the prototype of the specification kept its
-// gaps to a part in a thousand.
+// A disk is pressed into the slit between two held disks. The prototype of the specification kept
+// both gaps to a relative error of 1e-3.
 void pinch_disk(int steps) {
   const double separation = 0.09, tolerance = 1e-5;
   const Complex force(0.0, -200.0);
@@ -58,14 +60,14 @@ void pinch_disk(int steps) {
       BOOST_TEST(std::abs(gap - separation) <= 1e-5 * separation);
     }
     BOOST_TEST(std::abs(position - run.frames[5].bodies[0].position) <= 1e-5 * separation);
-    // At rest nothing but what solves leave of the flow is between load and reactions.
+    // At rest, the contact forces balance the load. Only the errors of the solves remain.
     const Load pressed = contact_load(frame, {false, 0}, {});
     BOOST_TEST(std::abs(pressed.force + force) <= tolerance * std::abs(force));
   }
 }
 
-// Between two flat sides that leave one separation on either side of a disk, or a little more: it
-// does not stick, for it moves as it would without contact, and it does not drift.
+// Two flat sides leave a gap of one separation, or slightly more, on either side of a disk. The
+// disk must move as without contact (contact does not make it stick), and must not drift sideways.
 void move_along_a_slot(double width, double t_final, double end) {
   const double separation = 0.1, side = 0.5 + width * separation + 0.4;
   const Scene scene = over(loaded({pushed(Circle{0.4}, {-0.5, 0.0}, {50.0, 0.0}),
@@ -87,9 +89,9 @@ void move_along_a_slot(double width, double t_final, double end) {
   BOOST_TEST(run.frames.back().bodies[0].position.real() > end);
 }
 
-// The ring between two walls leaves one separation on either side of a disk. By symmetry it moves
-// on a circle; each step leaves that along the tangent, and contact leads it back. It is off the
-// free motion by a part that is the square of the angle of a step.
+// The ring between two walls leaves one separation on either side of a disk. By symmetry the disk
+// moves on a circle: each step leaves the circle along the tangent, and contact leads the disk
+// back. The relative difference from the free motion is the square of the angle of a step.
 void move_round_in_a_ring(int steps) {
   const double separation = 0.1, radius = 0.4, inner = 1.0, middle = inner + separation + radius;
   const double dt = 0.02;
@@ -112,7 +114,7 @@ void move_round_in_a_ring(int steps) {
   }
 }
 
-// A disk begins at the separation from a wall, and is pressed on it.
+// A disk begins at the separation from a wall and is pressed onto the wall.
 void rest_on_a_wall(int steps) {
   const double separation = 0.05, x = 2.0 - 0.5 - separation;
   const Scene scene =
@@ -158,7 +160,8 @@ BOOST_AUTO_TEST_CASE(contact_that_lasts_for_hundreds_of_steps_does_not_drift,
 
 namespace {
 
-// The scene of a frame without contact, its forces put on the free bodies by hand.
+// Returns the scene of a frame without contact: the contact forces are given as loads on the free
+// bodies.
 Scene loaded_by_hand(Scene scene, const Frame& frame) {
   scene.contact.reset();
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
@@ -175,8 +178,9 @@ Scene loaded_by_hand(Scene scene, const Frame& frame) {
 
 }  // namespace
 
-// What the held ellipse gets is minus what it gives, force and torque about a point, and goes to
-// its support: to the fluid it gives what it would give if the force of contact were a load.
+// The contact force and torque (about a point) on the held ellipse are opposite to those on the
+// free one, and its support carries them. The load of the held ellipse on the fluid is therefore
+// the load that it would have if the contact force were a given load on the free body.
 BOOST_AUTO_TEST_CASE(an_ellipse_slides_along_another_one) {
   const Body ellipse = pushed(Ellipse{0.5, 0.25}, {-1.5, 0.95}, {30.0, -60.0}, 0.6);
   const Scene scene = over(loaded({ellipse, held(Ellipse{3.0, 0.5}, {0.0, 0.0})}, 0.05), 6.0, 0.1);
@@ -188,7 +192,7 @@ BOOST_AUTO_TEST_CASE(an_ellipse_slides_along_another_one) {
     if (frame.contacts.size() != 1) continue;
     ++touching;
     const BodyState &free = frame.bodies[0], &support = frame.bodies[1];
-    // What the body passes on to the fluid is its load and the force of contact.
+    // The free body exerts its given load and the contact force on the fluid.
     const Complex force = free.force - ellipse.force;
     const double largest = frame.contacts[0].force;
     BOOST_TEST(std::abs(force) == largest, boost::test_tools::tolerance(1e-9));
@@ -205,7 +209,8 @@ BOOST_AUTO_TEST_CASE(an_ellipse_slides_along_another_one) {
   BOOST_TEST(touching > 20);
 }
 
-// A disk is pressed on a wall that moves against it, is pushed back, rolls aside, and is let go.
+// A disk is pressed against a wall that moves towards it. The wall pushes the disk back, the disk
+// rolls aside, and the contact ends.
 BOOST_AUTO_TEST_CASE(a_moving_wall_pushes_a_disk) {
   Scene scene = in_contact(QuiescentFlow{}, {pushed(Circle{0.4}, {-0.6, 0.02}, {40.0, 0.0})}, 0.05);
   scene.solver.tolerance = 1e-3;
@@ -221,7 +226,8 @@ BOOST_AUTO_TEST_CASE(a_moving_wall_pushes_a_disk) {
     BOOST_TEST(frame.contacts[0].b.is_wall);
     BOOST_TEST(frame.contacts[0].b.number == 1);
     BOOST_TEST(frame.contacts[0].gap <= 0.05 * (1 + 4e-3));
-    // Both ends of the straight path are the separation away: |apart + dt faster| = |apart|.
+    // The relative path is straight, and both of its ends are at the separation: |apart + dt
+    // faster| = |apart|.
     const Complex apart = frame.bodies[0].position - frame.walls[1].position;
     const Complex faster = frame.bodies[0].velocity + 0.5;
     const double radial = (faster * std::conj(apart)).real();
@@ -250,9 +256,9 @@ BOOST_AUTO_TEST_CASE(bodies_rest_on_the_walls_of_a_container) {
   BOOST_TEST(std::abs(end.bodies[0].velocity) < 0.01);
 }
 
-// A disk is pressed into the valley of a held star, and rests on both flanks, on the axis of the
-// valley: there the flanks' normals are at a cosine to it that is the derivative of the gap. A
-// prototype of the specification found forces of 209 and 156.
+// A disk is pressed into the valley of a held star and rests on both flanks, on the axis of the
+// valley. The cosine of the angle between a flank's normal and this axis is the derivative of the
+// gap along the axis. A prototype of the specification found the forces 209 and 156.
 BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   const double separation = 0.09;
   const Complex force(30.0, -300.0);
@@ -266,7 +272,8 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 6);
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(end.contacts.size() == 2);
-  // A step may end 1e-5 separations beside the one before; the fluid carries what such motions take.
+  // Positions of successive steps may differ by 1e-5 separations, and the fluid carries the force
+  // of such a motion.
   BOOST_TEST(std::abs(contact_load(end, {false, 0}, {}).force + force) <= 1e-6 * std::abs(force));
   const auto gap = [&](double y) { return exact_gap({Circle{0.45}, {0.0, y}}, star); };
   const double y = end.bodies[0].position.imag(), h = 1e-5;
@@ -283,8 +290,8 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
 
 namespace {
 
-// Support that the walls of a container get, force and torque about the origin: what they give to
-// the fluid, less what contact gives them.
+// Returns the load on the supports of the walls (force and torque about the origin): the loads of
+// the walls on the fluid minus the contact loads on the walls.
 Load support_of_walls(const Frame& frame) {
   Load support;
   for (std::size_t k = 0; k < frame.walls.size(); ++k) {
@@ -298,8 +305,8 @@ Load support_of_walls(const Frame& frame) {
 
 }  // namespace
 
-// Bodies sink to the floor of a container, lie on each other, and slide off a wall within it: in
-// all, through the fluid and by contact, walls carry what presses on the bodies.
+// Bodies sink to the floor of a container, lie on each other, and slide off an inner wall. Through
+// the fluid and by contact, the walls together carry all loads on the bodies.
 BOOST_AUTO_TEST_CASE(walls_carry_what_rests_on_them) {
   const Complex weight(0.0, -20.0);
   Scene scene = in_container(

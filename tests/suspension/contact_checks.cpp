@@ -1,3 +1,5 @@
+// Checks that every written step of a run with contact keeps its gaps, that contact forces push
+// across closed gaps only, and that all forces and torques balance.
 #include "contact_checks.hpp"
 
 #include <algorithm>
@@ -14,10 +16,11 @@ namespace stokesbook::test {
 
 namespace {
 
-// Below the separation, in separations: see SuspensionContact::admits().
+// Gaps may be smaller than the separation by this factor of the separation, see
+// SuspensionContact::too_close().
 constexpr double accepted = 2e-5;
 
-// Of the separation, across which a force may act.
+// Widest gap across which a contact force may act, relative to the separation.
 constexpr double open = 1.1;
 
 constexpr double rounding = 1e-12;
@@ -28,7 +31,8 @@ std::size_t component(const ContactParty& party, const Scene& scene) {
   return party.number + (party.is_wall ? scene.bodies.size() : 0);
 }
 
-// Where forces by Euler's method end: Heun's act in one half of the step only.
+// Checks the gaps at the end of a step by Euler's method. The forces of Heun's method act in a half
+// of the step only, so gaps may be wider at the end of the step.
 void check_ends(const Scene& scene, const Frame& frame, const Frame& next, double separation) {
   const std::vector<PlacedShape> placed = placed_shapes(scene, next);
   for (const ContactForce& contact : frame.contacts) {
@@ -93,7 +97,7 @@ void check_contact(const Scene& scene, const RecordedRun& run, std::optional<dou
     if (scene.time->method != SteppingMethod::euler) continue;
     check_ends(scene, run.frames[k], run.frames[k + 1], separation);
   }
-  // Only contact rejects a step whose length is given.
+  // If the step length is given, only contact rejects steps.
   if (scene.time->method == SteppingMethod::euler && !scene.time->tolerance) {
     BOOST_TEST(run.totals.halved_by_contact == run.totals.rejected_steps);
   }

@@ -7,23 +7,25 @@
 
 namespace stokesbook::test {
 
-/// Checks what contact must do in every scene, of a run that has written all of its steps:
-/// - all gaps, by the curves' formulas, are the separation at least, at all times;
-/// - forces push, and only across gaps that are hardly wider than the separation;
-/// - what contact adds to the load of each body is what the list of contacts says, forces and
-///   torques of all balance, those on walls and held bodies included;
-/// - each step took at most nine linear problems.
+/// Checks the conditions that contact must satisfy in every scene, for a run that has written all
+/// of its steps:
+/// - at all times, all gaps (by the curves' formulas) are at least the separation;
+/// - contact forces push, and only across gaps that are hardly wider than the separation;
+/// - the load that contact adds to each body is that of the list of contacts, and the forces and
+/// torques of all contacts balance, including those on walls and held bodies;
+/// - each step solved at most nine linear problems.
 ///
-/// @param  least  what all pairs keep that begin nearer than the separation; none: the separation
+/// @param  least  gap that pairs keep if they begin nearer than the separation; if empty, the
+///                separation
 void check_contact(const Scene& scene, const RecordedRun& run, std::optional<double> least = {});
 
-/// Least gap of all written states, by the curves' formulas.
+/// Returns the least gap of all written states, by the curves' formulas.
 double least_gap(const Scene& scene, const RecordedRun& run);
 
-/// Largest force of contact of a frame; 0 without.
+/// Returns the largest contact force of a frame, or 0 if there is none.
 double largest_force(const Frame& frame);
 
-/// Force of contact on a component, and its torque about a point, by the list of contacts.
+/// Returns the contact force on a component and its torque about a point, by the list of contacts.
 Load contact_load(const Frame& frame, const ContactParty& on, Complex about);
 
 }  // namespace stokesbook::test

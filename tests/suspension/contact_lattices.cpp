@@ -1,5 +1,5 @@
-// Many contacts at once, more than bodies have ways to move: forces need not be unique, motions
-// are.
+// Tests many simultaneous contacts, more than the bodies have degrees of freedom: the contact
+// forces need not be unique, but the motions are (chapters 11 and 12).
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,7 +20,8 @@ using Eigen::VectorXd;
 
 using Forces = Eigen::SparseMatrix<double>;
 
-// Unit forces between neighbours of a lattice of disks, a column each; none where both are held.
+// Returns the unit forces between neighbours of a lattice of disks, one column per pair; pairs of
+// held disks have none.
 Forces forces_between(const std::vector<Body>& bodies, double pitch) {
   std::vector<Eigen::Triplet<double>> entries;
   int m = 0;
@@ -42,9 +43,9 @@ Forces forces_between(const std::vector<Body>& bodies, double pitch) {
   return forces;
 }
 
-// Disks of a lattice whose loads press on each other, in one long step: two solvers of the linear
-// problem of all contacts find the same motions, one of them from forces that are all too large,
-// and the run finds them too, but for what is not linear in a step.
+// Checks one long step of lattice disks whose loads press them together. Two solvers of the LCP of
+// all contacts must find the same motions, although Newton's method begins with forces that are all
+// too large. The run must find the same motions up to nonlinear effects within the step.
 void check_unique_motions(const Scene& scene, double pitch, Index contacts, double not_linear) {
   const std::vector<Body>& bodies = scene.bodies;
   const double room = pitch - 2.0 - scene.contact->minimum_separation;
@@ -61,7 +62,8 @@ void check_unique_motions(const Scene& scene, double pitch, Index contacts, doub
   const VectorXd free_velocity = to_rate(free);
   const LcpProblem problem{0.5 * (unsymmetric + unsymmetric.transpose()),
                            (forces.transpose() * free_velocity).array() + room / *scene.time->dt};
-  // Where forces are not unique the matrix is singular, and Newton's method linear.
+  // Where the forces are not unique, the matrix is singular and Newton's method converges only
+  // linearly.
   const LcpResult by_pivots = lemke(problem),
                   by_newton = fischer_newton(
                       problem, {.tolerance = 1e-9,
@@ -92,7 +94,7 @@ std::vector<Complex> hexagon(int rings, double pitch) {
   return positions;
 }
 
-// Disks in a square lattice are pressed towards its middle.
+// Presses the disks of a square lattice towards its middle.
 void squeeze_square_lattice(int side) {
   constexpr double separation = 0.5;
   std::vector<Body> bodies;
@@ -109,8 +111,8 @@ void squeeze_square_lattice(int side) {
 
 }  // namespace
 
-// Nineteen disks in a hexagon are pressed towards its middle: 42 contacts, more than the 38 ways in
-// which their centres can move.
+// Nineteen disks in a hexagon are pressed towards its middle: 42 contacts, but the centres have
+// only 38 degrees of freedom.
 BOOST_AUTO_TEST_CASE(motions_are_unique_where_forces_are_not) {
   std::vector<Body> bodies;
   for (const Complex position : hexagon(2, 2.1)) {
@@ -128,9 +130,10 @@ BOOST_AUTO_TEST_CASE(a_hundred_disks_in_a_square_lattice_are_squeezed,
   squeeze_square_lattice(10);
 }
 
-// Free disks alone have at most 3n - 6 contacts, those of a planar graph. Seven among twelve that
-// are held have thirty, more than the 21 ways in which they can move. A hair of room keeps errors
-// of the response from making the problem of all of them one without a solution.
+// Free disks alone have at most 3n - 6 contacts, the number of edges of a planar graph. Seven free
+// disks among twelve held ones have 30 contacts, more than their 21 degrees of freedom. The pitch
+// leaves 1e-5 of room: otherwise errors of the mobility could make the LCP of all contacts
+// unsolvable.
 BOOST_AUTO_TEST_CASE(motions_are_unique_with_more_contacts_than_ways_to_move,
                      *boost::unit_test::label("full")) {
   const double pitch = 2.1 + 1e-5;

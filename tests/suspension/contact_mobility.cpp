@@ -1,4 +1,5 @@
-// Responses to loads: by earlier ones, corrected, the same as by solves for each.
+// Tests the contact mobility: columns that are reused from earlier configurations and refined give
+// the same motions as separate solves for each load (chapter 12).
 
 #include "suspension/contact/contact_mobility.hpp"
 
@@ -19,7 +20,8 @@ namespace {
 
 using Loads = Eigen::SparseMatrix<double>;
 
-// Forces that push neighbours in a chain of five apart, at points that are turned by an angle.
+// Returns forces that push neighbours in a chain of five disks apart, at contact points that are
+// turned by an angle.
 Loads pushes(const Configuration& chain, double turn) {
   Loads loads(15, 4);
   for (int k = 0; k < 4; ++k) {
@@ -39,7 +41,7 @@ struct Chain {
   SuspensionSolver solver{disk_chain(0.1)};
   Configuration start = solver.start().configuration;
 
-  // Bodies have moved by some thousandths.
+  // Returns the configuration after each body has moved and turned by some thousandths.
   Configuration moved() const {
     Configuration moved = start;
     for (std::size_t k = 0; k < moved.size(); ++k) {
@@ -57,8 +59,9 @@ struct Chain {
   }
 };
 
-// Two disks that touch each other and their container, and forces that push each pair apart. Those
-// that push all apart at once hardly do, since fluid gets between the three only through their gaps.
+// Two disks touch each other and their container, and one load pushes each of the three pairs
+// apart. The sum of these loads hardly moves the disks, since fluid enters the space between the
+// three boundaries only through the gaps.
 struct TrappedFluid {
   Scene scene;
   Loads loads{9, 3};
@@ -93,18 +96,18 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   ContactMobility now(chain.solver, chain.solver.solve({moved}), before.columns());
   now(loads);
   BOOST_TEST(now.solves() == 0);
-  const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // whose flow is stronger than the shear
+  const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // the resulting flow is stronger than the shear
   const VectorXd expected = chain.exact(moved, loads) * weights;
   const auto error = [&] {
     return (now(loads) * weights - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
   };
   BOOST_TEST(error() > 1e-5);
   while (now.refine(weights)) now(loads);
-  BOOST_TEST(error() < 1e-6);  // a hundred times the residual of the solver
+  BOOST_TEST(error() < 1e-6);  // 1e-6 is a hundred times the residual of the solver
   BOOST_TEST(now.solves() <= 2);
 }
 
-// Where all turns as one, so do loads and what answers them.
+// If the whole configuration turns rigidly, the loads and the velocities turn with it.
 BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   const Chain chain;
   ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
@@ -134,8 +137,8 @@ BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   BOOST_TEST(now.solves() == 4);
 }
 
-// As many older answers as are asked for are kept: of four three are not asked for any more, one of
-// which is remembered.
+// A contact mobility keeps as many older columns as it has current loads. Here one load remains of
+// four, so one of the three other columns is kept.
 BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
   const Chain chain;
   const Solution solution = chain.solver.solve({chain.start});
@@ -152,12 +155,13 @@ BOOST_AUTO_TEST_CASE(loads_that_come_back_are_remembered) {
     BOOST_TEST(answered.loads.cols() == 2);
     earlier = answered;
   }
-  // A stage that asks for nothing forgets nothing.
+  // A stage without contact loads keeps all columns.
   earlier = ContactMobility(chain.solver, solution, earlier).columns();
   BOOST_TEST(next(earlier, all).second == 2);
 }
 
-// As at two points of a flat gap: what tells them apart is known as well as each of them.
+// At two points of a flat gap the loads are nearly parallel. The difference of their columns must
+// have the same relative accuracy as each column.
 BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
   const Chain chain;
   for (const double turn : {1e-1, 1e-2, 1e-3}) {
@@ -172,8 +176,8 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
   }
 }
 
-// Columns that were answered for wider gaps are wrong by more than the softest mode, until they are
-// told apart.
+// The errors of columns from a configuration with wider gaps exceed the smallest eigenvalue, until
+// the columns are corrected or solved for.
 BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
   const double gap = 2e-3;
   const auto respond_at = [](const SuspensionSolver& solver, const MobilityColumns& earlier) {

@@ -1,5 +1,5 @@
-// Scenes that are hard on contact: nodes that do not do, films that are nearly flat, contact that
-// lasts.
+// Tests scenes that are difficult for contact (chapter 12): nodes that do not suffice, films that
+// are nearly flat, and contact that lasts.
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 using std::numbers::pi;
 
-// Bodies in a container that turns once in 2 pi.
+// Returns bodies in a container that turns once in the time 2 pi.
 Scene in_turning_container(double radius, const std::vector<Body>& bodies, double separation) {
   Scene scene;
   scene.walls = {container(radius)};
@@ -36,8 +36,9 @@ auto mentions(const std::vector<std::string>& words) {
   };
 }
 
-// It rests on two of its arms, a hair nearer now with the one, now with the other: polygons tell
-// but the deeper one, and a step that sees to that alone is refused or goes to and fro.
+// The star rests on two of its arms, and the smaller of the two gaps changes from arm to arm.
+// Polygon gaps report only the deeper one. A step that resolves this one alone would be refused or
+// would oscillate between the two.
 void slide_star_down_a_wall(double orientation) {
   const double separation = 0.035;
   Body star = pushed(Star{0.4, 0.09, 3}, {-0.85, -1.25}, {0.0, -30.0});
@@ -52,8 +53,8 @@ void slide_star_down_a_wall(double orientation) {
   BOOST_TEST(std::ranges::any_of(run.frames, rests_on_two));
 }
 
-// The density of a film under pressure is thousands of times the velocities. To a body elsewhere,
-// errors of the film's quadrature must not look like those that nodes mend.
+// The density in a film under pressure is thousands of times as large as the velocities. On distant
+// bodies, the quadrature errors of the film must not be mistaken for errors that more nodes reduce.
 void press_film(double separation) {
   const std::vector<Body> bodies{turned(Ellipse{0.6688, 0.3824}, {-0.4357, -1.1251}, -0.184),
                                  turned(Ellipse{1.2848, 0.1724}, {0.8626, -0.9645}, 3.8755)};
@@ -66,7 +67,7 @@ void press_film(double separation) {
 
 }  // namespace
 
-// What checks the others is itself checked.
+// Checks the reference that the other tests use: exact_gap() against known gaps.
 BOOST_AUTO_TEST_CASE(gaps_by_formulas_are_known_ones) {
   const PlacedShape disk{Circle{0.5}, {2.0, 1.0}}, ellipse{Ellipse{2.0, 1.0}, {0.0, 0.0}, pi / 2};
   const auto near = boost::test_tools::tolerance(1e-13);
@@ -80,14 +81,14 @@ BOOST_AUTO_TEST_CASE(gaps_by_formulas_are_known_ones) {
   BOOST_TEST(exact_gap(block, {Circle{0.4}, {0.0, 0.0}}) == 0.1, near);
   BOOST_TEST(exact_gap(block, {Circle{0.4}, {1.0, 2.5}}) == 0.1, near);
   BOOST_TEST(exact_gap({Circle{3.0}, {}, 0.0, true}, disk) == 2.5 - std::sqrt(5.0), near);
-  // Across one another, one within the other, and outside of what encloses.
+  // The curves cross, one lies within the other, or the disk lies outside of the enclosing circle.
   BOOST_TEST(exact_gap({Circle{2.0}}, disk) < 1e-12);
   BOOST_TEST(exact_gap({Circle{4.0}}, disk) == std::sqrt(5.0) - 3.5, near);
   BOOST_TEST(exact_gap({Circle{1.0}, {}, 0.0, true}, disk) == 1.5 - std::sqrt(5.0), near);
 }
 
-// Nodes that do not resolve the gap would answer a force with an attraction:
-// no step is short enough.
+// Nodes that do not resolve the gap would make a repulsive contact force attract the bodies, for
+// every step length.
 BOOST_AUTO_TEST_CASE(too_few_nodes_stop_the_run) {
   const double h = pi / 32, x = 0.5 + 0.125 * h;
   Scene scene =
@@ -104,9 +105,10 @@ BOOST_AUTO_TEST_CASE(too_few_nodes_stop_the_run) {
   }
 }
 
-// An ellipse lies along the wall of a rotating container: a film that is nearly flat lets it move
-// 10,000 times less than a free body. What resolves the flow, in which all turns as one, does not
-// resolve the force that keeps the two apart in a step that is too long.
+// An ellipse lies along the wall of a rotating container. The film between them is nearly flat, so
+// the ellipse moves 10,000 times less under a force than a free body. Nodes that resolve the flow,
+// which is a rigid rotation of the whole, do not resolve the contact force of a step that is too
+// long.
 BOOST_AUTO_TEST_CASE(forces_across_a_flat_gap_get_the_nodes_that_they_ask_for,
                      *boost::unit_test::label("full")) {
   const double separation = 0.033;
@@ -154,8 +156,9 @@ BOOST_AUTO_TEST_CASE(forces_across_other_films_ask_for_no_nodes_elsewhere_either
   for (const double separation : {0.027, 0.031}) press_film(separation);
 }
 
-// On the nodes that the flow of a full container asks for, forces across its films may have
-// responses that no fluid has, and then together no solution, however short the step.
+// On the nodes that resolve the flow of a full container, the computed mobility of the forces
+// across its films may be unphysical. The LCP of these contacts may then have no solution, however
+// short the step.
 BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
   const std::vector<Body> bodies{turned(Ellipse{0.7313, 0.4112}, {-0.2567, -0.9849}, 6.0375),
                                  turned(Ellipse{1.2912, 0.2015}, {0.1579, 0.5839}, 2.8759),
@@ -180,8 +183,8 @@ BOOST_AUTO_TEST_CASE(steps_too_long_for_a_crowd_are_halved) {
   BOOST_TEST(run.totals.halved_by_contact > 0);
 }
 
-// A disk rests in a container on sixteen times the nodes that it needs, as a film before may have
-// asked for.
+// A disk rests in a container on sixteen times the nodes that it requires, as if an earlier film
+// had required them.
 BOOST_AUTO_TEST_CASE(lasting_contact_gives_back_nodes) {
   Body heavy = body_at(Circle{0.5}, {0.3, -1.3}, automatic_nodes);
   heavy.force = {0.0, -20.0};

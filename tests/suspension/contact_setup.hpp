@@ -6,7 +6,7 @@
 #include "support/recorded_run.hpp"
 #include "suspension/trajectories.hpp"
 
-/// Bodies and scenes of the tests of contact, with automatic nodes.
+/// Bodies and scenes for the tests of contact, with automatic nodes.
 namespace stokesbook::test {
 
 inline Body turned(const Shape& shape, Complex position, double orientation) {
@@ -27,7 +27,8 @@ inline Body pushed(const Shape& shape, Complex position, Complex force, double o
   return body;
 }
 
-/// Loads and held bodies in an unbounded fluid, to contact's needs.
+/// Returns loaded and held bodies in an unbounded fluid, with the tolerance that tests of contact
+/// require.
 inline Scene loaded(const std::vector<Body>& bodies, double separation) {
   Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
   scene.gauge_length = 100.0;
@@ -35,8 +36,8 @@ inline Scene loaded(const std::vector<Body>& bodies, double separation) {
   return scene;
 }
 
-/// Unit disks that a flow of rate 30 drives together: the free ends of a step overlap, or are past
-/// each other.
+/// Returns unit disks that a flow of rate 30 drives together: without contact they would overlap at
+/// the end of a step, or be past each other.
 inline Scene head_on(double offset) {
   return in_contact(ExtensionalFlow{-30.0},
                     {body_at(Circle{1.0}, {-1.4, offset}, automatic_nodes),
@@ -44,8 +45,8 @@ inline Scene head_on(double offset) {
                     0.1);
 }
 
-/// Unit disks that begin at six tenths of the separation, are pulled apart, and are pressed
-/// together from a time on.
+/// Returns unit disks that begin at six tenths of the separation, are pulled apart, and are pressed
+/// together from the time `pressed_from` on.
 inline Scene opened_and_pressed(double pressed_from, double t_final) {
   Scene scene = in_contact(ExtensionalFlow{1.0},
                            {body_at(Circle{1.0}, {-1.03, 0.0}, automatic_nodes),
@@ -60,7 +61,8 @@ inline Wall container(double radius) {
   return {.role = WallRole::outer, .shape = Circle{radius}};
 }
 
-/// Loads in a circular container at rest, to contact's needs.
+/// Returns loaded bodies in a circular container at rest, with the tolerance that tests of contact
+/// require.
 inline Scene in_container(double radius, const std::vector<Body>& bodies, double separation) {
   Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
   scene.walls = {container(radius)};
@@ -68,7 +70,7 @@ inline Scene in_container(double radius, const std::vector<Body>& bodies, double
   return scene;
 }
 
-/// The same scene with another tolerance of its solver.
+/// Returns the same scene with another tolerance of the solver.
 inline Scene solved_to(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   return scene;

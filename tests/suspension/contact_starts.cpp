@@ -1,4 +1,5 @@
-// Starts that contact refuses, and pairs that may begin closer than the separation.
+// Tests which starts contact refuses, and pairs that may begin closer than the separation (chapter
+// 12).
 
 #include <string>
 #include <utility>
@@ -17,8 +18,8 @@ double gap(const Frame& frame) {
   return std::abs(frame.bodies[0].position - frame.bodies[1].position) - 2.0;
 }
 
-// The refusal gives the reason, and each of these pairs with its depth or gap: to the digits that
-// are written and the sag of polygons.
+// Checks that the refusal contains the reason, and each of these pairs with its overlap or gap. The
+// tolerance covers the digits in the message and the sag of polygons.
 void check_start_refused(const Scene& scene, const std::string& reason,
                          const std::vector<std::pair<std::string, double>>& pairs) {
   const auto tells = [&](const ConfigurationError& error) {
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(starts_below_the_separation_are_refused_with_pairs_and_gaps
   BOOST_TEST(std::abs(gap(run.frames.back()) - 0.06) <= 1e-5 * 0.1);
 }
 
-// A gap that has opened stays open, up to the separation.
+// A gap that has widened stays at its widest value, at most at the separation.
 BOOST_AUTO_TEST_CASE(close_pairs_keep_the_widest_gap_that_they_had) {
   for (const double pressed_from : {0.3, 0.9}) {
     const Scene scene = opened_and_pressed(pressed_from, pressed_from + 1.0);
@@ -98,7 +99,7 @@ BOOST_AUTO_TEST_CASE(starts_with_one_within_the_other_are_refused) {
   }
 }
 
-// A gap of the separation to three digits is wide enough.
+// At the start, a gap may be smaller than the separation by a thousandth of the separation.
 BOOST_AUTO_TEST_CASE(starts_may_lack_a_thousandth_of_the_separation) {
   const auto with_gap = [](double gap) {
     Scene scene = over(head_on(0.0), 0.1, 0.1);
@@ -112,9 +113,8 @@ BOOST_AUTO_TEST_CASE(starts_may_lack_a_thousandth_of_the_separation) {
   SuspensionContact(solver).admit_start(solver.start().configuration);
 }
 
-// Across the wall, and beyond it.
-// The path of a step is searched for contact: one of a billion turns would take a billion times as
-// long.
+// Contact is searched for along the path of a step. A step of a billion turns would take a billion
+// times as long, so it is refused.
 BOOST_AUTO_TEST_CASE(steps_longer_than_the_scene_are_shortened_or_refused) {
   Scene cell;
   cell.bodies = {body_at(Circle{0.5}, {1.0, 0.0}, 32)};
@@ -134,6 +134,7 @@ BOOST_AUTO_TEST_CASE(steps_longer_than_the_scene_are_shortened_or_refused) {
   }
 }
 
+// One body crosses the wall of the container; the other lies outside of it.
 BOOST_AUTO_TEST_CASE(starts_outside_of_the_container_are_refused) {
   for (const double x : {1.8, 5.0}) {
     const Scene scene = over(in_container(2.0,

@@ -1,4 +1,5 @@
-// Steps with contact: their order, control, reports, and how runs go on after an interruption.
+// Tests steps with contact (chapters 09 and 12): their order, step control and reports, and how
+// interrupted runs resume.
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ namespace {
 
 using enum SteppingMethod;
 
-// Disks in shear that are driven together, turn round, and part.
+// Returns two disks that shear drives together, turns round each other, and separates.
 Scene passing_pair() {
   return in_contact(ShearFlow{1.0},
                     {body_at(Circle{0.5}, {-1.5, 0.2}, automatic_nodes),
@@ -21,7 +22,8 @@ Scene passing_pair() {
                     0.25);
 }
 
-// The same, on the way past each other; by steps of a fixed length, or adapted ones.
+// Returns the same pair while the disks slide past each other, with steps of a fixed length or
+// adaptive steps.
 Scene sliding_past(bool adapted) {
   Scene scene = over(passing_pair(), 4.0, 0.2, heun);
   if (adapted) scene.time->tolerance = 1e-2;
@@ -53,7 +55,7 @@ void resume_from_checkpoints(const Scene& scene) {
   BOOST_TEST(in_contact > 0);
 }
 
-// Order of Euler and of Heun with contact, between two steps.
+// Checks the measured orders of Euler's and Heun's methods with contact, between two step lengths.
 void check_orders(double long_step, double short_step, double reference_step) {
   const auto end = [](double dt, SteppingMethod method) {
     Scene scene = passing_pair();
@@ -68,7 +70,8 @@ void check_orders(double long_step, double short_step, double reference_step) {
   const auto error = [&](double dt, SteppingMethod method) {
     const auto [distance, estimate] = end(dt, method);
     const double apart = std::abs(distance - reference);
-    // The distance is that of two bodies of radius 1/2, so it is theirs in radii.
+    // Each body has half the error of the distance, and the radius is 1/2: the error of the
+    // distance is the error of one body in radii.
     BOOST_TEST(apart < 10.0 * estimate, apart << ", estimated " << estimate);
     BOOST_TEST(estimate < (method == euler ? 20.0 : 1e3) * apart);
     return apart;
@@ -81,7 +84,7 @@ void check_orders(double long_step, double short_step, double reference_step) {
   BOOST_TEST(order(heun) >= 1.5);
 }
 
-// From meeting to parting the error follows the tolerance.
+// Checks that the error after a contact that has begun and ended follows the tolerance.
 void check_control(const std::vector<double>& tolerances, double reference_step) {
   Scene scene = passing_pair();
   scene.output.dt_write = 6.0;
@@ -118,7 +121,7 @@ BOOST_AUTO_TEST_CASE(short_steps_with_contact_keep_their_order, *boost::unit_tes
 
 BOOST_AUTO_TEST_CASE(controlled_steps_are_no_longer_than_the_longest) {
   Scene scene = over(passing_pair(), 1.5, 0.05, heun);
-  scene.time->tolerance = 0.1;  // without dt_max this allows steps of 0.3
+  scene.time->tolerance = 0.1;  // without dt_max, this tolerance allows steps of 0.3
   scene.time->dt_max = 0.12;
   double longest = 0.0;
   for (const StepInfo& step : recorded_run(scene).steps) longest = std::max(longest, step.dt);
@@ -126,7 +129,8 @@ BOOST_AUTO_TEST_CASE(controlled_steps_are_no_longer_than_the_longest) {
   BOOST_TEST(longest > 0.1);
 }
 
-// The first step takes both from a gap of 0.8 to one of 0.1, against the force; later ones hold it.
+// The first step closes the gap from 0.8 to 0.1, against the contact force; later steps keep the
+// gap.
 BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
   const double dt = 0.1;
   const RecordedRun run = recorded_run(over(head_on(0.0), 3 * dt, dt));
@@ -142,7 +146,8 @@ BOOST_AUTO_TEST_CASE(each_step_reports_what_contact_did) {
   }
 }
 
-// Torques of forces along no axis balance up to rounding; a sum of exactly 0 was not computed.
+// The torques of forces that act along no coordinate axis balance up to rounding. A sum of exactly
+// 0 would mean that it was not computed.
 BOOST_AUTO_TEST_CASE(net_torques_are_reported) {
   const RecordedRun run = recorded_run(over(head_on(0.05), 0.1, 0.1));
   for (const double torque :
@@ -179,7 +184,7 @@ BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
   }
 }
 
-// Disks driven at each other, a little off their line, slide past each other.
+// Disks that are driven along slightly offset lines slide past each other.
 BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
   const auto end = [](const Scene& scene) { return recorded_run(scene).frames.back().bodies; };
   const auto reference = end(over(head_on(0.05), 0.1, 5e-4, heun));
@@ -214,12 +219,12 @@ BOOST_AUTO_TEST_CASE(runs_with_contact_resume_bit_for_bit) {
   for (const bool adapted : {false, true}) resume_from_checkpoints(sliding_past(adapted));
 }
 
-// Disks that begin at 0.6 separations, are pulled apart, and are pressed together from t = 0.3 on.
+// The disks begin at 0.6 separations, are pulled apart, and are pressed together from t = 0.3 on.
 BOOST_AUTO_TEST_CASE(runs_with_close_pairs_resume_bit_for_bit) {
   resume_from_checkpoints(opened_and_pressed(0.3, 0.8));
 }
 
-// Without [time] there is no step: what holds at this instant.
+// Without [time] there is no step: contact acts on the velocities of this instant.
 BOOST_AUTO_TEST_CASE(one_solve_holds_apart_what_is_at_the_separation_and_closing) {
   const auto solved = [](double gap, double rate) {
     const double x = 1.0 + 0.5 * gap;
@@ -234,7 +239,8 @@ BOOST_AUTO_TEST_CASE(one_solve_holds_apart_what_is_at_the_separation_and_closing
     Simulation(solver, observer).solve_once();
     return frame;
   };
-  // Driven together, far and near; pulled apart.
+  // There is no contact if the disks are driven together from gaps wider than the separation, nor
+  // if they are pulled apart at the separation.
   for (const double gap : {2.0, 0.2, 0.12}) {
     BOOST_TEST(solved(gap, -1.0).contacts.empty());
     BOOST_TEST(solved(gap, -1.0).bodies[0].velocity.real() > 0.0);
@@ -242,7 +248,8 @@ BOOST_AUTO_TEST_CASE(one_solve_holds_apart_what_is_at_the_separation_and_closing
   BOOST_TEST(solved(0.1, 1.0).contacts.empty());
   const Frame held = solved(0.1, -1.0);
   BOOST_REQUIRE(held.contacts.size() == 1);
-  // At a gap of a tenth of the radius, mu = 1: by the table above, for radius 1/2.
+  // The gap is a tenth of the radius and mu = 1. The table in contact.cpp lists the force for
+  // radius 1/2.
   BOOST_TEST(held.contacts[0].force == 2.0 * 9.61, boost::test_tools::tolerance(0.01));
   BOOST_TEST(std::abs(held.bodies[0].velocity) <
              1e-2 * solved(0.12, -1.0).bodies[0].velocity.real());

@@ -1,6 +1,6 @@
-// Bodies and inner walls in containers: reference numbers C5, C6, C7, N9, NA of the specification
-// in two systems of units, and the whole resistance of eccentric circles against its closed form
-// down to small gaps.
+// Tests bodies and inner walls in containers against the reference numbers C5, C6, C7, N9, NA of
+// the specification in two systems of units, and the whole resistance of eccentric circles against
+// its closed form down to small gaps.
 
 #include "expected.hpp"
 #include "support/eccentric_annulus.hpp"
@@ -10,14 +10,15 @@ namespace {
 
 constexpr double to_rounding = 1e-12;
 
-// The motion of the outer circle is a sum of the two that the scene format knows: solve for both.
+// The motion of the outer circle is a sum of two motions that the scene format has: the solver
+// solves for both.
 Load solved_inner_load(const EccentricAnnulus& annulus, double load_tolerance) {
   const auto part = [&](const RigidMotion& inner, const WallMotion& outer) {
     Scene both =
         scene({held_body(Circle{annulus.inner_radius}, 0, annulus.inner_centre, 0, inner)}, {},
               {outer_wall(Circle{annulus.outer_radius}, 0, outer, annulus.outer_centre)});
-    // Rounding of densities 1e4 times the data leaves no residual of 1e-14; and no more is asked
-    // of the solver, which estimates rounding errors too, than is checked.
+    // The densities are 1e4 times the data, so rounding prevents a residual of 1e-14. The solver
+    // estimates rounding errors too, so its tolerance is not smaller than the checked one.
     both.solver.tolerance = std::max(3e-10, load_tolerance);
     return Solved(resolved(both)).load(0);
   };
@@ -26,7 +27,7 @@ Load solved_inner_load(const EccentricAnnulus& annulus, double load_tolerance) {
   return {a.force + b.force, a.torque + b.torque};
 }
 
-// Loads are the sensitive side of lubrication: they amplify rounding by 1 / gap.
+// In lubrication, loads are the sensitive results: they amplify rounding errors by 1 / gap.
 void check_inner_load(const EccentricAnnulus& annulus, double gap) {
   const Load exact = inner_load(annulus, 1.0);
   const double size = std::abs(exact.force) + std::abs(exact.torque);
@@ -56,7 +57,7 @@ BOOST_AUTO_TEST_CASE(couette_C6) {
   const double torque = 21.392749974444783;
   check(c6, {{0, {}, Load{0.0, torque}, {}}, {1, {}, Load{0.0, -torque}, {}}}, 1e-11);
   const Solved solved(c6);
-  // Dissipation: the work of both walls.
+  // The dissipation is the power of both walls.
   BOOST_TEST(.4 * solved.load(0).torque - .7 * solved.load(1).torque == 23.532024971889261,
              boost::test_tools::tolerance(1e-12));
   for (const double angle : {0.0, 1.0, 4.0}) {
@@ -90,13 +91,14 @@ BOOST_AUTO_TEST_CASE(circle_in_a_couette_cell_NA) {
         {{0, RigidMotion{{0, 1.69576668946189}, 1.09942194421272}, {}, {}},
          {1, {}, Load{{0, .377572056655290}, -14.5906361196035}, {}}},
         1e-11);
-  // L0 = 4 pi B of the empty cell.
+  // L0 = 4 pi B is the torque in the empty cell.
   const double empty = -4 * std::numbers::pi * 9.0 / 8.0;
   BOOST_TEST(Solved(na).load(1).torque / empty == 1.03207638279558,
              boost::test_tools::tolerance(1e-12));
 }
 
-// A source in the middle, as much sink around: u = a g / r, and no load on either wall.
+// The inner wall is a source and the outer wall an equal sink: u = a g / r, and neither wall has a
+// load.
 BOOST_AUTO_TEST_CASE(radial_walls) {
   const Scene source = scene({}, {},
                              {inner_wall(Circle{0.8}, 96, RadialWall{0.7}),
@@ -107,7 +109,7 @@ BOOST_AUTO_TEST_CASE(radial_walls) {
   BOOST_TEST(std::abs(velocity - 0.56 * point / std::norm(point)) < to_rounding);
 }
 
-// Random motions of both circles, towards each other and along each other.
+// Both circles have random motions, towards each other and past each other.
 BOOST_AUTO_TEST_CASE(eccentric_annuli) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -122,7 +124,7 @@ BOOST_AUTO_TEST_CASE(eccentric_annuli) {
   }
 }
 
-// A journal bearing that all but runs dry.
+// The gap of this journal bearing nearly closes.
 BOOST_AUTO_TEST_CASE(journal_bearings, *boost::unit_test::label("full")) {
   for (const double gap : {0.003, 0.001}) {
     check_inner_load({1.0, 1.5, 0.0, {0.0, 0.5 - gap}, {0.0, 0.7}, {0.0, -0.4}}, gap);

@@ -1,6 +1,6 @@
-// The first instant of the published Couette run with 80 ellipses: the torque that the inner wall
-// holds against, over that without bodies, is 1.10814; the positions are read off a figure, hence
-// the tolerance.
+// Tests the first instant of the published Couette run with 80 ellipses: the torque on the inner
+// wall, relative to the torque without bodies, is 1.10814. The positions are read off a figure,
+// which limits the tolerance.
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// The lagged coupling is block Jacobi: the coupled solution is its fixed point, and its sweeps
-// contract by the spectral radius of I - M^{-1} A, or do not contract.
+// Tests the lagged coupling, which is a block Jacobi iteration: the coupled solution is its fixed
+// point, and its sweeps contract by the spectral radius of I - M^{-1} A, or diverge (chapter 12).
 
 #include <cmath>
 
@@ -20,7 +20,7 @@ Scene pair(double gap) {
   return pair;
 }
 
-// Largest modulus of an eigenvalue of I - M^{-1} A.
+// Returns the largest modulus of an eigenvalue of I - M^{-1} A.
 double spectral_radius(const Solved& solved) {
   const LinearSystem discrete =
       solved.solver.linear_system(solved.solution.instant, solved.solution.discretisation);
@@ -31,8 +31,8 @@ double spectral_radius(const Solved& solved) {
     const ComplexVector image = discrete.system(deinterleaved(unit));
     sweep.col(j) = unit - discrete.precondition(interleaved(image));
   }
-  // By its powers: rounding decides whether the QR iteration converges for a matrix with so many
-  // eigenvalues that are nearly zero.
+  // The radius follows from powers of the matrix. The QR iteration may fail: the matrix has so many
+  // nearly zero eigenvalues that rounding decides whether the iteration converges.
   for (int square = 0; square < 6; ++square) sweep = (sweep * sweep).eval();
   return std::pow((sweep * sweep).norm() / sweep.norm(), 1.0 / 64.0);
 }
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(sweeps_contract_to_the_coupled_solution_by_the_spectral_rad
   }
 }
 
-// Values of the specification.
+// The radii are those of the specification.
 BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
   const double gaps[] = {1.0, 0.5, 0.2, 0.1, 0.05}, radii[] = {0.29, 0.48, 0.72, 0.86, 0.94};
   for (std::size_t k = 0; k < 5; ++k) {
@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
   }
 }
 
-// 48 ellipses, whose sweeps diverge: the run stops after as many steps of any length, and says why.
+// The sweeps of these 48 ellipses diverge: the run stops after the same number of steps, whatever
+// their length, and reports the reason.
 BOOST_AUTO_TEST_CASE(a_crowd_is_refused_whatever_the_step) {
   constexpr int most = 30;
   Scene crowd = ellipses_in_vortices(1e-2);

@@ -1,4 +1,5 @@
-// Computed mobilities that are not definite, and those that are.
+// Tests the definite correction of computed contact mobilities: indefinite ones become definite,
+// definite ones stay as they are (chapter 12).
 
 #include "suspension/contact/definite_correction.hpp"
 
@@ -23,7 +24,7 @@ MatrixXd random_matrix(Index rows, Index columns, unsigned seed) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return number(engine); });
 }
 
-// A mobility of twelve degrees of freedom, and five loads whose sum hardly moves anything.
+// Models a mobility of 12 degrees of freedom and five loads whose sum causes almost no motion.
 struct Trapped {
   MatrixXd loads = random_matrix(12, 5, 1);
   MatrixXd velocities;
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(errors_that_make_mobilities_indefinite_are_made_up_for) {
     indefinite += scaled_eigenvalues(works)[0] < 0.0 ? 1 : 0;
     BOOST_TEST(scaled_eigenvalues(works + change)[0] > 0.0);
     BOOST_TEST(change.norm() < 3.0 * (exact.loads.transpose() * error).norm());
-    // The least motions that do it: no others than the loads' own directions.
+    // The correction has the smallest motions possible: its columns lie in the span of the loads.
     const MatrixXd along =
         exact.loads * exact.loads.completeOrthogonalDecomposition().solve(correction);
     BOOST_TEST((along - correction).norm() <= 1e-12 * correction.norm());

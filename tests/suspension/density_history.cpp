@@ -1,5 +1,5 @@
-// Densities are extrapolated as polynomials in time, in the frames of bodies that move and turn,
-// between nodes that differ; a guess changes iterations, not solutions.
+// Tests the extrapolation of densities as polynomials in time, in the frames of bodies that move
+// and turn, between different nodes. A guess changes the iterations, but not the solution.
 #include "suspension/solver/density_history.hpp"
 
 #include "scenes.hpp"
@@ -22,7 +22,8 @@ SuspensionSolver two_bodies() {
             ShearFlow{1.0}));
 }
 
-// A function of the bodies' points and a cubic one of time, in the plane's frame.
+// Returns a function that is cubic in time and depends on the points of the bodies, as a vector in
+// the fixed frame.
 ComplexVector cubic(double t, const Discretisation& nodes) {
   const Configuration at = moving(t);
   std::vector<Complex> all;
@@ -49,10 +50,11 @@ BOOST_AUTO_TEST_CASE(cubic_densities_of_moving_bodies_are_guessed_exactly) {
     const ComplexVector exact = cubic(t, nodes);
     BOOST_TEST((history.guess(t, moving(t), nodes) - exact).norm() < 1e-12 * exact.norm());
   }
-  // The same time again replaces.
+  // A second entry at the same time replaces the first.
   history.add(0.45, moving(0.45), nodes, 2.0 * cubic(0.45, nodes));
   BOOST_TEST((history.guess(0.45, moving(0.45), nodes) - 2.0 * cubic(0.45, nodes)).norm() < 1e-12);
-  // So does one that differs by rounding, as after a reversal: three other times are left.
+  // An entry whose time differs only by rounding, as after a reversal, also replaces the earlier
+  // one: three other times remain.
   history.add(std::nextafter(0.45, 1.0), moving(0.45), nodes, cubic(0.45, nodes));
   const ComplexVector exact = cubic(0.6, nodes);
   BOOST_TEST((history.guess(0.6, moving(0.6), nodes) - exact).norm() < 1e-12 * exact.norm());

@@ -1,5 +1,5 @@
-// What the dry run tells of a scene is so: the reason that acted, who chose nodes, and what no
-// number of nodes resolves.
+// Tests that the text of the dry run is true of the scene: the reason for each choice, who chose
+// the nodes, and errors that no number of nodes resolves.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace stokesbook::test {
 
 namespace {
 
-// All lines of one topic.
+// Returns all lines of one topic.
 std::vector<std::string> told(const Scene& scene, const std::string& topic) {
   std::vector<std::string> lines = describe(SuspensionSolver(scene));
   std::erase_if(lines, [&](const std::string& line) { return !line.starts_with(topic); });

@@ -1,5 +1,5 @@
-// Scenes far from the origin, and bodies that are tiny beside others: what the solver compares are
-// distances between bodies and walls, never places.
+// Tests scenes far from the origin, and bodies that are tiny beside others: the solver compares
+// distances between bodies and walls, never absolute positions.
 
 #include <cmath>
 #include <numbers>
@@ -20,7 +20,7 @@ Body pushed(const Shape& shape, Complex position, Complex force) {
   return body(shape, automatic_nodes, position, 0.3, {force, 0.2});
 }
 
-// One scene of each kind of problem, of lengths about 1.
+// Returns one scene of each kind of problem, with lengths of about 1.
 std::vector<Scene> problems() {
   const std::vector<Body> bodies{pushed(Circle{0.5}, {-1.0, 0.2}, {0.3, -1.0}),
                                  pushed(Ellipse{0.6, 0.3}, {0.4, 0.1}, {-0.5, 0.8})};
@@ -46,7 +46,8 @@ Scene moved(Scene scene, Complex shift) {
   return scene;
 }
 
-// All numbers that do not depend on where a scene is: motions, loads, stresslets and dissipation.
+// Returns all results that do not depend on the position of a scene: motions, loads, stresslets and
+// dissipation.
 Eigen::VectorXd answers(const Scene& scene) {
   const Solved solved(scene);
   const Rheology rheology = Rheometer(solved.solver)(solved.solution);
@@ -73,14 +74,14 @@ BOOST_AUTO_TEST_CASE(answers_do_not_depend_on_the_place) {
       const Eigen::VectorXd found = answers(moved(here, std::polar(diameters, 0.7)));
       for (Eigen::Index i = 0; i < expected.size(); ++i) {
         if (std::isnan(expected[i])) continue;
-        // Places are rounded in proportion to their distance from the origin.
+        // Positions are rounded in proportion to their distance from the origin.
         BOOST_TEST(std::abs(found[i] - expected[i]) <= 1e-12 + 1e-14 * diameters);
       }
     }
   }
 }
 
-// Bodies sink to the floor of a container and lie there.
+// Bodies sink to the floor of a container and rest there.
 BOOST_AUTO_TEST_CASE(runs_do_not_depend_on_the_place) {
   Scene here = at_tolerance(1e-5, scene({pushed(Circle{0.5}, {-1.0, -1.0}, {0.0, -20.0}),
                                          pushed(Ellipse{0.6, 0.3}, {0.4, -1.2}, {0.0, -20.0})},
@@ -101,7 +102,7 @@ BOOST_AUTO_TEST_CASE(runs_do_not_depend_on_the_place) {
   }
 }
 
-// U = F / (4 pi) [ln(R / a) - (R^2 - a^2) / (R^2 + a^2)], for any ratio.
+// U = F / (4 pi) [ln(R / a) - (R^2 - a^2) / (R^2 + a^2)], for any ratio R / a.
 BOOST_AUTO_TEST_CASE(a_disk_in_a_container_of_any_size) {
   for (const double ratio : {3.0, 100.0, 1e4}) {
     for (const double radius : {1e-4, 1.0}) {
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_disk_in_a_container_of_any_size) {
   }
 }
 
-// Beside a disk that sinks, a speck goes with the flow that there is without it.
+// A tiny disk beside a sinking disk moves with the flow that the sinking disk causes alone.
 BOOST_AUTO_TEST_CASE(a_speck_beside_a_body) {
   const Body large = pushed(Circle{1.0}, {5.0, 2.0}, {0.0, -1.0});
   const Wall container = outer_wall(Circle{4.0}, automatic_nodes, {}, {5.5, 2.0});

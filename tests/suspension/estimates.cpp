@@ -1,5 +1,5 @@
-// The error estimate is honest: on random scenes with as few nodes as the solver accepts, it is no
-// less than three tenths of the true error, and no more than ten times as large.
+// Tests the error estimate on random scenes with as few nodes as the solver accepts: the estimate
+// is at least three tenths and at most ten times the true error.
 
 #include "scenes.hpp"
 #include "support/vectors.hpp"
@@ -8,7 +8,8 @@
 namespace stokesbook::test {
 namespace {
 
-// Moves the last body of a scene in a direction until it is a gap away from all others.
+// Moves the last body of a scene along a direction until its gap to the nearest other body has the
+// given value.
 void move_to_gap(Scene& scene, Complex direction, double gap) {
   Scene probe = scene;
   probe.solver.near_singular = NearSingular::off;
@@ -27,7 +28,8 @@ void move_to_gap(Scene& scene, Complex direction, double gap) {
   scene.bodies.back().position = high * direction;
 }
 
-// Two or three bodies at gaps from 1 down to 1e-2, in shear, or loaded within a gauge length.
+// Returns two or three bodies at gaps from 1 down to 1e-2, in shear, or loaded within a gauge
+// length.
 Scene random_neighbours(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto random_shape = [&]() -> Shape {
@@ -53,8 +55,8 @@ Scene with_nodes(Scene scene, int n_nodes) {
   return scene;
 }
 
-// The fewest nodes from a number on, the same for all bodies, with which the
-// solver accepts a scene.
+// Returns the solution with the fewest nodes, the same number >= at_least for all bodies, for which
+// the solver accepts a scene.
 Solved accepted(const Scene& scene, int at_least) {
   for (int n = at_least;; n += n < 64 ? 8 : 16) {
     try {
@@ -119,7 +121,7 @@ BOOST_AUTO_TEST_CASE(are_honest_in_many_scenes, *boost::unit_test::label("full")
   check_estimates(48);
 }
 
-// Without bodies there are no motions to compare: the density itself is.
+// Without bodies there are no motions to compare: the estimate compares the densities.
 BOOST_AUTO_TEST_CASE(a_container_without_bodies_has_one) {
   const LinearWall strained{Eigen::Matrix2d{{0.0, 1.0}, {1.0, 0.0}}};
   Scene empty = scene({}, {}, {outer_wall(Ellipse{4.0, 1.0}, 48, strained)});
@@ -131,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_container_without_bodies_has_one) {
   BOOST_TEST(fine < 0.01 * coarse);
 }
 
-// A component without density of its own has nothing to resolve, whatever rounding leaves there.
+// A component whose density is zero up to rounding errors has no tail.
 BOOST_AUTO_TEST_CASE(rounding_errors_have_no_tail) {
   std::mt19937_64 random(62);
   std::normal_distribution<double> normal(0, 1e-15);
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(rounding_errors_have_no_tail) {
   BOOST_TEST(tail_estimate(noise, 1.0).error < 1e-12);
 }
 
-// The fewest nodes of a scene: no resolution to speak of, and an estimate that says so.
+// The fewest nodes of a scene resolve almost nothing, and the estimate must show this.
 BOOST_AUTO_TEST_CASE(few_nodes_have_a_tail) {
   for (const Eigen::Index n : {8, 10, 12}) {
     BOOST_TEST(tail_estimate(random_vector(n, 63), 1.0).error > 1.0);

@@ -6,7 +6,7 @@
 
 namespace stokesbook::test {
 
-/// What a scene's solution must say about one component; parts that are not given are not compared.
+/// Expected results of one component of a scene; parts that are not given are not compared.
 struct Expected {
   std::size_t component = 0;
   std::optional<RigidMotion> motion;
@@ -14,7 +14,8 @@ struct Expected {
   std::optional<Complex> stresslet;
 };
 
-/// Largest difference of a solution in some units from what is expected in units of one.
+/// Returns the largest difference between a solution in some units and the expected results in
+/// units of one.
 inline double difference(const Solved& solved, const Expected& expected, const Units& units) {
   const std::size_t k = expected.component;
   double most = 0.0;
@@ -33,7 +34,7 @@ inline double difference(const Solved& solved, const Expected& expected, const U
   return most;
 }
 
-/// Solves a scene in several systems of units, and compares.
+/// Solves a scene in several systems of units and compares with the expected results.
 inline void check(const Scene& scene, const std::vector<Expected>& expected, double tolerance,
                   const std::vector<Units>& every = two_units) {
   for (const Units& units : every) {

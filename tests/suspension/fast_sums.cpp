@@ -1,6 +1,6 @@
-// The fast sum is the direct one to its tolerance: in the operator and its right-hand side for
-// every kind of problem and in units of any size, in flows away from the nodes, and in the motions
-// and loads of every scene that ships.
+// Tests that the fast sum (chapter 08) equals the direct sum to its tolerance: in the operator and
+// its right-hand side for every kind of problem and in units of any size, in flows away from the
+// nodes, and in the motions and loads of every shipped scene.
 
 #include <filesystem>
 
@@ -61,7 +61,7 @@ void check_shipped_scene(const std::filesystem::path& path) {
                         direct.solution.velocity_scale);
     BOOST_REQUIRE(change.has_value());
     BOOST_TEST(*change < direct.solver.scene().solver.tolerance);
-    // Few nodes are one box, and the same sum.
+    // Few nodes fit into a single box, where both sums are the same.
     if (direct.solution.density.size() > 1000) BOOST_TEST(*change > 0.0);
   }
 }
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(operators) {
       const Scene loaded = mixed_bodies(3, length, LinearFlow{shear});
       check_operators(loaded);
       check_operators(with_gauge(loaded, 30.0 * length));
-      Scene held = loaded;  // forces that balance by a free uniform velocity
+      Scene held = loaded;  // a free uniform velocity makes the forces balance
       for (const std::size_t k : {0U, 2U}) {
         held.bodies[k] = held_body(held.bodies[k].shape, held.bodies[k].n_nodes,
                                    held.bodies[k].position, 0.0, {{0.3 * length, length}, 0.7});
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(operators) {
   }
 }
 
-// Velocities and derivatives in the fluid, next to bodies and at a distance.
+// Compares velocities and their derivatives in the fluid, next to bodies and at a distance.
 BOOST_AUTO_TEST_CASE(flows) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> uniform(-4.5, 4.5);

@@ -1,4 +1,5 @@
-// Fields on grids: which points, which of them are in the fluid, and what the flow does there.
+// Tests fields on grids (chapter 12): the grid points, which of them lie in the fluid, and the flow
+// there.
 
 #include <array>
 
@@ -23,7 +24,7 @@ FieldSettings everything(const std::array<double, 4>& box, int resolution) {
   return {box, resolution, {velocity, pressure, vorticity, shear_stress, dissipation}};
 }
 
-// Mean pressure over the outer wall, between its nodes.
+// Returns the mean pressure over the outer wall, at points between its nodes.
 double mean_pressure(const Solved& solved, const Curve& wall) {
   const auto flow = solved.solver.derivatives(solved.solution, wall.x);
   const Eigen::VectorXd w = weights(wall);
@@ -50,13 +51,14 @@ BOOST_AUTO_TEST_CASE(grids_cover_their_boxes) {
   };
   is(field_grid({{-1, 2, 2, 3}, 4, {}}), {-1, 2}, 1.0, 4, 2);
   is(field_grid({{-5, -5, 5, 5}, 200, {}}), {-5, -5}, 10.0 / 199, 200, 200);
-  // 3.3 cells fit on the shorter side: three do, and are centred; 3.6: four stand out.
+  // On the shorter side, 3.3 cells become three, which are centred; 3.6 cells become four, which
+  // extend beyond the box.
   is(field_grid({{0, 0, 10, 3.3}, 11, {}}), {0, 0.15}, 1.0, 11, 4);
   is(field_grid({{0, 0, 3.6, 10}, 11, {}}), {-0.2, 0}, 1.0, 5, 11);
   is(field_grid({{0, 0, 10, 1e-3}, 2, {}}), {0, 5e-4 - 5}, 10.0, 2, 2);
 }
 
-// 1e-12 off the curves, on both sides, between the nodes.
+// The points lie 1e-12 off the curves, on both sides, between the nodes.
 BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
   const Scene scene = test::scene({body(Star{0.7, 0.2, 5}, 200, {1.0, 0.5}, 0.4),
                                    body(Ellipse{1.5, 0.3}, 160, {-1.2, 0.3}, 2.0),
@@ -85,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_side_test_is_exact) {
   BOOST_TEST(in_fluid(configuration, solver.discretisation(), far)[0] == 0);
 }
 
-// Two turning cylinders: u = A r + B / r. The grid passes close to both walls.
+// Between two rotating cylinders u = A r + B / r. The grid passes close to both walls.
 BOOST_AUTO_TEST_CASE(fields_between_cylinders) {
   const double inner = 1.0, outer = 2.5, w1 = 0.4, w2 = -0.7, mu = 1.3;
   Scene cell = scene({}, {},
@@ -139,8 +141,8 @@ BOOST_AUTO_TEST_CASE(only_what_was_asked_for) {
   BOOST_CHECK_THROW(evaluate_field(solved.solver, solved.solution), std::invalid_argument);
 }
 
-// A disk in strain: pressure and vorticity are -+ 4 a^2 e Re, Im z^-2, and the strain far away is
-// that of the stream.
+// For a disk in a straining flow, pressure and vorticity are -+ 4 a^2 e Re, Im z^-2, and the strain
+// far away is that of the stream.
 BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
   const double a = 0.8, rate = 0.7, mu = 1.3;
   Scene disk = scene({body(Circle{a}, 64, 0.0)}, ExtensionalFlow{rate});
@@ -159,7 +161,8 @@ BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
   }
 }
 
-// In a container the mean pressure over the outer wall is zero, whatever the bodies do and however the flow is reversed.
+// In a container the mean pressure over the outer wall is zero, whatever the bodies do, and also
+// for the reversed flow.
 BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   Scene tank = scene({body(Circle{0.5}, 96, {-0.4, 1.2}, 0.0, {{0.3, -1.0}, 0.2})}, {},
                      {outer_wall(Ellipse{3.0, 2.5}, 192, {}, {0.1, 0.0})});
@@ -171,7 +174,7 @@ BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   const Complex point = field.grid.points()[at];
   const double here =
       solved.solver.derivatives(solved.solution, ComplexVector{{point}})[0].pressure;
-  // Other points of the wall than the solver's nodes.
+  // These points of the wall are not the solver's nodes.
   const Curve wall = place(sample(Ellipse{3.0, 2.5}, 150, Side::fluid_inside), {0.1, 0.0}, 0.0);
   BOOST_TEST(std::abs(field.pressure[at] - (here - mean_pressure(solved, wall))) < 1e-10);
 
@@ -180,7 +183,7 @@ BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   BOOST_TEST(std::abs(back.pressure[at] + field.pressure[at]) < 1e-10);
 }
 
-// A disk that is driven through a container with arms: stress peaks at the walls.
+// Returns a disk that is driven through a container with arms, where the stress peaks at the walls.
 Scene lobed_container(int nodes_a_body, int nodes_a_wall, double tolerance) {
   Scene result = scene({body(Circle{0.6}, nodes_a_body, {0.5, 0.2}, 0.0, {1.0, 0.3})}, {},
                        {outer_wall(Star{2.0, 0.2, 5}, nodes_a_wall)});

@@ -1,5 +1,6 @@
-// The velocity field of a solution is a Stokes flow: free of divergence, with a biharmonic
-// velocity, continuous up to the boundary, decaying as its loads and stresslets say.
+// Tests that the velocity field of a solution is a Stokes flow (chapter 12): its divergence is
+// zero, its velocity is biharmonic and continuous up to the boundary, and it decays as its loads
+// and stresslets require.
 
 #include <numbers>
 
@@ -23,7 +24,7 @@ Scene loaded_trio(std::uint64_t seed) {
   return trio;
 }
 
-// Points of the fluid, at least a distance from every body.
+// Returns points of the fluid that have at least a given distance from every body.
 std::vector<Complex> fluid_points(const Solved& solved, double spread, double distance) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-spread, spread);
@@ -41,14 +42,14 @@ std::vector<Complex> fluid_points(const Solved& solved, double spread, double di
   return points;
 }
 
-// d/dx of a velocity component along a direction, by central differences of order 4.
+// Returns d/dx of the velocity along a direction, by central differences of order 4.
 Complex derivative(const Solved& solved, Complex point, Complex step) {
   const ComplexVector u = solved.velocity(
       ComplexVector{{point - 2.0 * step, point - step, point + step, point + 2.0 * step}});
   return (u[0] - 8.0 * u[1] + 8.0 * u[2] - u[3]) / (12.0 * std::abs(step));
 }
 
-// Tractions of the whole flow at the nodes of a solution.
+// Returns the tractions of the whole flow at the nodes of a solution.
 ComplexVector tractions(const Solved& solved, const Solution& solution) {
   const StokesProblem problem =
       solved.solver.problem(solved.solution.instant, solution.discretisation);
@@ -56,7 +57,8 @@ ComplexVector tractions(const Solved& solved, const Solution& solution) {
   return boundary_traction(problem, solved.solver.derivatives(solution, nodes));
 }
 
-// The largest difference of two functions on a curve, over the largest value of the second.
+// Returns the largest difference of two functions on a curve, relative to the largest value of the
+// second.
 double relative_difference(const ComplexVector& f, const ComplexVector& g) {
   std::vector<double> parameters;
   for (Eigen::Index j = 0; j < g.size(); ++j) {
@@ -77,7 +79,7 @@ BOOST_AUTO_TEST_CASE(divergence) {
       const double h = 5e-4 * units.length;
       const Complex along_x = derivative(solved, point, h);
       const Complex along_y = derivative(solved, point, imaginary * h);
-      // Truncation h^4 and rounding eps / h are both near 1e-12.
+      // The truncation error h^4 and the rounding error eps / h are both near 1e-12.
       BOOST_TEST(std::abs(along_x.real() + along_y.imag()) < 1e-10 * units.rate);
       BOOST_TEST(std::abs(along_x) + std::abs(along_y) > 1e-2 * units.rate);
     }
@@ -85,7 +87,7 @@ BOOST_AUTO_TEST_CASE(divergence) {
 }
 
 // Vorticity and strain are those of the velocity; pressure and vorticity satisfy the momentum
-// balance grad p = mu rot w. Differences of order 4 err by about 1e-9.
+// balance grad p = mu rot w. Central differences of order 4 have errors of about 1e-9.
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
   for (const Units& units : two_units) {
     for (const double amplitude : {1.0, -1.0}) {
@@ -123,8 +125,8 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
 }
 
 // In a disk without bodies the laws of circle_averages.hpp hold without force and torque: <u>(r) -
-// u(0) = d r^2, which makes u biharmonic, and <u_theta> = A r, which makes the vorticity harmonic.
-// Together: momentum.
+// u(0) = d r^2 makes u biharmonic, and <u_theta> = A r makes the vorticity harmonic. Together they
+// are the momentum balance.
 BOOST_AUTO_TEST_CASE(momentum) {
   for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(52), units));
@@ -141,8 +143,9 @@ BOOST_AUTO_TEST_CASE(momentum) {
   }
 }
 
-// Between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape. There the field
-// errs like the tail of the density; motions, with their tolerance of 1e-12, like its square.
+// The points lie between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape.
+// The error of the field there is proportional to the tail of the density; the error of the
+// motions, whose tolerance is 1e-12, to its square.
 BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
   for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(53), units));
@@ -161,7 +164,7 @@ BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
           return (solved.velocity(ComplexVector{{point}})[0] - rigid) / units.velocity();
         };
         BOOST_TEST(std::abs(slip(0.0)) < 1e-9);
-        // Extrapolated to the surface from two heights: what is left is of second order.
+        // The slip is extrapolated to the surface from two heights; a term of second order remains.
         BOOST_TEST(std::abs(2.0 * slip(1e-6) - slip(2e-6)) < 1e-9);
         BOOST_TEST(std::abs(2.0 * slip(1e-2) - slip(2e-2)) < 2e-2);
         BOOST_TEST(std::abs(slip(1e-2)) < 0.2);
@@ -170,7 +173,7 @@ BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
   }
 }
 
-// Close to the surface the field is that of a solution with other nodes.
+// Close to the surface, the field equals the field of a solution with other nodes.
 BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   const Scene coarse = loaded_trio(54);
   Scene fine = coarse;
@@ -190,8 +193,8 @@ BOOST_AUTO_TEST_CASE(close_field_does_not_depend_on_nodes) {
   }
 }
 
-// Far away a load-free suspension is its stresslets, -(r.S.r) r / (2 pi mu rho^4), up to terms of
-// order rho^-2.
+// Far away, the disturbance of a load-free suspension is the field of its stresslets, -(r.S.r) r /
+// (2 pi mu rho^4), up to terms of order rho^-2.
 BOOST_AUTO_TEST_CASE(far_field_of_stresslets) {
   std::mt19937_64 random(55);
   const Solved solved(resolved(scene(random_bodies(random), ShearFlow{1})));
@@ -213,8 +216,8 @@ BOOST_AUTO_TEST_CASE(far_field_of_stresslets) {
   BOOST_TEST(remainder(100) / remainder(400) == 16.0, boost::test_tools::tolerance(0.1));
 }
 
-// A net force leaves -log(rho / ell) F / (4 pi mu) and r (r.F) / (4 pi mu rho^2), about its centre
-// of action.
+// A net force causes the far field -log(rho / ell) F / (4 pi mu) + r (r.F) / (4 pi mu rho^2) about
+// its centre of action.
 BOOST_AUTO_TEST_CASE(far_field_of_forces) {
   Scene trio = loaded_trio(56);
   trio.flow = QuiescentFlow{};
@@ -232,8 +235,8 @@ BOOST_AUTO_TEST_CASE(far_field_of_forces) {
   BOOST_TEST(remainder(1e3) / remainder(1e4) == 10.0, boost::test_tools::tolerance(0.05));
 }
 
-// Beside a held body in a stream without net force, the fluid far away moves at the reported
-// uniform velocity.
+// A held body in a stream has no net force: the fluid far away then moves at the reported uniform
+// velocity.
 BOOST_AUTO_TEST_CASE(uniform_velocity_at_infinity) {
   Scene held = loaded_trio(57);
   held.flow = QuiescentFlow{};

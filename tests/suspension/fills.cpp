@@ -1,4 +1,5 @@
-// Random fills place what they are asked for, apart by their clearance, the same for the same seed.
+// Tests random fills: they place the requested bodies, apart by their clearance, and the same for
+// the same seed.
 
 #include <algorithm>
 #include <array>
@@ -73,7 +74,8 @@ std::vector<Body> placed_by_all_pairs(const SceneFile& file, const std::array<do
 
 BOOST_AUTO_TEST_CASE(bodies_are_placed_where_a_test_of_all_pairs_leaves_room) {
   SceneFile cell = filled_cell(6);
-  // Concave: its arms reach into the bounding circles of bodies that keep their clearance.
+  // The wall is concave: its arms reach into the bounding circles of bodies that keep their
+  // clearance.
   cell.scene.walls[0].shape = Star{5.0, 0.3, 3};
   cell.scene.walls[0].n_nodes = 128;
   SceneFile plane;

@@ -1,5 +1,6 @@
-// Nodes chosen for gaps: equidistant where that serves, few where it does not, and enough: motions
-// of bodies that nearly touch have the digits asked for.
+// Tests the choice of nodes for gaps: equidistant nodes where these suffice, few graded nodes
+// otherwise, and enough nodes that the motions of nearly touching bodies have the accuracy
+// requested.
 #include "suspension/nodes/graded_nodes.hpp"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using Eigen::Index;
 
 namespace {
 
-// An ellipse between two circles, which it nearly touches, in a linear flow.
+// An ellipse nearly touches two circles, one on each side, in a linear flow.
 class NearlyTouching {
  public:
   NearlyTouching() {
@@ -69,7 +70,8 @@ class NearlyTouching {
     plan.near_tolerance = 1e-13;
     const SuspensionOperator system(problem, placed, plan);
     const ComplexVector rhs = system.right_hand_side();
-    // GMRES would need as many iterations as these gaps have scales: hundreds.
+    // The dense system is solved directly: GMRES would need as many iterations as these gaps have
+    // scales, hundreds.
     Eigen::MatrixXd matrix(2 * rhs.size(), 2 * rhs.size());
     for (Index column = 0; column < matrix.cols(); ++column) {
       ComplexVector unit = ComplexVector::Zero(rhs.size());
@@ -108,7 +110,7 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
       BOOST_TEST(nodes.n_nodes == 64);
       BOOST_TEST(!nodes.is_graded());
     }
-    // What does not pay is answered by more equidistant nodes.
+    // If grading does not pay, the number of equidistant nodes grows.
     const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
     const Resolution more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
     BOOST_TEST(!more.is_graded());
@@ -167,9 +169,10 @@ BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
   BOOST_TEST(places({beside, narrow}) == std::vector<double>{1.0});
   BOOST_TEST((places({apart, narrow}) == std::vector<double>{1.0, 1.2}));
   BOOST_TEST((places({far, beside, narrow}) == std::vector<double>{1.0, 4.0}));
-  // The other way round the narrow gap needs its own.
+  // A cluster at the wide gap would not suffice for the narrow gap beside it, so the narrow gap
+  // keeps its own.
   BOOST_TEST(places({{1.0, 1e-2}, {1.0 + 5e-3, 1e-5}}) == std::vector<double>{1.0 + 5e-3});
-  // A turn more is the same place.
+  // A parameter plus 2 pi is the same point of the curve.
   BOOST_TEST(places({narrow, {1.0 + 2.0 * std::numbers::pi, 0.1}}) == std::vector<double>{1.0});
 }
 

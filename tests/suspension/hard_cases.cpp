@@ -1,5 +1,5 @@
-// Cases at the edge: a gap of 1e-4, a body twenty times as long as wide, a tip in a valley, lengths
-// of 1e-6 and 1e6.
+// Tests extreme cases: a gap of 1e-4, a body twenty times as long as wide, a tip in a valley, and
+// lengths of 1e-6 and 1e6.
 
 #include "expected.hpp"
 #include "support/closed_forms.hpp"
@@ -18,7 +18,7 @@ Scene circle_pair(double gap, double tolerance) {
   return pair;
 }
 
-// A five-armed star with an arm in the valley between two arms of another.
+// Returns a five-armed star with an arm in the valley between two arms of another star.
 Scene tip_in_valley(int n_nodes, const BackgroundFlow& flow, double tolerance) {
   const Star star{1, 0.25, 5};
   const double pi = std::numbers::pi;
@@ -38,14 +38,14 @@ void check_slender_body(double orientation, const std::vector<Units>& units_of_l
         {{0, exact, {}, {}}}, 1e-11, units_of_load);
 }
 
-// No closed form: other nodes, the mirror image and reciprocity must agree.
+// There is no closed form: results with other nodes, the mirror image and reciprocity must agree.
 void check_tip_in_valley(int coarse_nodes, int fine_nodes, double tolerance) {
   const Solved coarse(tip_in_valley(coarse_nodes, ShearFlow{1}, tolerance)),
       fine(tip_in_valley(fine_nodes, ShearFlow{1}, tolerance));
   BOOST_TEST(coarse.solution.gaps.front().points.gap < 0.1);
   for (std::size_t k = 0; k < 2; ++k) {
     BOOST_TEST(distance(coarse.motion(k), fine.motion(k)) < tolerance);
-    // The pair is its own mirror image in y = 0, which reverses shear: U_x must vanish.
+    // The pair is its own mirror image in y = 0, which reverses shear, so U_x must vanish.
     BOOST_TEST(std::abs(fine.motion(k).velocity.real()) < tolerance);
   }
   const auto with_torque = [&](std::size_t k) {
@@ -60,7 +60,7 @@ void check_tip_in_valley(int coarse_nodes, int fine_nodes, double tolerance) {
 
 BOOST_AUTO_TEST_SUITE(hard_cases)
 
-// Some 1900 nodes a circle.
+// Each circle has about 1900 nodes.
 BOOST_AUTO_TEST_CASE(gap_of_1e_4, *boost::unit_test::label("full")) {
   const double gap = 1e-4, tolerance = 1e-6;
   const Solved solved(circle_pair(gap, tolerance));
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(star_tip_in_a_valley_to_eight_digits, *boost::unit_test::la
   check_tip_in_valley(512, 640, 1e-8);
 }
 
-// A micrometre and a thousand kilometres, if the unit is a metre.
+// The lengths are a micrometre and a thousand kilometres, if the unit is a metre.
 BOOST_AUTO_TEST_CASE(extreme_units) {
   const std::vector<Units> extreme{
       {1e-6, 1.3, 2.5}, {1e6, 1, 1}, {1, 1e-6, 1e6}, {1e-6, 1e-3, 1e3}};

@@ -1,4 +1,5 @@
-// The measure of how contact forces balance sees what they leave over, and not where the origin is.
+// Tests the measure of the imbalance of contact forces: it contains the sum that remains, and does
+// not depend on the origin (chapter 12).
 
 #include "scenes.hpp"
 #include "suspension/contact/contact.hpp"
@@ -12,7 +13,7 @@ ContactShapes disks(std::size_t count, double radius) {
                      contact_shape(Circle{radius}, Side::fluid_outside, 1e-2))};
 }
 
-// A pair that pushes each other where they touch, beside a disk that nothing touches.
+// Two disks push each other at their contact; a third disk touches nothing.
 struct Touching {
   Configuration configuration{{{-1.0, 0.0}, 0.3}, {{1.0, 0.0}, 0.0}, {{70.0, 20.0}, 0.0}};
   Eigen::VectorXd force{{-2.0, 0.7, 0.7, 2.0, -0.7, 0.7, 0.0, 0.0, 0.0}};
@@ -42,7 +43,7 @@ BOOST_AUTO_TEST_CASE(what_is_left_over_is_the_same_from_everywhere) {
   const double largest = std::hypot(2.0, 0.7);
   for (const Complex origin : origins) {
     Touching turned;
-    turned.force[2] += 0.1;  // the lever is a distance of 1 and a radius of 1
+    turned.force[2] += 0.1;  // the lever is the distance 1 plus the radius 1
     BOOST_TEST(turned.about(origin).force == 0.0);
     BOOST_TEST(turned.about(origin).torque == 0.1 / (2.0 * largest),
                boost::test_tools::tolerance(1e-10));

@@ -1,5 +1,6 @@
-// What no frame or unit may change: rotation, translation and Galilean boost of the whole scene,
-// units of length, time and viscosity, walls that carry everything rigidly, superposition.
+// Tests that results do not depend on the frame or the units: rotation, translation and Galilean
+// boost of the whole scene, units of length, time and viscosity, walls that carry everything
+// rigidly, and superposition.
 
 #include <functional>
 
@@ -21,7 +22,7 @@ Complex times(const Eigen::Matrix2d& matrix, Complex x) {
   return {y[0], y[1]};
 }
 
-// Loaded bodies, one of them held, in a linear flow.
+// Returns loaded bodies, one of them held, in a linear flow.
 Scene mixed_scene(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Scene mixed = resolved(scene(random_bodies(random), LinearFlow{shear_gradient()}));
@@ -82,8 +83,8 @@ BOOST_AUTO_TEST_CASE(rotation) {
   }
 }
 
-// In a linear flow a translation is a boost by the difference of the flow, which held bodies must
-// share.
+// In a linear flow, a translation is equivalent to a boost by the difference of the flow. Held
+// bodies must have the same boost.
 BOOST_AUTO_TEST_CASE(translation_and_boost) {
   Scene mixed = mixed_scene(44);
   const Solved solved(mixed);
@@ -98,7 +99,8 @@ BOOST_AUTO_TEST_CASE(translation_and_boost) {
   check(mixed, expected_from(solved, boosted), 1e-11);
 }
 
-// How fast the flow carries all bodies has no effect on their relative motion, at any tolerance.
+// The speed with which the flow carries all bodies has no effect on their relative motion, at any
+// tolerance.
 BOOST_AUTO_TEST_CASE(relative_motion_in_a_fast_flow) {
   std::mt19937_64 random(47);
   Scene crowd = scene(random_bodies(random), ShearFlow{1.0});
@@ -148,7 +150,7 @@ BOOST_AUTO_TEST_CASE(relative_motion_in_a_fast_container) {
              1e-9);
 }
 
-// A uniform stream carries loaded free bodies along, whatever they do otherwise.
+// A uniform stream adds its velocity to the motion of all free bodies.
 BOOST_AUTO_TEST_CASE(uniform_stream) {
   Scene still = mixed_scene(45);
   still.bodies[1].held = false;
@@ -163,7 +165,7 @@ BOOST_AUTO_TEST_CASE(uniform_stream) {
   check(stream, expected_from(solved, carried), 1e-12);
 }
 
-// A turning or moving container carries all bodies with it, and nothing feels a load.
+// A turning or translating container carries all bodies with it, and no body has a load.
 BOOST_AUTO_TEST_CASE(walls_carry_bodies_rigidly) {
   std::mt19937_64 random(46);
   for (const Shape& container :
@@ -176,7 +178,8 @@ BOOST_AUTO_TEST_CASE(walls_carry_bodies_rigidly) {
       const auto carried = [wall = wall, centre](Complex position) {
         return RigidMotion{wall.velocity + wall.omega * perp(position - centre), wall.omega};
       };
-      // A held body that goes along is as little in the way as the free ones.
+      // A held body that moves with the container disturbs the rigid motion as little as a free
+      // one.
       Body& held = bodies[2];
       held = held_body(held.shape, 0, held.position, held.orientation, carried(held.position));
       std::vector<Expected> expected{{3, wall, Load{}, {}}};
@@ -220,7 +223,7 @@ BOOST_AUTO_TEST_CASE(superposition) {
   check(both, sum, 1e-12);
 }
 
-// A reversed flow reverses everything.
+// A reversed flow reverses all motions and loads.
 BOOST_AUTO_TEST_CASE(reversed_flow) {
   const Scene mixed = mixed_scene(48);
   const SuspensionSolver solver(mixed);

@@ -1,6 +1,6 @@
-// One body in an unbounded fluid: reference numbers C1, C2, C3, N1, N2 of the specification in two
-// systems of units, and the field around a loaded circle in closed form. Stresslets come from the
-// density, which they verify.
+// Tests one body in an unbounded fluid against the reference numbers C1, C2, C3, N1, N2 of the
+// specification, in two systems of units, and the field around a loaded circle against its closed
+// form. The stresslets are computed from the density and verify it.
 
 #include "expected.hpp"
 #include "support/closed_forms.hpp"
@@ -31,8 +31,8 @@ BOOST_AUTO_TEST_CASE(circle_C1) {
 }
 
 BOOST_AUTO_TEST_CASE(ellipse_C2) {
-  // The reference has the gauge length 1, in which the body moves against a force across it. Another
-  // one adds a uniform velocity.
+  // The reference has the gauge length 1, for which the body moves against a force across it.
+  // Another gauge length adds a uniform velocity.
   const double gauge = 3.0;
   const Load load{{1.0, 1.0}, 1.0};
   Scene c2 = with_gauge(scene({body(Ellipse{2, 1}, 96, {}, 0.0, load)}), gauge);
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(lopsided_body_N2) {
         rounding);
 }
 
-// Loaded ellipses anywhere, at any angle, in any gauge.
+// The loaded ellipses have random positions, angles and gauge lengths.
 BOOST_AUTO_TEST_CASE(loaded_ellipses) {
   std::mt19937_64 random(3);
   for (int trial = 0; trial < 6; ++trial) {
@@ -89,8 +89,8 @@ BOOST_AUTO_TEST_CASE(loaded_ellipses) {
   }
 }
 
-// A free ellipse moves with the flow at its centre and turns by Jeffery's formula in any linear
-// flow.
+// In any linear flow, a free ellipse moves with the velocity at its centre and turns by Jeffery's
+// formula.
 BOOST_AUTO_TEST_CASE(ellipses_in_linear_flows) {
   Eigen::Matrix2d gradient;
   gradient << 0.4, -1.1, 0.3, -0.4;
@@ -105,7 +105,8 @@ BOOST_AUTO_TEST_CASE(ellipses_in_linear_flows) {
   }
 }
 
-// From a hundredth of the radius to a thousand radii; the rotlet of a circle is exact outside it.
+// The points range from a hundredth of the radius to a thousand radii. The rotlet of a circle is
+// exact outside of the circle.
 BOOST_AUTO_TEST_CASE(field_around_a_loaded_circle) {
   for (const Units& units : two_units) {
     const double a = 0.7 * units.length, ell = 2.0 * units.length;

@@ -1,5 +1,6 @@
-// GMRES takes the published iterations, independent of the nodes once gaps are resolved, and the
-// block-diagonal preconditioner pays for slender bodies.
+// Tests the iterations of GMRES (chapter 05): they are the published ones, do not depend on the
+// nodes once gaps are resolved, and are reduced for slender bodies by the block-diagonal
+// preconditioner.
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/background_flow.hpp"
@@ -15,7 +16,7 @@ int iterations(Scene scene, PreconditionerKind preconditioner, double gmres_tol)
   return Solved(scene).solution.gmres.iterations;
 }
 
-// Radius .5, pitch 1.25: gaps of .25.
+// Returns nine circles of radius .5 at a pitch of 1.25, with gaps of .25.
 Scene nine_circles(int n_nodes, const BackgroundFlow& flow) {
   std::vector<Body> circles;
   for (int i = 0; i < 9; ++i) {
@@ -26,7 +27,8 @@ Scene nine_circles(int n_nodes, const BackgroundFlow& flow) {
   return result;
 }
 
-// A woven lattice of 6:1 ellipses: every neighbour is turned by a right angle, tip to flank .0555.
+// Returns a woven lattice of 6:1 ellipses. Each ellipse is at right angles to its neighbours, and
+// the gap from tip to flank is .0555.
 Scene twelve_ellipses(int n_nodes) {
   const double pitch = 1.0 + 1.0 / 6.0 + 0.0555;
   std::vector<Body> ellipses;
@@ -41,7 +43,7 @@ Scene twelve_ellipses(int n_nodes) {
   return result;
 }
 
-// Start of the published Taylor-Green run.
+// Returns the start of the published Taylor-Green run.
 Scene taylor_green(int n_nodes) {
   std::vector<Body> ellipses;
   for (const double x : {-1.492, -0.4973, 0.4973, 1.492}) {
@@ -69,8 +71,8 @@ void check_slender_ellipses(const std::vector<int>& finer_nodes) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(nine_circles_take_sixteen_iterations_at_any_resolution) {
-  // Extension is antisymmetric in more ways than shear; its last residual lies close to the
-  // tolerance.
+  // The extensional flow is antisymmetric in more ways than shear. Its last residual lies close to
+  // the tolerance, so the count may differ by one.
   for (const int n : {64, 96, 128}) {
     const Scene shear = nine_circles(n, ShearFlow{1.0}),
                 extension = nine_circles(n, ExtensionalFlow{1.0});
@@ -93,8 +95,8 @@ BOOST_AUTO_TEST_CASE(a_twice_finer_mesh_takes_no_more_iterations,
 
 BOOST_AUTO_TEST_CASE(taylor_green_start, *boost::unit_test::label("full")) {
   const Scene start = taylor_green(96);
-  // Published counts of this start are of another code, which stops by another norm: one more or
-  // less.
+  // Another code with another stopping norm computed the published counts of this start, so they
+  // may differ by one.
   const double tolerance = relative_to_whole_flow(SuspensionSolver(start), 1e-8);
   const int with = iterations(start, PreconditionerKind::block_diagonal, tolerance);
   const int without = iterations(start, PreconditionerKind::none, tolerance);

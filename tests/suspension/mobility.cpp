@@ -1,5 +1,5 @@
-// The mobility matrix of any bodies is symmetric and positive definite, unbounded within a gauge
-// length and in a container.
+// Tests that the mobility matrix of any bodies is symmetric and positive definite, in an unbounded
+// fluid within a gauge length and in a container.
 
 #include "support/spectra.hpp"
 #include "units.hpp"
@@ -7,7 +7,8 @@
 namespace stokesbook::test {
 namespace {
 
-// Motions (U_1, U_2, omega of every body) of unit loads, column by column, in units of one.
+// Returns the motions (U_1, U_2, omega of every body) under unit loads, one column per load, in
+// units of one.
 Eigen::MatrixXd mobility(Scene scene, const Units& units) {
   const auto size = static_cast<Eigen::Index>(3 * scene.bodies.size());
   Eigen::MatrixXd matrix(size, size);
@@ -31,8 +32,8 @@ void check_mobility(const Scene& scene) {
     const Eigen::MatrixXd matrix = mobility(scene, units);
     const double largest = matrix.cwiseAbs().maxCoeff();
     BOOST_TEST((matrix - matrix.transpose()).cwiseAbs().maxCoeff() < 1e-12 * largest);
-    // The smallest eigenvalue belongs to the body that is hardest to move alone: of order 1 / (4
-    // pi).
+    // The smallest eigenvalue belongs to the body that is hardest to move alone, and is of order 1
+    // / (4 pi).
     const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
     BOOST_TEST(symmetric_eigenvalues(symmetric)[0] > 1e-4);
   }
@@ -53,7 +54,8 @@ BOOST_AUTO_TEST_CASE(bounded) {
   check_mobility(resolved(scene(random_bodies(random), {}, {wall})));
 }
 
-// A wall slows every body down: the difference of the mobilities is positive definite.
+// A container slows down every body: the mobility without it minus the mobility in it is positive
+// definite.
 BOOST_AUTO_TEST_CASE(a_container_takes_mobility_away) {
   std::mt19937_64 random(23);
   const std::vector<Body> bodies = random_bodies(random);

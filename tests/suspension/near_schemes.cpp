@@ -1,5 +1,5 @@
-// Both schemes of close evaluation give the same motions and loads to the tolerance asked, with
-// close pairs of two bodies, of a body and a wall, and of two walls.
+// Tests that both schemes of close evaluation give the same motions and loads to the requested
+// tolerance, with close pairs of two bodies, of a body and a wall, and of two walls.
 
 #include "scenes.hpp"
 #include "suspension/motion/describe.hpp"
@@ -7,7 +7,7 @@
 namespace stokesbook::test {
 namespace {
 
-// Every kind of pair, 0.05 to 0.1 apart.
+// Returns a cell with every kind of pair, at gaps from 0.05 to 0.1.
 Scene crowded_cell(NearSingular scheme, double tolerance) {
   Scene cell = scene({body(Circle{0.4}, 128, {-1.2, 0.3}, 0.0, {{0.3, -0.2}, 0.4}),
                       body(Ellipse{0.6, 0.35}, 160, {-0.15, 0.3}, 0.0, {{0.0, 0.5}, 0.0})},

@@ -1,5 +1,5 @@
-// Searches for neighbours find what tests of all pairs find: gaps, the closest pair where none is
-// in reach, and the points that lie in the fluid.
+// Tests that the searches for neighbours find the same results as tests of all pairs: gaps, the
+// closest pair if no pair is in reach, and the points that lie in the fluid.
 
 #include <numbers>
 #include <random>
@@ -16,7 +16,7 @@ namespace stokesbook::test {
 
 namespace {
 
-// A lattice with a few places left empty; bodies are of several shapes, and some of them touch.
+// Returns bodies of several shapes on a lattice with some empty places; some of the bodies touch.
 Scene random_bodies(unsigned seed, double spacing) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -33,7 +33,7 @@ Scene random_bodies(unsigned seed, double spacing) {
   return result;
 }
 
-// The container is not convex: bodies lie between its arms, and on both sides of it.
+// The container is not convex: bodies lie between its arms, and on both sides of its boundary.
 Scene contained(Scene scene) {
   scene.walls = {outer_wall(Star{4.0, 0.3, 5}, 128, {}, {0.2, 0.1}, 0.3),
                  inner_wall(Ellipse{1.0, 0.4}, 64, {}, {7.0, 0.5})};
@@ -69,7 +69,8 @@ bool is_narrower(const Gap& p, const Gap& q) {
   return p.points.gap < q.points.gap;
 }
 
-// All pairs in reach in ascending order; before them the closest of all, where it is none of them.
+// Returns the gaps of all pairs in reach in ascending order. The closest pair of all comes first,
+// even if it is out of reach.
 std::vector<Gap> gaps_of_all_pairs(const Placed& placed, double tolerance) {
   std::vector<Gap> near, far;
   for (std::size_t a = 0; a < placed.configuration.size(); ++a) {
@@ -85,7 +86,7 @@ std::vector<Gap> gaps_of_all_pairs(const Placed& placed, double tolerance) {
   return near;
 }
 
-// Returns whether the closest pair is out of reach.
+// Compares the gaps with those of all pairs. Returns whether the closest pair is out of reach.
 bool test_gaps(const Scene& scene, double tolerance) {
   const Placed placed(scene);
   const std::vector<Gap> expected = gaps_of_all_pairs(placed, tolerance);
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
     BOOST_TEST(test_gaps(random_bodies(seed, 5.0), 1e-2));
     BOOST_TEST(test_gaps(random_bodies(seed, 1e6), 1e-2));
   }
-  // A pair in reach of a coarse body, and a closer one that is in nobody's.
+  // One pair is in reach of a coarse body. Another pair is closer, but in reach of no body.
   Scene scene = random_bodies(6, 5.0);
   scene.bodies.push_back(body(Circle{20.0}, 8, {100.0, 0.0}));
   scene.bodies.push_back(body(Circle{1.0}, 256, {100.0, 24.0}));
@@ -129,10 +130,12 @@ BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
     BOOST_TEST(test_gaps(stokesbook::test::scene(std::move(bodies)), 1e-2));
   };
   test({body(Circle{1.0}, 32, {0.0, 0.0}), body(Ellipse{1.0, 0.5}, 32, {1e3, -50.0})});
-  // Bounding circles of the ellipses are closer than those of the circles.
+  // The bounding circles of the two ellipses are closer than those of the two circles, but the
+  // circles are the closest pair.
   test({body(Ellipse{1.0, 0.1}, 256, {0.0, 0.0}), body(Ellipse{1.0, 0.1}, 256, {0.0, 2.06}),
         body(Circle{0.3}, 256, {50.0, 0.0}), body(Circle{0.3}, 256, {51.1, 0.0})});
-  // Tips between nodes: the stars are closer than the circles, the circles about their nodes not.
+  // The tips of the stars lie between nodes: the stars are closer than the circles, but the circles
+  // about the nodes of the stars are not.
   const Star star{1.0, -0.3, 4};
   const double tip = std::numbers::pi / 4.0, gap = 1.0;
   test({body(star, 66, {0.0, 0.0}, tip), body(star, 66, {2.6 + gap, 0.0}, tip),

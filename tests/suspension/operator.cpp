@@ -1,5 +1,6 @@
-// The matrix-free operator is the dense system that closure and null_space assemble, and its
-// iteration counts on nine circles are those of the specification, unresolved and resolved.
+// Tests that the matrix-free operator equals the dense system that closure and null_space assemble,
+// and that its iteration counts on nine circles are those of the specification, for unresolved and
+// resolved gaps.
 
 #include "suspension/system/operator.hpp"
 
@@ -10,7 +11,7 @@
 namespace stokesbook::test {
 namespace {
 
-// The operator of a scene's start by plain trapezoid sums.
+// Returns the operator at the start of a scene, with plain trapezoid sums.
 SuspensionOperator plain_operator(const SuspensionSolver& solver) {
   return {solver.problem(solver.start(), solver.discretisation()), {}, solver.plan()};
 }
@@ -69,8 +70,8 @@ BOOST_AUTO_TEST_CASE(is_the_dense_system) {
   BOOST_TEST((interleaved(rhs) - dense.rhs).cwiseAbs().maxCoeff() < 1e-15);
 }
 
-// With 16 nodes a circle the plain rule leaves the sums between circles unresolved; taking rigid
-// parts out of them keeps the count of the resolved system.
+// With 16 nodes a circle, the plain rule does not resolve the sums between circles. The count stays
+// that of the resolved system, since the rigid parts are taken out of the sums.
 BOOST_AUTO_TEST_CASE(iterations_of_nine_unresolved_circles) {
   for (const BackgroundFlow& flow :
        {BackgroundFlow{ShearFlow{1}}, BackgroundFlow{ExtensionalFlow{1}}}) {

@@ -21,7 +21,7 @@ inline Scene mixed_bodies(std::uint64_t seed, double length = 1.0,
              body(Superellipse{0.9 * length, 0.7 * length, 4}, 192, place(2, 2), angle()),
              body(lopsided_curve(0.7 * length), 160, place(-2, 2), angle())},
             flow);
-  // Generic loads without a net force.
+  // The loads are generic, with zero net force.
   Complex rest{};
   for (Body& b : result.bodies) {
     b.force = {uniform(random), uniform(random)};
@@ -32,7 +32,7 @@ inline Scene mixed_bodies(std::uint64_t seed, double length = 1.0,
   return result;
 }
 
-/// The same bodies in a container whose boundary is no circle.
+/// Returns the same bodies in a container whose boundary is not a circle.
 inline Scene contained_bodies(std::uint64_t seed, double length = 1.0) {
   Scene result = mixed_bodies(seed, length);
   result.walls = {outer_wall(Ellipse{6.5 * length, 5.5 * length}, 256)};

@@ -1,13 +1,13 @@
-// Lorentz reciprocity: any two problems on the same bodies exchange velocities and loads, whichever
-// of the two is given on each body; and what loads do at a distance equals what a distant flow does
-// to the loaded bodies.
+// Tests Lorentz reciprocity: two problems on the same bodies exchange velocities and loads,
+// whichever of the two is given on each body. The far effect of loads equals the effect of a
+// distant flow on the loaded bodies.
 
 #include "units.hpp"
 
 namespace stokesbook::test {
 namespace {
 
-// Holds some of the bodies and loads the others, at random; at least one of each.
+// Holds some random bodies and loads the others; at least one body is of each kind.
 Scene with_random_data(Scene scene, std::mt19937_64& random) {
   const std::size_t count = scene.bodies.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -31,8 +31,8 @@ double power(const RigidMotion& motion, const Load& load) {
   return dot(motion.velocity, load.force) + motion.omega * load.torque;
 }
 
-// Sum over all components of the work that the loads of one problem would do on the motions of the
-// other.
+// Returns the power of the loads of one problem in the motions of the other one, summed over all
+// components.
 double mutual_power(const Solved& moving, const Solved& loading) {
   double sum = 0.0;
   for (std::size_t k = 0; k < moving.solution.motions.size(); ++k) {
@@ -50,7 +50,7 @@ void check_exchange(const Scene& first, const Scene& second) {
   }
 }
 
-// The same bodies with other data: shuffling must not move them about.
+// Returns the same bodies with other data. Only the data are shuffled; the bodies stay in place.
 Scene same_places(const Scene& places, std::mt19937_64& random) {
   Scene result = places;
   std::vector<Body> data = with_random_data(places, random).bodies;
@@ -69,7 +69,7 @@ Scene same_places(const Scene& places, std::mt19937_64& random) {
 
 BOOST_AUTO_TEST_SUITE(reciprocity)
 
-// Without net force and with a free uniform velocity.
+// The net force vanishes and the uniform velocity is free.
 BOOST_AUTO_TEST_CASE(unbounded) {
   std::mt19937_64 random(31);
   for (int trial = 0; trial < 3; ++trial) {
@@ -78,14 +78,14 @@ BOOST_AUTO_TEST_CASE(unbounded) {
   }
 }
 
-// With a gauge the total forces need not vanish.
+// With a gauge length the net force need not vanish.
 BOOST_AUTO_TEST_CASE(unbounded_with_gauge) {
   std::mt19937_64 random(32);
   const Scene places = with_gauge(resolved(scene(random_bodies(random))), 50.0);
   check_exchange(same_places(places, random), same_places(places, random));
 }
 
-// The enclosing wall takes part, with its motion and its load.
+// The enclosing wall contributes with its motion and its load.
 BOOST_AUTO_TEST_CASE(bounded) {
   std::mt19937_64 random(33);
   for (int trial = 0; trial < 2; ++trial) {
@@ -99,9 +99,10 @@ BOOST_AUTO_TEST_CASE(bounded) {
   }
 }
 
-// Loads F, L on free bodies at rest in the mean, against load-free bodies in a straining flow E:
-// the bodies' motions in the flow relative to the flow at their centres do as much work on the
-// loads as the flow does on the stresslets, sum [(U - E c).F + omega L] = -sum E : S.
+// One problem has loads F, L on free bodies in a fluid at rest, the other load-free bodies in a
+// straining flow E. The power of the loads in the motions relative to the flow at the centres
+// equals the negative power of the flow on the stresslets: sum [(U - E c).F + omega L] = -sum E :
+// S.
 BOOST_AUTO_TEST_CASE(loads_and_distant_flows) {
   std::mt19937_64 random(34);
   const double e11 = 0.7, e12 = -0.4;

@@ -1,5 +1,6 @@
-// The solver gives no answer it cannot stand behind: what it refuses names the components, the
-// values, and what to change; and what it recommends is then accepted and right.
+// Tests that the solver refuses results whose accuracy it cannot ensure: a refusal names the
+// components, the values, and the setting to change, and the recommended value is then accepted and
+// accurate.
 
 #include <cmath>
 #include <limits>
@@ -22,8 +23,9 @@ Scene pair(double gap, int n_nodes, double tolerance = 1e-8) {
   return result;
 }
 
-// U_x of C11, relative to itself; the tolerance is relative to the largest velocity, 2, hence a
-// thousand times smaller at a gap of 1e-2, and thirty thousand times at 1e-3.
+// Checks U_x of C11 with an error relative to U_x itself. The tolerance is relative to the largest
+// velocity, 2, and is therefore a thousand times smaller at a gap of 1e-2, and thirty thousand
+// times smaller at 1e-3.
 void check_recommended_nodes(double gap, double expected, double relative_error) {
   const double tolerance = 0.5 * relative_error * expected;
   const SuspensionSolver planner(pair(gap, 64, tolerance));
@@ -50,7 +52,8 @@ BOOST_AUTO_TEST_CASE(unresolved_gaps_shapes_and_densities) {
   check_refused(pair(0.01, 64), {"body 0 and body 1", "0.01 apart", "n_nodes"});
   check_refused(scene({body(Ellipse{10.0, 1.0}, 16, 0.0)}, ShearFlow{1.0}),
                 {"body 0", "16 nodes", "shape", "n_nodes"});
-  // The shape alone is resolved, the Stokeslet inside a slender loaded body is not.
+  // The shape is resolved, but the density due to the Stokeslet inside a slender loaded body is
+  // not.
   Scene slender = scene({body(Ellipse{3.0, 0.5}, 112, 0.0, 0.0, {1.0, 0.0})});
   slender.gauge_length = 100.0;
   check_refused(slender, {"density on body 0", "n_nodes"});
@@ -62,7 +65,7 @@ BOOST_AUTO_TEST_CASE(unresolved_gaps_shapes_and_densities) {
 BOOST_AUTO_TEST_CASE(points_at_uneven_distances_are_told_how_to_lie) {
   ComplexVector points(40);
   for (int k = 0; k < 40; ++k) {
-    const double part = k / 40.0;  // crowded about the angle 0, and a kink where the turn closes
+    const double part = k / 40.0;  // nodes crowd at the angle 0, with a kink where the curve closes
     points[k] = std::polar(1.0, 2.0 * std::numbers::pi * part * part * part);
   }
   check_refused(scene({body(NodalCurve{points, {}}, automatic_nodes, 0.0)}, ShearFlow{1.0}),
@@ -82,7 +85,7 @@ BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) 
 BOOST_AUTO_TEST_CASE(memory_that_is_not_there) {
   const Scene large = scene({body(Circle{1.0}, 64, {}), body(Circle{1.0}, 1'000'000, 4.0)});
   check_refused(large, {"body 1", "1000000 nodes", "9.6e+04 GB", "n_nodes"});
-  // A shape counts once.
+  // The memory of a shape counts once, also if two bodies have this shape.
   const Scene twins = scene({body(Circle{1.0}, 1000, {}), body(Circle{1.0}, 1000, 4.0)});
   const Resolutions nodes(2, {1000, {}});
   BOOST_TEST(memory_error(twins, nodes, 1.1 * memory_of_discretised_shape(1000)).empty());
@@ -108,8 +111,8 @@ BOOST_AUTO_TEST_CASE(impossible_data) {
 }
 
 BOOST_AUTO_TEST_CASE(separations_that_polygons_and_positions_carry) {
-  // Unit disks a little farther apart than the separation are pushed together, by the law of
-  // lubrication two tenths of their gap in a step.
+  // Unit disks begin slightly farther apart than the separation and are pushed together. By the law
+  // of lubrication, one step reduces the gap by two tenths.
   const auto pressed = [](double separation, double x) {
     const double force = 10.0, speed = force * std::pow(separation, 1.5) / (1.5 * std::numbers::pi);
     Scene result = pair(1.1 * separation, automatic_nodes, 1e-2);

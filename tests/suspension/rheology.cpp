@@ -1,4 +1,5 @@
-// Rheology: closed forms, reference numbers of the specification, and what is not defined.
+// Tests the rheology (chapter 12) against closed forms and reference numbers of the specification,
+// and which quantities are undefined.
 
 #include "suspension/solver/rheology.hpp"
 
@@ -35,7 +36,7 @@ Curve curve(const Shape& shape) {
 
 BOOST_AUTO_TEST_SUITE(rheology)
 
-// Reference numbers N3, of each circle.
+// The stresslets of each circle are the reference numbers N3.
 BOOST_AUTO_TEST_CASE(stresslets_of_two_circles) {
   const double rate = 0.7;
   const Rheology sheared = rheology_of(pair(0.1, ShearFlow{rate}));
@@ -57,7 +58,7 @@ BOOST_AUTO_TEST_CASE(torque_ratio) {
   for (const double amplitude : {1.0, -1.0}) {
     const Rheology measured = rheology_of(cell, amplitude);
     BOOST_TEST(std::abs(measured.torque_ratio - 1.03207638279558) < 1e-12);
-    // The walls' powers: the free body has none.
+    // The dissipation is the power of the walls: the free body has none.
     const double torque = -measured.torque_ratio * 4.0 * pi * 9.0 / 8.0;
     BOOST_TEST(measured.dissipation == -torque, boost::test_tools::tolerance(1e-11));
     BOOST_TEST(std::isnan(measured.order_parameter));
@@ -66,7 +67,7 @@ BOOST_AUTO_TEST_CASE(torque_ratio) {
   BOOST_TEST(std::abs(rheology_of(couette(1.0, 3.0, 0.2, 1.0)).torque_ratio - 1.0) < 1e-13);
 }
 
-// Reference number C6, and radial flow between cylinders, whose walls deform:
+// Reference number C6, and radial flow between cylinders whose walls deform, with the dissipation
 // mu Q^2 / pi (1 / R1^2 - 1 / R2^2).
 BOOST_AUTO_TEST_CASE(dissipation_between_cylinders) {
   Scene cell = couette(1.0, 2.5, 0.4, -0.7);
@@ -82,8 +83,8 @@ BOOST_AUTO_TEST_CASE(dissipation_between_cylinders) {
   BOOST_TEST(std::isnan(radial.torque_ratio));
 }
 
-// What loaded bodies add to the dissipation of a linear flow is the limit of a large container
-// whose wall moves with that flow: total minus that of the empty one, up to R^-2.
+// The dissipation that loaded bodies add to a linear flow is the limit of a large container whose
+// wall moves with that flow: the total dissipation minus that of the empty container, up to R^-2.
 BOOST_AUTO_TEST_CASE(dissipation_of_loaded_bodies_in_a_linear_flow) {
   Eigen::Matrix2d gradient;
   gradient << 0.3, 0.9, -0.2, -0.3;
@@ -100,14 +101,15 @@ BOOST_AUTO_TEST_CASE(dissipation_of_loaded_bodies_in_a_linear_flow) {
   BOOST_TEST(std::abs((4.0 * large - small) / 3.0 - excess) < 2e-5 * excess);
 }
 
-// Forces that balance, in a fluid at rest: the power of the loads.
+// If the forces balance in a fluid at rest, the dissipation is the power of the loads.
 BOOST_AUTO_TEST_CASE(dissipation_of_pulled_circles) {
   Scene pulled = pair(0.1, {});
   pulled.bodies[0].force = -1.0;
   pulled.bodies[1].force = 1.0;
   BOOST_TEST(rheology_of(pulled).dissipation == 2.0 * .002860847034107639,
              boost::test_tools::tolerance(1e-11));
-  // Held in a stream at zero net force they are not moved, but strained fluid is.
+  // The net force of the held bodies in this stream is zero. They do not move, but the fluid around
+  // them is strained more than around free bodies, which increases the dissipation.
   Scene held = pair(0.5, ShearFlow{1});
   for (Body& body : held.bodies) body.held = true;
   const Rheology measured = rheology_of(held);
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(long_axes) {
 }
 
 BOOST_AUTO_TEST_CASE(order_parameter) {
-  // Over half a turn of a Jeffery orbit the mean of cos 2 theta is (lambda - 1) / (lambda + 1).
+  // Over half a turn of a Jeffery orbit, the mean of cos 2 theta is (lambda - 1) / (lambda + 1).
   Scene jeffery = scene({body(Ellipse{3, 1}, 64, 0.0)}, ShearFlow{1});
   jeffery.solver.tolerance = 1e-6;
   const double half_turn = pi * (3.0 + 1.0 / 3.0);
@@ -154,7 +156,8 @@ BOOST_AUTO_TEST_CASE(order_parameter) {
   }
   BOOST_TEST(std::abs(mean - 0.5) < 1e-5);
 
-  // Across, along, and round things that do not count.
+  // The two ellipses are at right angles, so their contributions cancel; the circle has no long
+  // axis and does not count.
   Scene three = scene({body(Ellipse{1, 0.5}, 96, -4.0, 0.3), body(Ellipse{0.5, 1}, 96, 0.0, 0.3),
                        body(Circle{1}, 64, 4.0, 0.5)},
                       ExtensionalFlow{1});
@@ -162,7 +165,7 @@ BOOST_AUTO_TEST_CASE(order_parameter) {
   three.flow = UniformFlow{1.0};
   BOOST_TEST(std::isnan(rheology_of(three).order_parameter));
 
-  // In a Couette cell the flow runs along circles about the outer wall's position.
+  // In a Couette cell, the flow follows circles about the centre of the outer wall.
   Scene cell = couette(
       1.0, 4.0, 1.0, 0.0,
       {body(Ellipse{0.6, 0.3}, 96, {0.0, 2.5}, 0.0), body(Ellipse{0.3, 0.6}, 96, {2.5, 0.0}, 0.2)});
@@ -184,8 +187,8 @@ BOOST_AUTO_TEST_CASE(couette_cells) {
   BOOST_TEST(!is_couette_cell(other));
 }
 
-// A net force, a flow that is not linear, or a wall that deforms: no dissipation. Stresslets there
-// are all the same.
+// The dissipation is undefined with a net force, a flow that is not linear, or a wall that deforms.
+// The stresslets are defined in all of these cases.
 BOOST_AUTO_TEST_CASE(what_is_not_defined) {
   Scene one = scene({body(Ellipse{1, 0.5}, 96, 0.3)}, TaylorGreenFlow{1});
   const auto undefined_dissipation = [](const Scene& scene) {
@@ -210,7 +213,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_defined) {
   BOOST_TEST(undefined_dissipation(source));
 }
 
-// Without net force the fluid at infinity goes along with a single held disk.
+// Without a net force, the fluid at infinity moves with a single held disk.
 BOOST_AUTO_TEST_CASE(velocity_at_infinity) {
   const double rate = 0.7;
   const Body held = held_body(Circle{1.0}, 64, {0.3, 2.0}, 0.0, {{0.4, -0.2}, 0.0});

@@ -1,6 +1,6 @@
-// A run hits written times, reversals and its end exactly, goes back along its path after a
-// reversal, resumes bit for bit, carries walls with their motion, and stops with the time in the
-// message when it must.
+// Tests the control of runs (chapter 12): a run reaches written times, reversals and its end
+// exactly, returns along its path after a reversal, resumes bit for bit, and moves walls as
+// prescribed. A run that stops with an error reports the time.
 
 #include <cmath>
 #include <numbers>
@@ -51,7 +51,7 @@ struct Recorded {
   RunResolution resolution;
 };
 
-// Runs to the end, from a checkpoint if there is one, and collects those of the run.
+// Runs to the end, from a checkpoint if there is one, and collects the checkpoints of the run.
 Recorded record(const SuspensionSolver& solver, const std::optional<Checkpoint>& from,
                 std::vector<Checkpoint>* checkpoints) {
   Recorded recorded;
@@ -90,8 +90,8 @@ BOOST_AUTO_TEST_CASE(written_times_reversals_and_the_end_are_hit_exactly) {
   }
 }
 
-// Three times a tenth is not 0.3: a step from the one to the other would be nothing but rounding, of
-// which Adams and Bashforth's method makes a rate.
+// In floating point, three times 0.1 is not 0.3. A step between these two times would have a length
+// of rounding errors, from which the Adams-Bashforth method would compute a rate.
 BOOST_AUTO_TEST_CASE(events_that_differ_by_rounding_are_one) {
   for (const SteppingMethod method : methods) {
     Scene scene = sheared_pair(method);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(steps_with_an_interpolant_pass_written_times) {
   scene.output.dt_write = 0.01;
   const RunTotals many = totals_of(scene);
   BOOST_TEST(many.steps == few.steps);
-  BOOST_TEST(many.solves == few.solves + 99);  // one each between start and end
+  BOOST_TEST(many.solves == few.solves + 99);  // one solve for each time between start and end
 }
 
 BOOST_AUTO_TEST_CASE(a_reversed_run_comes_back) {
@@ -145,20 +145,20 @@ BOOST_AUTO_TEST_CASE(a_reversed_run_comes_back) {
   scene.reverse_at = {1.0};
   const std::vector<Frame> frames = frames_of(scene);
   for (std::size_t k = 0; k < 2; ++k) {
-    // Stokes flow is reversible; what remains is the steps' own error, of order dt^4.
+    // Stokes flow is reversible, so only the error of the steps, of order dt^4, remains.
     BOOST_TEST(std::abs(frames.back().bodies[k].position - scene.bodies[k].position) < 1e-7);
     BOOST_TEST(std::abs(frames.back().bodies[k].orientation) < 1e-7);
     BOOST_TEST(std::abs(frames[4].bodies[k].position - scene.bodies[k].position) > 0.1);
   }
 }
 
-// A change of either list asks for a new number of the format, in record/checkpoint.cpp.
+// If one of these lists changes, the format requires a new number in record/checkpoint.cpp.
 BOOST_AUTO_TEST_CASE(the_number_of_the_format_stands_for_what_a_checkpoint_holds) {
   const auto names_of = [](const Scene& scene) {
     const SuspensionSolver solver(scene);
     std::vector<Checkpoint> checkpoints;
     record(solver, {}, &checkpoints);
-    std::set<std::string> names;  // of lists, without the numbers of their entries
+    std::set<std::string> names;  // names of lists, without the numbers of their entries
     for (const auto& [name, values] : checkpoints.back().history) {
       names.insert(name.substr(0, name.find_last_not_of("_0123456789") + 1));
     }
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(walls_and_held_bodies_move_as_prescribed) {
   scene.time = TimeSettings{2.0, 0.5, SteppingMethod::euler};
   scene.reverse_at = {1.5};
   const Frame end = frames_of(scene).back();
-  // 1.5 forward, 0.5 back.
+  // The motion is 1.5 forwards and 0.5 backwards.
   BOOST_TEST(std::abs(end.bodies[0].position - Complex(1.5, 0.2)) < 1e-14);
   BOOST_TEST(std::abs(end.bodies[0].orientation + 0.3) < 1e-14);
   BOOST_TEST(std::abs(end.walls[0].orientation - 0.5) < 1e-14);

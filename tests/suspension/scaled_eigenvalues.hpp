@@ -4,7 +4,8 @@
 
 namespace stokesbook::test {
 
-/// Eigenvalues of the symmetric part of a mobility, scaled to a unit diagonal; ascending.
+/// Returns the eigenvalues of the symmetric part of a mobility that is scaled to a unit diagonal,
+/// in ascending order.
 inline Eigen::VectorXd scaled_eigenvalues(const Eigen::MatrixXd& works) {
   const Eigen::VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();

@@ -35,7 +35,7 @@ inline Wall inner_wall(const Shape& shape, int n_nodes, const WallMotion& motion
   return {WallRole::inner, shape, position, orientation, n_nodes, motion};
 }
 
-/// A scene that is solved nearly to rounding, or refused.
+/// Returns a scene that is solved almost to rounding, or refused.
 inline Scene scene(std::vector<Body> bodies, const BackgroundFlow& flow = {},
                    std::vector<Wall> walls = {}) {
   Scene scene;
@@ -64,7 +64,7 @@ struct Solved {
     return solver.velocity(solution, points);
   }
 
-  /// S_11 + i S_12 of a component, -mu \int n eta ds.
+  /// Returns the stresslet S_11 + i S_12 of a component, -mu \int n eta ds.
   Complex stresslet(std::size_t component) const {
     const StokesProblem problem = solver.problem(solution.instant, solution.discretisation);
     const Eigen::Index first = node_offsets(problem)[component];
@@ -75,8 +75,8 @@ struct Solved {
   }
 };
 
-/// Converts a residual that is relative to the whole flow, as published ones are, to ours, which
-/// are relative to what strains the bodies.
+/// Converts a residual relative to the whole flow, as in published results, to a residual relative
+/// to the part of the flow that strains the bodies, as in this library.
 inline double relative_to_whole_flow(const SuspensionSolver& solver, double published) {
   const StokesProblem problem = solver.problem(solver.start(), solver.discretisation());
   const ComplexVector flow =
@@ -84,7 +84,7 @@ inline double relative_to_whole_flow(const SuspensionSolver& solver, double publ
   return published * flow.norm() / problem.background.norm();
 }
 
-/// Solves, and checks that the refusal mentions all words.
+/// Solves a scene and checks that the solver refuses it with a message that contains all words.
 inline void check_refused(const Scene& scene, const std::vector<std::string>& words) {
   const auto mentions_all = [&](const SolverError& error) {
     const std::string message = error.what();
@@ -96,19 +96,19 @@ inline void check_refused(const Scene& scene, const std::vector<std::string>& wo
   BOOST_CHECK_EXCEPTION(Solved{scene}, SolverError, mentions_all);
 }
 
-/// Nodes that shapes and gaps require at the start.
+/// Returns the numbers of nodes that shapes and gaps require at the start.
 inline std::vector<int> recommended_nodes(const SuspensionSolver& solver) {
   const Configuration start = solver.start().configuration;
   return solver.recommended_nodes(start, solver.gaps(start));
 }
 
-/// The resolution with which a solve begins at the start.
+/// Returns the resolutions with which a solve at the start begins.
 inline Resolutions first_resolutions(const SuspensionSolver& solver) {
   const Configuration start = solver.start().configuration;
   return solver.first_resolutions(start, solver.gaps(start));
 }
 
-/// Gives every component as many nodes as its shape and the gaps ask for, and a few more for
+/// Gives every component as many nodes as its shape and gaps require, and some more for the
 /// densities.
 inline Scene resolved(Scene scene) {
   const auto set_nodes = [&](auto nodes_of) {
@@ -123,7 +123,8 @@ inline Scene resolved(Scene scene) {
   return scene;
 }
 
-/// Places bodies at random in a disk about the origin, bounding circles apart by a gap at least.
+/// Places bodies at random in a disk about the origin, with their bounding circles at least a gap
+/// apart.
 inline void place_at_random(Scene& scene, std::mt19937_64& random, double disk, double gap) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto radius = [](const Body& body) {
@@ -147,7 +148,7 @@ inline void place_at_random(Scene& scene, std::mt19937_64& random, double disk, 
   }
 }
 
-/// Three bodies of different shape, at random in a disk of radius 3.
+/// Returns three bodies of different shapes, for random places in a disk of radius 3.
 inline std::vector<Body> random_bodies(std::mt19937_64& random, double gap = 0.15) {
   std::vector<Shape> shapes{Circle{0.6}, Ellipse{0.9, 0.5}, Star{0.7, 0.15, 5},
                             Superellipse{0.7, 0.5, 4}, lopsided_curve(0.7)};
@@ -157,14 +158,14 @@ inline std::vector<Body> random_bodies(std::mt19937_64& random, double gap = 0.1
   return three.bodies;
 }
 
-/// A force and a torque of size one.
+/// Returns a random force and torque of size one.
 inline Load random_load(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const double x = uniform(random), y = uniform(random);
   return {{x, y}, uniform(random)};
 }
 
-/// A velocity and an angular velocity of size one.
+/// Returns a random velocity and angular velocity of size one.
 inline RigidMotion random_motion(std::mt19937_64& random) {
   const Load load = random_load(random);
   return {load.force, load.torque};

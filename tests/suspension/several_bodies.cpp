@@ -1,5 +1,6 @@
-// Pairs and lattices without a closed form: reference numbers N4, N6, N8 of the specification (N4
-// and N6 confirmed there by an independent first-kind method), in six systems of units.
+// Tests pairs and lattices without a closed form against the reference numbers N4, N6 and N8 of the
+// specification, in six systems of units. An independent first-kind method confirmed N4 and N6
+// there.
 
 #include "expected.hpp"
 
@@ -8,7 +9,7 @@ namespace {
 
 constexpr double tolerance = 1e-12;
 
-// Ellipses 2:1 crossed, tip to flank at a gap.
+// Returns two 2:1 ellipses at right angles, with a gap between tip and flank.
 Scene crossed_ellipses(double gap, int n_nodes, const BackgroundFlow& flow, Complex force = {}) {
   return scene({body(Ellipse{1, .5}, n_nodes, {}, 0.0, {force, 0.0}),
                 body(Ellipse{1, .5}, n_nodes, 1.5 + gap, std::numbers::pi / 2, {-force, 0.0})},

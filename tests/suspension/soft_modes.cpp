@@ -1,6 +1,6 @@
-// Slender and lobed bodies get nodes that resolve the softest mode of their own block, or are
-// refused where few nodes look right: these scenes were accepted once, with errors of 4 to 12
-// tolerances.
+// Tests that slender and lobed bodies get enough nodes to resolve the softest mode of their own
+// block, and that too few given nodes are refused. An earlier version accepted these scenes with
+// errors of 4 to 12 tolerances.
 
 #include "scenes.hpp"
 #include "suspension/nodes/node_choice.hpp"
@@ -18,7 +18,7 @@ int nodes_of(const Shape& shape, int n_nodes) {
   return nodes_for_softest_mode(cache, shape, ComponentKind::free_body, n_nodes);
 }
 
-// A slender ellipse beside another body, in shear.
+// Returns a slender ellipse beside another body, in shear.
 Scene slender_beside(Ellipse slender, double orientation, int its_nodes, const Shape& other,
                      Complex position, double turned, int nodes, double tolerance) {
   Scene both =
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(their_error_falls_with_nodes_and_is_small_for_round_bodies)
   BOOST_TEST(error_of(Ellipse{1.0, 0.1}, 32) > 1.0);
   BOOST_TEST(error_of(Ellipse{1.0, 0.1}, 64) < 0.1);
   BOOST_TEST(error_of(Ellipse{1.0, 0.1}, 96) < 1e-4);
-  // Units of length do not matter.
+  // The unit of length does not matter.
   BOOST_TEST(error_of(Ellipse{1e-6, 1e-7}, 64) == error_of(Ellipse{1.0, 0.1}, 64),
              boost::test_tools::tolerance(1e-6));
 }
@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(automatic_nodes_beside_a_neighbour_meet_the_tolerance) {
   }
 }
 
-// Unresolved modes spread the spectrum: as few nodes as look enough for a needle alone take GMRES
-// several times as many iterations.
+// Unresolved modes spread the spectrum: with as few nodes as seem to suffice for a needle alone,
+// GMRES takes several times as many iterations.
 BOOST_AUTO_TEST_CASE(iterations_among_needles_are_few) {
   const auto iterations = [](int nodes) {
     std::vector<Body> needles;

@@ -1,5 +1,6 @@
-// Steps that lead into an overlap, or too close for the nodes, are halved, down to time.dt_min;
-// steps by solver effort double and halve.
+// Tests the rejection of steps (chapter 09): steps that lead into an overlap, or too close for the
+// nodes, are halved, down to time.dt_min. Step lengths chosen by the effort of the solver double
+// and halve.
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,7 +16,8 @@ namespace {
 
 using enum SteppingMethod;
 
-// D(0) = 4 and D'(0) = -2.97: a step of 1 by Euler puts the unit circles into each other.
+// The distance of the centres has D(0) = 4 and D'(0) = -2.97: a step of length 1 by Euler's method
+// makes the unit circles overlap.
 Scene approaching(const TimeSettings& time) {
   Scene scene;
   scene.flow = ExtensionalFlow{-1.0};
@@ -30,7 +32,7 @@ Scene approaching(const TimeSettings& time) {
 struct Taken {
   std::vector<double> ends, lengths;
   RunTotals totals;
-  double distance = 0.0;  // at the end
+  double distance = 0.0;  // of the centres, at the end
 };
 
 Taken steps_of(const Scene& scene) {
@@ -83,8 +85,8 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
                         names_time_bodies_and_limit);
 }
 
-// Two disks in contact draw nearer than their nodes resolve. The end of the least step, from where
-// the run has got to, is rounded: up for some, down for others.
+// Two disks in contact come closer than their nodes resolve. The end of the least step is a rounded
+// number: upwards for some of these lengths, downwards for others.
 BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
   for (const double dt_min : {7e-4, 1.1e-3, 2.3e-3, 3.1e-3, 5e-3}) {
     TimeSettings time{3.0, 0.1, euler};
@@ -103,8 +105,8 @@ BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
   }
 }
 
-// Pressed together, two disks never meet: steps that would put them on each other's sides are
-// halved, and the run stops where the least step still does.
+// Two disks that are pressed together never meet. A step that would exchange their sides is halved,
+// and the run stops if the least step would still do so.
 BOOST_AUTO_TEST_CASE(bodies_do_not_pass_through_each_other_within_a_step) {
   for (const SteppingMethod method : {euler, heun, rk4, dormand_prince54}) {
     Scene scene;
@@ -139,8 +141,7 @@ BOOST_AUTO_TEST_CASE(bodies_do_not_pass_through_each_other_within_a_step) {
   }
 }
 
-// Without an overlap on the way, the test sees none: disks that pass each other, and one that rolls
-// along a wall.
+// The test of passing bodies admits paths without an overlap, here of disks that pass each other.
 BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   Scene scene;
   scene.bodies = {body_at(Circle{0.5}, {-2.0, 0.501}, 64), body_at(Circle{0.5}, {2.0, -0.501}, 64)};
@@ -154,11 +155,11 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   for (Pose& pose : end) pose.position = pose.position.real();
   BOOST_TEST(
       test.error(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
-  BOOST_TEST(test.error(start, end, 9.0) == "");  // as long as it is told that they are far apart
+  BOOST_TEST(test.error(start, end, 9.0) == "");  // the stated gap of 9 needs no search
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {
-  // One step leaves a gap of 0.04, two halves one of 0.4.
+  // One step would leave a gap of 0.04; two halves leave a gap of 0.4.
   Scene scene = approaching({0.66, 0.66, euler});
   for (Body& body : scene.bodies) body.n_nodes = 48;
   const Taken taken = steps_of(scene);
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_rejected_try_counts_by_what_it_cost) {
   const StepInfo step = with_costs_of(begun, rejected);
   BOOST_TEST(step.gmres_iterations == 33);
   BOOST_TEST(step.matvecs == 37);
-  BOOST_TEST(step.residual == 1e-6);  // the largest of all its solves
+  BOOST_TEST(step.residual == 1e-6);  // the largest residual of all solves of the step
   BOOST_TEST(step.seconds == 0.875);
   BOOST_TEST(step.ncp_iterations == 0);
   BOOST_TEST(step.force_imbalance == 0.0);

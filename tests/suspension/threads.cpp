@@ -1,4 +1,5 @@
-// A whole solve gives the same bits for one and two threads, through every part of the operator.
+// Tests that a whole solve gives the same bits with one and with two threads, in every part of the
+// operator.
 
 #include <omp.h>
 

@@ -16,7 +16,7 @@ inline std::vector<Frame> frames_of(const Scene& scene) {
   return frames;
 }
 
-/// A body at rest, unloaded.
+/// Returns a body at rest, without a load.
 inline Body body_at(const Shape& shape, Complex position, int n_nodes) {
   Body body;
   body.shape = shape;

@@ -1,5 +1,6 @@
-// The steppers reach their orders, two-sided, on trajectories with closed forms: a Jeffery orbit
-// and two circles that approach each other in extension.
+// Tests that the steppers have their orders (chapter 09), with bounds on both sides, on
+// trajectories with closed forms: a Jeffery orbit and two circles that approach each other in
+// extension.
 
 #include <cmath>
 
@@ -44,7 +45,7 @@ double circles_error(SteppingMethod method, double dt) {
                   circle_distance(4.0, 1.0));
 }
 
-// Measures the order between two steps and holds it to a band.
+// Measures the order from two step lengths and checks that it lies in a band.
 template <class Error>
 void check_order(const Error& error, double dt, double order) {
   const double measured = std::log2(error(dt) / error(0.5 * dt));
@@ -77,8 +78,8 @@ BOOST_AUTO_TEST_CASE(approaching_circles_have_the_order_of_the_stepper) {
   check_order([](double dt) { return circles_error(SteppingMethod::rk4, dt); }, 0.1, 4.0);
 }
 
-// The estimates of steps add up to the error at the end, as far as the flow makes errors neither grow
-// nor decay, and to more where they are those of a lower order.
+// The estimated errors of the steps add up to the error at the end if the flow makes errors neither
+// grow nor decay. The sum is larger if the estimates are those of a lower order.
 BOOST_AUTO_TEST_CASE(estimates_of_steps_add_up_to_the_error_of_the_end) {
   using enum SteppingMethod;
   for (const SteppingMethod method : {euler, adams_bashforth2, heun, rk4, bogacki_shampine32,
@@ -103,8 +104,8 @@ BOOST_AUTO_TEST_CASE(squeezed_circles_follow_the_closed_form) {
 
 BOOST_AUTO_TEST_CASE(circles_squeezed_to_a_gap_of_a_hundredth_follow_the_closed_form,
                      *boost::unit_test::label("full")) {
-  // D(5) = 2.0132: the solves are good to 1e-8 of a velocity scale of 2, over 5 units of time that
-  // the flow contracts.
+  // The distance is D(5) = 2.0132. The solves are accurate to 1e-8 of a velocity scale of 2, over 5
+  // units of time in which the flow contracts.
   const Frame end = frames_of(approaching_circles(SteppingMethod::rk4, 0.05, 5.0, 256)).back();
   const double distance = (end.bodies[1].position - end.bodies[0].position).real();
   BOOST_TEST(std::abs(distance - circle_distance(4.0, 5.0)) < 1e-7);
@@ -117,7 +118,8 @@ BOOST_AUTO_TEST_CASE(two_circles_pass_each_other_in_shear_as_in_the_reference) {
   scene.time = TimeSettings{12.0, 0.02, SteppingMethod::rk4};
   scene.output.dt_write = 12.0;
   const BodyState body = frames_of(scene).back().bodies[0];
-  // Reference values to 1e-11; steps of .02 leave 1e-8 here, measured against steps of .01.
+  // The reference values are accurate to 1e-11. Steps of .02 have an error of 1e-8 here, measured
+  // against steps of .01.
   BOOST_TEST(std::abs(body.position - Complex(5.05560884029, 0.73856191218)) < 2e-8);
   BOOST_TEST(std::abs(body.orientation + 5.92487175825) < 2e-8);
 }

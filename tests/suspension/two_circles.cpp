@@ -1,6 +1,6 @@
-// Two unit circles at gaps .5, .1, .01 and .001: reference numbers C11, C12, N3, N3F, N3G of the
-// specification, most of them closed forms. The closer the pair, the more nodes its densities need,
-// about 35 / sqrt(gap).
+// Tests two unit circles at gaps .5, .1, .01 and .001 against the reference numbers C11, C12, N3,
+// N3F, N3G of the specification, most of them closed forms. The closer the pair, the more nodes its
+// densities need, about 35 / sqrt(gap).
 
 #include "expected.hpp"
 #include "support/closed_forms.hpp"
@@ -8,16 +8,16 @@
 namespace stokesbook::test {
 namespace {
 
-// One row of the reference numbers; motions of the left circle, but for `apart` and `pulled`.
+// One row of the reference numbers; motions are of the left circle, except in `apart` and `pulled`.
 struct Row {
   double gap;
   int n_nodes;
-  double apart;                     // C11: U_x of the right one in u = (x, -y)
-  double pulled;                    // C12: U_x of the right one, forces -+ e_x
+  double apart;                     // C11: U_x of the right circle in u = (x, -y)
+  double pulled;                    // C12: U_x of the right circle, forces -+ e_x
   RigidMotion shear;                // N3 in u = (y, 0)
   double shear_s12, extension_s11;  // N3
   RigidMotion opposed;              // N3F: forces +- e_y
-  double settling_x;                // N3G: U_x of both, forces e_x
+  double settling_x;                // N3G: U_x of both circles, forces e_x
   RigidMotion settling_y;           // N3G: forces e_y
 };
 
@@ -70,7 +70,8 @@ Scene pair(const Row& row, const BackgroundFlow& flow, Complex left = {}, Comple
   return left + right == Complex{} ? both : with_gauge(both, 1.0);
 }
 
-// Lubrication: relative motions are small differences, and rounding is amplified by 1 / gap.
+// In lubrication, relative motions are small differences, so rounding errors are amplified by 1 /
+// gap.
 double tolerance_for(const Row& row) {
   return 1e-14 / row.gap;
 }
@@ -84,7 +85,7 @@ void check_extension(const Row& row, const std::vector<Units>& units) {
         1e-11, units);
 }
 
-// Relative to the tiny speed itself, as far as rounding allows: 1e-11 down to the gap .01.
+// Checks errors relative to the small speed itself, as far as rounding allows.
 void check_relative_errors(const Row& row) {
   const double tolerance = row.gap > 0.05 ? 1e-12 : row.gap > 0.005 ? 3e-11 : 2e-9;
   const double apart = Solved(pair(row, ExtensionalFlow{1})).motion(1).velocity.real();
@@ -115,7 +116,7 @@ void check_opposed_forces(const Row& row, const std::vector<Units>& units) {
 
 void check_equal_forces(const Row& row, const std::vector<Units>& units) {
   const RigidMotion along{row.settling_x, 0.0};
-  // No more is asked of the solver than is checked: it estimates rounding errors too.
+  // The solver estimates rounding errors too, so its tolerance is not smaller than the checked one.
   const auto settling = [&](Complex force) {
     Scene both = pair(row, {}, force, force);
     both.solver.tolerance = std::max(1e-12, tolerance_for(row));
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(closest_pair_in_other_units, *boost::unit_test::label("full
         {{1e-3, 1.3, 2.5}, {1e3, 1, 1}});
 }
 
-// Any gap and radius, the line of centres at any angle.
+// The gap, the radii and the angle of the line of centres are random.
 BOOST_AUTO_TEST_CASE(closed_forms_at_other_gaps) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -174,7 +175,7 @@ BOOST_AUTO_TEST_CASE(closed_forms_at_other_gaps) {
                          flow);
       return Solved(resolved(with_gauge(both, 1.0))).motion(1);
     };
-    // Extension along the line of centres: u = along^2 conj(x).
+    // The extension is along the line of centres: u = along^2 conj(x).
     Eigen::Matrix2d gradient;
     const Complex square = along * along;
     gradient << square.real(), square.imag(), square.imag(), -square.real();

@@ -7,7 +7,7 @@
 
 namespace stokesbook::test {
 
-/// Units in which a scene and its solution are written anew: the laws by which Stokes flow scales.
+/// Units in which a scene and its solution are rewritten, by the scaling laws of Stokes flow.
 struct Units {
   double length = 1.0, viscosity = 1.0, rate = 1.0;
 
@@ -19,7 +19,7 @@ struct Units {
 inline const std::vector<Units> all_units{{1, 1, 1},     {1e-3, 1, 1},     {1e3, 1, 1},
                                           {1, 1.3, 2.5}, {1e-3, 1.3, 2.5}, {1e3, 1.3, 2.5}};
 
-/// Units of one, and a system in which all three differ from one. The test of units takes all.
+/// Units of one, and a system in which all three units differ from one.
 inline const std::vector<Units> two_units{{1, 1, 1}, {1e-3, 1.3, 2.5}};
 
 inline Shape in_units(const Shape& shape, const Units& units) {

@@ -1,4 +1,4 @@
-/// Every way in which a sweep file can be wrong, and the whole message that says so.
+// Tests every error in a sweep file, with the whole message of each.
 
 #include <vector>
 
@@ -26,12 +26,12 @@ void check(const std::vector<BadSweep>& sweeps) {
   }
 }
 
-/// An axis over the time step, whose own lines start with line 4.
+/// Returns an axis over the time step; the given lines begin with line 4.
 std::string axis(const std::string& lines) {
   return "[[axes]]\nkey = 'time.dt'\n" + lines;
 }
 
-/// A quantity to collect, whose own lines start with line 4.
+/// Returns a quantity to collect; the given lines begin with line 4.
 std::string quantity(const std::string& lines) {
   return "seeds = [1]\n[[collect]]\n" + lines;
 }
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(no_two_tasks_have_the_same_scene) {
   check({
       {axis("values = [1, 1.0]\n"),
        "4:14: task 1: time.dt = 1.0: the scene is that of task 0: time.dt = 1"},
-      // The second axis sets again what the first one sets.
+      // The second axis sets the key that the first one sets.
       {"[[axes]]\nkey = 'flow.rate'\nvalues = [1.0, 2.0]\n"
        "[[axes]]\nkey = 'flow'\nvalues = [{ kind = 'shear', rate = 3.0 }]\n",
        "4:16: task 1: flow.rate = 2.0, flow = { kind = \"shear\", rate = 3.0 }: the scene is that "

@@ -1,4 +1,4 @@
-/// Commands for other engines: a shell takes them as they were meant.
+// Tests the commands for other engines: a shell must take their words unchanged.
 
 #include "sweep/batch.hpp"
 
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(quoted_words_pass_a_shell) {
        {"plain/path-1.toml", "", "two words", "it's", "$HOME `date` \\ \"x\"", "*", "a;b&c|d>e",
         "#", "~", "new\nline"}) {
     BOOST_TEST(output_of("printf %s " + shell_quoted(word)) == word);
-    // Twice, as in the text of a job.
+    // The word is quoted twice, as in the text of a job.
     BOOST_TEST(output_of("sh -c " + shell_quoted("printf %s " + shell_quoted(word))) == word);
   }
   BOOST_TEST(shell_quoted("plain/path-1.toml") == "plain/path-1.toml");

@@ -1,4 +1,4 @@
-/// Means and their error bars, against exact values and against chance.
+// Tests means and their error bars against exact values and against random samples.
 
 #include "sweep/estimate.hpp"
 
@@ -19,7 +19,7 @@ BOOST_AUTO_TEST_CASE(two_values) {
   const std::array values{1.0, 4.0};
   const auto [mean, error, interval] = estimate_mean(values);
   BOOST_TEST(mean == 2.5);
-  BOOST_TEST(error == 1.5, tolerance(1e-15));  // half their distance
+  BOOST_TEST(error == 1.5, tolerance(1e-15));  // half the distance of the two values
   // With one degree of freedom Student's distribution is Cauchy's, of quantile tan(pi (p - 1/2)).
   BOOST_TEST(interval == 1.5 * std::tan(0.475 * std::numbers::pi), tolerance(1e-12));
 }
@@ -52,7 +52,8 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_mean_as_often_as_they_say) {
     const Estimate estimate = estimate_mean(values);
     held += std::abs(estimate.mean - 3.0) <= estimate.interval ? 1 : 0;
   }
-  // Four standard deviations of the count; two standard errors would hold it in 86 % only.
+  // The tolerance is four standard deviations of the count. An interval of two standard errors
+  // would contain the mean in 86 % of the samples only.
   const double deviation = std::sqrt(0.95 * 0.05 / samples);
   BOOST_TEST(std::abs(static_cast<double>(held) / samples - 0.95) < 4.0 * deviation);
 }

@@ -1,4 +1,4 @@
-/// Folders of sweeps and tasks, their locks, and the processes that work in them.
+// Tests folders of sweeps and tasks, their locks, and the processes that work in them.
 
 #include <csignal>
 #include <thread>
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   const std::string other =
       "out/tasks.csv: belongs to another sweep, or the scene has changed; choose another --out";
   const Sweep changed = folder.sweep(axis + "[0.5, 0.125]\n");
-  BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep: no harm
+  BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep is accepted
   BOOST_TEST(require(changed, 1) == other);
   BOOST_TEST(require_all(changed) == other);
   BOOST_TEST(require_all(folder.sweep(axis + "[0.5]\n")) == other);
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(workers_tell_how_they_ended) {
 BOOST_AUTO_TEST_CASE(workers_run_side_by_side) {
   const Folder folder;
   Workers workers;
-  // Each waits for what the other one makes.
+  // Each process waits for the file that the other one makes.
   const std::string here = folder.path().string();
   const auto meet = [&](const std::string& mine, const std::string& other) {
     return std::vector<std::string>{"/bin/sh", "-c",

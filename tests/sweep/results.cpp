@@ -1,4 +1,4 @@
-/// The table of a sweep, from runs that are made up.
+// Tests the table of a sweep, for runs whose files the test writes.
 
 #include "sweep/results.hpp"
 
@@ -17,7 +17,7 @@ constexpr const char* sweep_text =
     "[[axes]]\nkey = 'bodies.0.shape.semi_axes'\nname = 'axes'\nvalues = [[1.0, 0.5], [2.0, 1.0]]\n"
     "[[collect]]\ntable = 'rheology.csv'\ncolumn = 's12'\naverage = [0.0, 2.0]\n";
 
-/// A run that is done and whose s12 grows from 0 to twice a value.
+/// Writes a run that is done and whose s12 grows from 0 to `twice`.
 void write_run(const Folder& folder, std::size_t task, const std::string& twice) {
   const std::string name = TaskFolder::name(task);
   folder.write(name + "/run.json", "{\"exit_status\": 0}\n");
@@ -56,7 +56,8 @@ BOOST_AUTO_TEST_CASE(tables) {
     write_run(folder, k, k == 2 ? "0.40000000000000002" : "0.2");
   const std::vector<ResultRow> rows = collect(folder.path(), sweep);
   const std::string csv = to_csv(sweep, rows);
-  // The error's last digits depend on whether the compiler fuses multiplications and additions.
+  // The last digits of the error depend on whether the compiler fuses multiplications and
+  // additions.
   BOOST_TEST(
       csv.starts_with("axes,runs,failed,unfinished,s12,s12_standard_error,s12_interval\n"
                       "\"[1.0, 0.5]\",3,0,0,0.13333333333333333,0.033333333333333"));

@@ -1,7 +1,7 @@
-"""A Slurm of one node, in a folder and with ports of its own, for the length of a test.
+"""Runs Slurm with one node, in a folder and with ports of its own, for the duration of a test.
 
-Its parts are Debian's (slurm-wlm, which brings munge), run as the present user; what a machine has
-of Slurm besides is left alone.
+Its programs are those of Debian (slurm-wlm, which installs munge) and run as the current user. The
+test does not change any other Slurm on the machine.
 """
 
 import getpass
@@ -54,7 +54,7 @@ def free_port():
 
 
 class Slurm:
-    """Starts it; a context manager, which stops it again."""
+    """A context manager that starts this Slurm and stops it at the end."""
 
     def __init__(self, cpus):
         self.cpus = cpus
@@ -62,7 +62,7 @@ class Slurm:
     def __enter__(self):
         self._scratch = tempfile.TemporaryDirectory(prefix="stokesbook-slurm-")
         self.folder = pathlib.Path(self._scratch.name)
-        self.folder.chmod(0o755)  # munge wants its socket to be found
+        self.folder.chmod(0o755)  # munge requires that its socket can be found
         self._daemons = []
         for name in ("state", "spool"):
             (self.folder / name).mkdir()
@@ -70,7 +70,7 @@ class Slurm:
         configuration.write_text(CONFIGURATION.format(
             host=socket.gethostname().split(".")[0], user=getpass.getuser(), folder=self.folder,
             ctld_port=free_port(), slurmd_port=free_port(), cpus=self.cpus))
-        # No task of these tests is held by cgroups, but only their older plugin starts without a
+        # No task of these tests is held by cgroups, but only the older cgroup plugin starts without
         # /sys, as in a chroot.
         (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         self.environment = {**os.environ, "SLURM_CONF": str(configuration),
@@ -97,7 +97,7 @@ class Slurm:
         self._scratch.cleanup()
 
     def __call__(self, *command, check=True):
-        """What a command of Slurm prints."""
+        """Returns the output of a command of Slurm."""
         result = subprocess.run([*map(str, command)], env=self.environment, capture_output=True,
                                 text=True)
         if check and result.returncode != 0:
@@ -112,12 +112,12 @@ class Slurm:
         self._node = self._start("slurmd", "-D", "-f", self.folder / "slurm.conf")
 
     def kill_node(self):
-        """The loss of the node: its daemon is gone; what it started must be killed besides."""
+        """Kills the daemon of the node; the caller must also kill the processes that it started."""
         self._node.kill()
         self._node.wait()
 
     def miss_node(self):
-        """Waits until Slurm has noticed."""
+        """Waits until Slurm has noticed the loss of the node."""
         self.wait_until("the node is missed", lambda: "down" in self("sinfo", "-h", "-o", "%T"))
 
     def wait_until(self, what, holds, seconds=60):

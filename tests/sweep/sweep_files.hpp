@@ -13,7 +13,7 @@
 
 namespace stokesbook::test {
 
-/// Folder for the files of one test, with a scene in it.
+/// A folder for the files of one test, with a scene in it.
 class Folder {
  public:
   Folder() {
@@ -40,7 +40,7 @@ class Folder {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  /// Gives the scene something that depends on the seed.
+  /// Adds a fill to the scene, which depends on the seed.
   void add_fill() const {
     std::string text = text_of("scene.toml");
     text.insert(text.find("[time]"),
@@ -49,7 +49,7 @@ class Folder {
     write("scene.toml", text);
   }
 
-  /// The sweep of a text on this folder's scene, whose line 1 is that of the scene.
+  /// Reads a sweep on the scene of this folder from a text; line 1 of the file names the scene.
   Sweep sweep(const std::string& text) const {
     return read_sweep(write("sweep.toml", "scene = 'scene.toml'\n" + text));
   }
@@ -58,7 +58,7 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Message of what an action throws, without the folder; or "no error".
+/// Returns the message of an error that an action throws, without the folder, or "no error".
 template <class Error, class Action>
 std::string message_of(const Folder& folder, Action action) {
   try {

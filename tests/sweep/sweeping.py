@@ -1,4 +1,4 @@
-"""What the tests of sweeps share: a sweep of 20 small runs, and a view of who works on them."""
+"""Provides a sweep of 20 small runs for tests of sweeps, and finds the processes of its tasks."""
 
 import json
 import os
@@ -55,15 +55,15 @@ TASKS = 20
 
 
 def has_ended(information):
-    """Whether a run.json is there and tells how its run ended."""
+    """Returns whether a run.json exists and contains the exit status of its run."""
     return information.exists() and json.loads(information.read_text())["exit_status"] is not None
 
 
 class Sweeping(unittest.TestCase):
-    """A folder with a scene and a sweep of it; what works in the folder ends with the test."""
+    """A folder with a scene and its sweep; processes in the folder end with the test."""
 
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="stokesbook sweep ")  # a blank to be quoted
+        scratch = tempfile.TemporaryDirectory(prefix="stokesbook sweep ")  # a blank in the name
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name).resolve()
         self.write("scene.toml", SCENE)
@@ -71,7 +71,7 @@ class Sweeping(unittest.TestCase):
 
     @staticmethod
     def undisturbed():
-        """Table of a sweep that nothing has happened to."""
+        """Returns the table of a sweep without any interruption."""
         with tempfile.TemporaryDirectory() as scratch:
             folder = pathlib.Path(scratch)
             (folder / "scene.toml").write_text(SCENE)
@@ -93,7 +93,7 @@ class Sweeping(unittest.TestCase):
         return result
 
     def start(self, *arguments):
-        """The sweep in the background, in a process group of its own."""
+        """Starts the sweep in the background, in a process group of its own."""
         process = subprocess.Popen(self.command(*arguments), cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    start_new_session=True)
@@ -111,24 +111,24 @@ class Sweeping(unittest.TestCase):
         return (self.folder / out / "results.csv").read_bytes()
 
     def done(self, out):
-        """Of every task that is done, what changes if it is run again."""
+        """Returns, for every finished task, file data that change if the task runs again."""
         return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
                 for path in (self.folder / out).glob("runs/*/run.json") if has_ended(path)}
 
     def workers(self, out):
-        """Process of each task under way in a folder, by the task's number."""
+        """Returns the process of each task that runs in a folder, by the task's number."""
         found = {}
         for process in pathlib.Path("/proc").iterdir():
             try:
                 words = (process / "cmdline").read_bytes().decode().split("\0")
             except OSError:
-                continue  # no process, or one that has just ended
+                continue  # no process, or a process that has just ended
             if words[0] == PROGRAM and "--task" in words and str(self.folder / out) in words:
                 found[int(words[words.index("--task") + 1])] = int(process.name)
         return found
 
     def wait_until(self, what, value, seconds=60):
-        """The first value that is true."""
+        """Waits for the first value that is true, and returns it."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if found := value():
@@ -137,17 +137,17 @@ class Sweeping(unittest.TestCase):
         self.fail(f"{what}: not within {seconds} s")
 
     def frames(self, out, task):
-        """Times that a run has written; it has a checkpoint at each but perhaps the last."""
+        """Returns how many times a run has written; the last one may lack its checkpoint."""
         table = self.folder / out / f"runs/{task:04}/rheology.csv"
         return table.read_bytes().count(b"\n") - 1 if table.exists() else 0
 
     def solves(self, out, task):
-        """Linear systems that the last process to work on a task has solved."""
+        """Returns the number of linear systems that the last process of a task has solved."""
         text = (self.folder / out / f"runs/{task:04}/run.json").read_text()
         return json.loads(text)["totals"]["solves"]
 
     def caught(self, out, task, process):
-        """Stops a worker where it is, for it to be killed, unless it has come to its end."""
+        """Stops a worker so that it can be killed; returns whether its run had not ended before."""
         try:
             os.kill(process, signal.SIGSTOP)
             if not has_ended(self.folder / out / f"runs/{task:04}/run.json"):

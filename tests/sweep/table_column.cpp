@@ -1,4 +1,4 @@
-/// Quantities of a run's tables, against exact values.
+// Tests quantities of a run's tables against exact values.
 
 #include "sweep/table_column.hpp"
 

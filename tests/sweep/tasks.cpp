@@ -1,4 +1,4 @@
-/// What tasks a sweep has.
+// Tests the tasks of a sweep.
 
 #include <cmath>
 #include <set>

@@ -1,5 +1,4 @@
-"""A sweep run by engines that others wrote, Slurm and GNU parallel, by the commands that
-stokes sweep --plan prints.
+"""Tests sweeps that Slurm and GNU parallel run, by the commands that stokes sweep --plan prints.
 
 Usage: test_engines.py PROGRAM SWEEPS [unittest arguments]
 """
@@ -24,7 +23,7 @@ class Engines(Sweeping):
         cls.whole = cls.undisturbed()
 
     def planned(self, word):
-        """The command of the plan that has the word in it."""
+        """Returns the command of the plan that contains the word."""
         plan = self.sweep("--out", "a", "--plan").stdout.splitlines()
         found, = [line for line in plan if re.search(rf"(^|\| ){word} ", line)]
         return found
@@ -36,7 +35,7 @@ class Engines(Sweeping):
         self.assertEqual(process.wait(120), 1)  # a job was lost
         self.assertEqual(len(self.done("a")), TASKS - 1)
         done = self.done("a")
-        subprocess.run(["sh", "-c", command], cwd="/", check=True)  # given again
+        subprocess.run(["sh", "-c", command], cwd="/", check=True)  # the same command again
         self.sweep("--out", "a", "--collect")
         self.assertEqual(self.results("a"), self.whole)
         self.assertEqual(done, {run: of for run, of in self.done("a").items() if run in done})
@@ -54,7 +53,7 @@ class Engines(Sweeping):
             self.assertIn("JobState=FAILED", slurm("scontrol", "show", "job", f"1_{lost}"))
             self.sweep("--out", "a", "--collect")
             self.assertNotEqual(self.results("a"), self.whole)
-            slurm(*command)  # given again
+            slurm(*command)  # the same command again
             slurm.wait_until("the jobs have ended", ended)
             self.sweep("--out", "a", "--collect")
             self.assertEqual(self.results("a"), self.whole)
@@ -74,7 +73,7 @@ class Engines(Sweeping):
             self.assertLess(len(self.done("a")), TASKS)
             slurm.start_node()
             slurm.wait_until("the jobs have ended", lambda: slurm("squeue", "-h") == "")
-            # Slurm itself has queued again what was lost.
+            # Slurm itself has queued the lost jobs again.
             self.assertEqual(len(self.done("a")), TASKS)
             jobs = slurm("scontrol", "--oneliner", "show", "job")
             self.assertRegex(jobs, r" Restarts=[1-9]")
@@ -82,7 +81,7 @@ class Engines(Sweeping):
             self.assertEqual(self.results("a"), self.whole)
 
     def kill_with_its_keeper(self, process):
-        """Kills a worker and all above it up to Slurm's daemon of the job, first."""
+        """Kills a worker and its parents up to Slurm's daemon of the job, the daemon first."""
         chain = [process]
         while True:
             status = pathlib.Path(f"/proc/{chain[-1]}/status").read_text()
@@ -91,7 +90,7 @@ class Engines(Sweeping):
             chain.append(int(re.search(r"^PPid:\t(\d+)", status, re.MULTILINE)[1]))
             self.assertGreater(chain[-1], 1)
         for one in reversed(chain):
-            with contextlib.suppress(ProcessLookupError):  # it ended with its parent
+            with contextlib.suppress(ProcessLookupError):  # the process ended with its parent
                 os.kill(one, signal.SIGKILL)
 
 

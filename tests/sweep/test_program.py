@@ -1,4 +1,4 @@
-"""stokes sweep as its user meets it: tables, the loss of workers, folders that are shared, errors.
+"""Tests stokes sweep as its users run it: tables, lost workers, shared folders and errors.
 
 Usage: test_program.py PROGRAM SWEEPS [unittest arguments]
 """
@@ -89,7 +89,7 @@ class Results(Sweeping):
             self.assertIn(f"--array=0-{last} ", planned.stdout)
 
     def test_the_page_of_sweeps(self):
-        """Its sweep has the columns that its lines of Python print."""
+        """The sweep of the page has the columns that the lines of Python on the page print."""
         page = (SWEEPS.parents[2] / "docs/sweeps.md").read_text()
         blocks = dict(re.findall(r"```(toml|python)\n(.*?)```", page, re.DOTALL))
         self.write("page.toml", blocks["toml"].replace("../scenes", str(SWEEPS.parent / "scenes")))
@@ -110,7 +110,7 @@ class Results(Sweeping):
         with open(out / "results.csv") as file:
             row = next(csv.DictReader(file))
         self.assertEqual(row["runs"], "1")
-        self.assertGreater(float(row["torque_ratio"]), 1.0)  # bodies thicken the fluid
+        self.assertGreater(float(row["torque_ratio"]), 1.0)  # bodies increase the viscosity
 
 
 class Losses(Sweeping):
@@ -127,7 +127,7 @@ class Losses(Sweeping):
         self.assertEqual(process.returncode, 0, errors)
         self.assertRegex(errors, rf"^stokes: task {task}: .*killed by signal 9; the task continues")
         self.assertRegex(told, rf"\ntask {task}: .*: done")
-        # It has gone on, not begun anew.
+        # The task was resumed, not restarted.
         self.assertLess(self.solves("a", task), self.solves("a", 0 if task > 0 else TASKS - 1))
         self.assertEqual(self.results("a"), self.whole)
 
@@ -229,7 +229,7 @@ n_nodes = 48
         self.write("sweep.toml", 'scene = "scene.toml"\n[[axes]]\nkey = "bodies.1.position"\n'
                    'name = "place"\nvalues = [[0.5, 0], [4, 0], [5, 0]]\n[[collect]]\n'
                    'table = "trajectory.csv"\nbody = 1\ncolumn = "x"\ntake = "last"\n')
-        for _ in range(2):  # the next sweep tries again
+        for _ in range(2):  # the next sweep tries the failed task again
             result = self.sweep("--out", "a", "--jobs", 1, code=2)
             self.assertRegex(result.stderr, r"^stokes: task 0: bodies\.1\.position = \[0\.5, 0\]: "
                              r"failed: .*body 0 and body 1.*overlap")
@@ -284,7 +284,7 @@ n_nodes = 48
             self.assertIn("tasks.csv: belongs to another sweep, or the scene has changed",
                           self.sweep("--out", "a", *how, code=3).stderr)
         self.write("scene.toml", SCENE)
-        # The first task is the same: of old results, some would get new labels.
+        # The first task is the same, but some old results would get new labels.
         for old, new in ("to = 1.0", "to = 9.0"), ("count = 5", "count = 2"), ("[2, 3]", "[2, 4]"):
             self.write("sweep.toml", SWEEP.replace(old, new))
             refused = self.sweep("--out", "a", "--collect", code=3)

@@ -1,5 +1,6 @@
-// Embedded methods reach what is asked and no more, whatever the units; events are hit exactly;
-// steps are halved where a state is not admissible; memory and time point are all there is to know.
+// Checks the step control (09.8), (09.9): embedded methods reach the required error without far
+// smaller errors, in any units; steps end exactly at events; steps are halved at inadmissible
+// states; memory and time point suffice to continue.
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ double largest_error(const std::vector<Step>& steps) {
   return error;
 }
 
-// Falls fast, then slowly, and never to 0, but long steps do.
+// The solution falls fast, then slowly, and never to 0. Long steps give values below 0.
 VectorXd decay(double t, const VectorXd& q) {
   if (q[0] <= 0.0) throw InadmissibleState("negative");
   return (t < 0.3 - 1e-9 ? -8.0 : -0.5) * q;
@@ -55,7 +56,7 @@ bool same(const Step& a, const Step& b) {
 
 BOOST_AUTO_TEST_CASE(achieved_errors_are_as_asked_and_not_far_below) {
   for (const SteppingMethod method : embedded) {
-    // The largest pair's estimate is that of the lower order, and pessimistic.
+    // The largest pair estimates the error of its lower order, which overestimates the error.
     const double least = method == SteppingMethod::prince_dormand87 ? 0.02 : 0.1;
     for (double tolerance = 1e-3; tolerance > 0.9e-10; tolerance /= std::sqrt(10.0)) {
       const Stepper stepper(to_tolerance(method, tolerance), {problem_rate, problem_rate});
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(achieved_errors_are_as_asked_and_not_far_below) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_do_not_depend_on_units) {
-  // Lengths in another unit, a power of two so that not a bit differs.
+  // Lengths have another unit, a power of two, so that not a bit differs.
   static constexpr double unit = 0.25;
   const Rate f = [](double t, const VectorXd& q) -> VectorXd {
     return unit * problem_rate(t, q / unit);
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(events_and_limits_are_kept) {
     for (const Step& step : steps) longest = std::max(longest, step.dt());
     BOOST_TEST(longest <= 0.11 * (1.0 + 1e-9));
     BOOST_TEST(longest > 0.1);
-    // A step that an event cuts short does not make those after it short.
+    // After a step that an event cuts short, the following steps are long again.
     const auto cut = std::ranges::find(steps, 0.30001, [](const Step& s) { return s.end.t; });
     BOOST_TEST((cut + 1)->dt() > 0.05);
   }

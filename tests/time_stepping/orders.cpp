@@ -1,5 +1,5 @@
-// Methods, estimates and interpolants have their orders, neither less nor more, on nonlinear
-// equations with known solutions, by constant and by variable steps.
+// Checks that methods, estimates (09.7) and interpolants (09.10) have exactly their orders, on
+// nonlinear equations with known solutions, with constant and with variable steps.
 
 #include <algorithm>
 #include <functional>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr double t_final = 8.0;
 
-// Equal steps, or 3/2, 1/2, 1/2 and 3/2 of their mean in turn; `count` is a multiple of 4.
+// Returns the ends of equal steps, or of steps of 3/2, 1/2, 1/2 and 3/2 of their mean in turn;
+// `count` is a multiple of 4.
 std::vector<double> step_ends(int count, bool variable) {
   const double mean = t_final / count;
   std::vector<double> ends;
@@ -39,7 +40,7 @@ double end_error(const std::vector<Step>& steps) {
   return problem_error(steps.back().end.t, steps.back().end.state);
 }
 
-// Largest error between the ends of steps.
+// Returns the largest error of the interpolants between the ends of steps.
 double error_within(const std::vector<Step>& steps) {
   double error = 0.0;
   for (const Step& step : steps) {
@@ -51,7 +52,7 @@ double error_within(const std::vector<Step>& steps) {
   return error;
 }
 
-// What a quantity does when h is halved, as a power of h.
+// Checks the exponent of h in a quantity by halving h.
 void check_power(const std::function<double(double)>& quantity, double h, double expected) {
   for (const double step : {h, 0.5 * h}) {
     const double measured = std::log2(quantity(step) / quantity(0.5 * step));
@@ -97,7 +98,7 @@ BOOST_AUTO_TEST_CASE(methods_have_their_orders) {
 }
 
 BOOST_AUTO_TEST_CASE(the_pair_of_prince_and_dormand_has_order_8) {
-  // Of y, the order shows only below rounding, so large are the terms of higher order.
+  // For y the terms of higher order are so large that the order is visible only below rounding.
   const auto angle_error = [](int count) {
     const TimePoint end = steps_of(SteppingMethod::prince_dormand87, count, false).back().end;
     return std::abs(end.state[0] - jeffery_angle(aspect, t_final));
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(interpolants_have_their_orders) {
   };
   check_power(error_of_one_step(SteppingMethod::bogacki_shampine32), 0.02, 4.0);
   check_power(error_of_one_step(SteppingMethod::dormand_prince54), 0.05, 5.0);
-  // Over many steps, those of the ends are added.
+  // Over many steps, the errors of the steps' ends are added.
   const auto error_of_all = [](SteppingMethod method) {
     return [=](double h) {
       return error_within(steps_of(method, static_cast<int>(std::lround(t_final / h)), false));

@@ -9,8 +9,9 @@
 
 namespace stokesbook::test {
 
-/// A slender ellipse in shear beside an equation that depends on time, both nonlinear:
-/// theta' = -(a^2 sin^2 theta + b^2 cos^2 theta) / (a^2 + b^2) and y' = cos t (1 + y^2).
+/// The test problem: the angle of a slender ellipse in shear, and an equation that depends on time.
+/// Both are nonlinear: theta' = -(a^2 sin^2 theta + b^2 cos^2 theta) / (a^2 + b^2) and y' = cos t
+/// (1 + y^2).
 inline constexpr double aspect = 3.0;
 
 inline Eigen::VectorXd problem_rate(double t, const Eigen::VectorXd& q) {
@@ -32,14 +33,14 @@ inline TimePoint problem_at(double t) {
   return {t, q, problem_rate(t, q)};
 }
 
-/// Settings under which an event alone says how long a step is.
+/// Returns settings under which only an event limits the length of a step.
 inline SteppingSettings unlimited(SteppingMethod method) {
   SteppingSettings settings{.method = method, .dt = 1e6};
   settings.bound = {1e6, Eigen::VectorXd::Ones(2)};
   return settings;
 }
 
-/// Advances through given times.
+/// Advances to the given times, and returns all steps.
 inline std::vector<Step> steps_through(const Stepper& stepper, TimePoint now,
                                        const std::vector<double>& times) {
   std::vector<Step> steps;

@@ -1,4 +1,5 @@
-// What single steps are exact for, which times their stages see, and what they evaluate.
+// Checks single steps: the polynomials that they integrate exactly, their stages' times, and their
+// evaluations.
 
 #include <cmath>
 #include <map>
@@ -31,7 +32,7 @@ VectorXd primitives(double t) {
   return q;
 }
 
-// How many of the monomials are integrated exactly.
+// Returns how many of the monomials are integrated exactly.
 int exact_components(const TimePoint& end) {
   const VectorXd error = end.state - primitives(end.t);
   int count = 0;
@@ -58,7 +59,7 @@ const std::map<SteppingMethod, int> orders{{SteppingMethod::euler, 1},
 BOOST_AUTO_TEST_CASE(exact_for_polynomials_in_time) {
   const TimePoint start{t0, primitives(t0), monomials(t0, {})};
   for (const auto& [method, order] : orders) {
-    // The weights of the largest pair integrate one power more than its stages need.
+    // The weights of the largest pair integrate one power more than its order requires.
     const int expected = method == SteppingMethod::prince_dormand87 ? 9 : order;
     BOOST_TEST(exact_components(one_step(method, monomials, start).step.end) == expected);
   }
@@ -70,13 +71,14 @@ BOOST_AUTO_TEST_CASE(exact_for_polynomials_in_time) {
 }
 
 BOOST_AUTO_TEST_CASE(a_linear_system_sees_the_taylor_polynomial) {
-  // q' = A q: as many terms of exp(h A) as the order says, and as the stages allow no other.
+  // For q' = A q a step gives the terms of exp(h A) up to the order; the stages permit no further
+  // term.
   Eigen::Matrix2d a;
   a << 0.1, -1.0, 1.0, -0.2;
   const Rate f = [&](double, const VectorXd& q) -> VectorXd { return a * q; };
   const Vector2d q{0.6, -0.2};
   for (const auto& [method, order] : orders) {
-    if (order > 4) continue;  // more stages than the order, hence terms of their own
+    if (order > 4) continue;  // methods with more stages than their order have further terms
     Vector2d term = q, taylor = q;
     for (int k = 1; k <= order; ++k) taylor += term = dt / k * a * term;
     BOOST_TEST((one_step(method, f, {0.0, q, a * q}).step.end.state - taylor).norm() < 1e-15);

@@ -1,5 +1,5 @@
-// Estimates of a step's error are near the error itself for fixed steps of low order, and too large
-// for all others.
+// Checks that estimates of a step's error (09.7), (09.16) are close to the error for fixed steps of
+// low order, and larger than the error for all other methods.
 
 #include <functional>
 
@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// One step from the exact solution, with a step before it of another length, or none.
+// One step from the exact solution, after a step of another length or without a step before.
 struct FromExact {
   VectorXd estimate, error;
 };

@@ -1,5 +1,6 @@
-// The periodic trapezoid rule converges geometrically, at the rate of the nearest pole and no
-// faster; a jump reduces it to second order. Table 1 of the paper's convergence study.
+// Checks that the periodic trapezoid rule (01.2) converges geometrically, at the rate of the
+// nearest pole (01.6) and no faster, and that a jump reduces the rule to second order (table 1 of
+// the published convergence study).
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,7 +15,7 @@ using std::numbers::pi;
 
 namespace {
 
-// Trapezoid rule on [0, 2 pi], through the weights of the unit circle's nodes.
+// Integrates over [0, 2 pi] by the trapezoid rule, with the weights of the unit circle's nodes.
 template <class Function>
 double integrate(Index n, const Function& f) {
   const Curve circle = sample(Circle{1.0}, n, Side::fluid_outside);
@@ -26,7 +27,7 @@ double integrate(Index n, const Function& f) {
   return sum;
 }
 
-// Within the three digits that a table prints.
+// Returns whether the first three digits agree, which are all that the table prints.
 bool matches(double value, double printed) {
   return std::abs(value - printed) < 5e-3 * printed;
 }
@@ -34,8 +35,8 @@ bool matches(double value, double printed) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_pole_sets_the_rate) {
-  // Poisson's kernel with poles at Im t = +-log(1/q): the modes q^|k| that fold onto k = 0 make the
-  // relative error exactly 2 q^N / (1 - q^N).
+  // Poisson's kernel has poles at Im t = +-log(1/q). By (01.5) the modes q^|k| with k = mN are
+  // added to the mode k = 0, so that the relative error is exactly 2 q^N / (1 - q^N).
   for (double q : {0.3, 0.6, 0.9}) {
     for (Index n = 4; std::pow(q, static_cast<double>(n)) > 1e-10; n += 4) {
       const double sum = integrate(
@@ -48,8 +49,9 @@ BOOST_AUTO_TEST_CASE(a_pole_sets_the_rate) {
 }
 
 BOOST_AUTO_TEST_CASE(the_perimeter_of_an_ellipse_converges_with_its_branch_points) {
-  // The speed |x'| has branch points sqrt(t - t_0) at e^{-2 |Im t_0|} = m = (a - b) / (a + b): an
-  // error of about m^{N/2} N^{-3/2}. The slope between N and N + 8 shows it, two-sided.
+  // The speed |x'| has branch points sqrt(t - t_0) at e^{-2 |Im t_0|} = m = (a - b) / (a + b), so
+  // that the error is about m^{N/2} N^{-3/2} (01.8). The test bounds the slope between N and N + 8
+  // from both sides.
   const double a = 3.0, b = 1.0, m = (a - b) / (a + b);
   const double exact = 4.0 * a * std::comp_ellint_2(std::sqrt(1.0 - b * b / (a * a)));
   const auto error = [&](Index n) {
@@ -74,7 +76,7 @@ BOOST_AUTO_TEST_CASE(published_table_of_a_periodic_function) {
 }
 
 BOOST_AUTO_TEST_CASE(published_table_of_a_function_that_jumps) {
-  // e^x on [0, 2 pi]: at the jump the rule takes the mean of both sides.
+  // Integrates e^x on [0, 2 pi]: at the jump the rule takes the mean of both sides.
   const double last = std::exp(2.0 * pi);
   const auto error = [&](Index n) {
     const double sum =

@@ -1,4 +1,4 @@
-// Fourier coefficients, differentiation and tails against series that are known.
+// Checks Fourier coefficients (01.9), Fourier differentiation and tails against known series.
 #include "trapezoid/fourier.hpp"
 
 #include <cmath>
@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(coefficients_of_a_trigonometric_polynomial) {
 }
 
 BOOST_AUTO_TEST_CASE(coefficients_of_a_geometric_series) {
-  // 1 / (1 - q e^{it}) = sum_{k>=0} q^k e^{ikt}; sampling folds modes N apart onto each other.
+  // 1 / (1 - q e^{it}) = sum_{k>=0} q^k e^{ikt}. Sampling adds the modes k + mN to the mode k
+  // (01.9).
   const Complex q = std::polar(0.6, 0.4);
   constexpr Index n = 24;
   const ComplexVector c =
@@ -76,7 +77,7 @@ BOOST_AUTO_TEST_CASE(wave_numbers_are_in_the_order_of_the_coefficients) {
 }
 
 BOOST_AUTO_TEST_CASE(the_derivative_of_an_analytic_function) {
-  // exp(sin t): its modes fall faster than geometrically, 40 nodes hold all of them.
+  // The modes of exp(sin t) decay faster than geometrically: 40 nodes resolve all of them.
   const ComplexVector f = at_nodes(40, [](double t) { return std::exp(imaginary + std::sin(t)); });
   const ComplexVector df =
       at_nodes(40, [](double t) { return std::cos(t) * std::exp(imaginary + std::sin(t)); });
@@ -99,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_differentiation_matrix_differentiates) {
 }
 
 BOOST_AUTO_TEST_CASE(the_tail_is_what_the_highest_modes_carry) {
-  // Modes |k| >= 64 - 8 count, of either sign.
+  // The tail consists of the modes |k| >= 64 - 8, of either sign.
   const auto tail = [](int k) {
     return fourier_tail(at_nodes(128, [k](double t) { return 1.0 + 0.25 * mode(k, t); }));
   };

@@ -1,5 +1,5 @@
-// Lengths, areas, centroids, curvatures and normals of curves against closed forms, and under
-// rigid motions.
+// Checks lengths, areas, centroids, curvatures (01.4) and normals (01.3) of curves against closed
+// forms, and under rigid motions.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -41,12 +41,12 @@ BOOST_AUTO_TEST_CASE(areas) {
 
 BOOST_AUTO_TEST_CASE(perimeters) {
   BOOST_TEST(std::abs(perimeter(body(Circle{0.7}, 4)) - 1.4 * pi) < 1e-15);
-  // The standard library's elliptic integral is good to 1e-14.
+  // The standard library's elliptic integral has a relative error of about 1e-14.
   for (double b : {0.5, 1.0, 2.5}) {
     const double exact = ellipse_perimeter(1.0, b);
     BOOST_TEST(std::abs(perimeter(body(Ellipse{1.0, b}, 128)) / exact - 1.0) < 5e-14);
   }
-  // Limacon r = 1 + A cos t: the speed is sqrt(1 + A^2 + 2 A cos t).
+  // The limacon r = 1 + A cos t has the speed sqrt(1 + A^2 + 2 A cos t).
   const double amplitude = 0.3;
   const double limacon =
       4.0 * (1.0 + amplitude) * std::comp_ellint_2(2.0 * std::sqrt(amplitude) / (1.0 + amplitude));
@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(perimeters) {
 }
 
 BOOST_AUTO_TEST_CASE(the_centroid_weighs_by_arclength) {
-  // A circle about c whose nodes crowd on one side, by a Moebius map of the circle onto itself.
+  // A Moebius map of the unit circle onto itself crowds the nodes on one side of the circle about
+  // c.
   const Complex c{0.4, -0.3};
   ComplexVector points(128);
   for (Index j = 0; j < 128; ++j) {
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(the_centroid_weighs_by_arclength) {
 }
 
 BOOST_AUTO_TEST_CASE(the_outer_radius_holds_the_curve_between_nodes) {
-  // Tips at a quarter of the spacing from the nearest node.
+  // The star's tips lie a quarter of the spacing from the nearest node.
   const Shape star = Star{1.0, -0.3, 4};
   BOOST_TEST(bounding_radius(body(star, 66), 0.0) < 1.2987);
   BOOST_TEST(outer_radius(body(star, 66), 0.0) >= 1.3);
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(the_outer_radius_holds_the_curve_between_nodes) {
       for (Index n : {12, 18, 34, 66, 130, 258}) {
         const double radius = outer_radius(body(shape, n), c);
         BOOST_TEST(radius >= (1.0 - 1e-9) * exact);
-        // Fourth order, with a constant for the star of five arms.
+        // The overestimate is of fourth order; the star of five arms determines the constant.
         BOOST_TEST(radius <= (1.0 + std::pow(20.0 / static_cast<double>(n), 4)) * exact);
       }
     }
@@ -103,7 +104,8 @@ BOOST_AUTO_TEST_CASE(curvatures_are_signed) {
     const double speed = std::hypot(a * ellipse.x[j].imag() / b, b * ellipse.x[j].real() / a);
     BOOST_TEST(std::abs(kappa[j] - a * b / std::pow(speed, 3)) < 1e-13);
   }
-  // r = 1 + A cos(k t) at a tip and in a valley, where r' = 0: (r - r'') / r^2.
+  // For r = 1 + A cos(k t) the curvature at a tip and in a valley, where r' = 0, is (r - r'') /
+  // r^2.
   const double amplitude = 0.2;
   const Curve star = body(Star{1.0, amplitude, 5}, 10);
   const double tip = 1.0 + amplitude, valley = 1.0 - amplitude;
@@ -128,10 +130,10 @@ BOOST_AUTO_TEST_CASE(normals_point_out_of_the_fluid) {
       for (Index j = 0; j < 64; ++j) {
         BOOST_TEST(std::abs(std::abs(normal[j]) - 1.0) < 1e-15);
         BOOST_TEST(std::abs(dot(normal[j], curve.dx[j])) < 1e-14);
-        // The shapes are seen whole from their origin: outward is away from it.
+        // The shapes are star-shaped about the origin: outward normals point away from the origin.
         BOOST_TEST((dot(normal[j], curve.x[j]) > 0.0) == (side == Side::fluid_inside));
       }
-      // Divergence theorem: the flux of x out of the enclosed area is twice the area.
+      // By the divergence theorem, the flux of x out of the enclosed area is twice the area.
       const Eigen::VectorXd flux = (normal.conjugate().array() * curve.x.array()).real();
       BOOST_TEST(std::abs(flux.dot(weights(curve)) - 2.0 * curve.sign() * area(curve)) < 1e-13);
     }

@@ -1,5 +1,5 @@
-// Graded nodes: the map t(s) is the integral that it claims to be, at any width; curves sampled by
-// it keep the rule's geometric rate, and crowd where they are told to.
+// Checks graded nodes: the map t(s) is the integral (01.11) at any width, and curves that are
+// sampled by the map keep the rule's geometric rate and have their nodes crowded at the clusters.
 #include "trapezoid/grading.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ const std::vector<Grading> gradings = {
     {{{-1.0, 1e-3}}},
     {{{0.7, 1e-6}}, 4.0},
     {{{0.3, 1e-2}, {2.0, 1e-5}, {-1.0, 0.3}}},
-    // Nearly and exactly the same place; a parameter two turns away.
+    // These clusters have nearly or exactly the same place, or a parameter two turns away.
     {{{1.0, 1e-4}, {1.0 + 3e-5, 1e-4}}},
     {{{1.0, 1e-3}, {1.0, 1e-5}, {1.0 + 4.0 * pi, 1e-3}}, 1.0}};
 
@@ -47,13 +47,13 @@ double node_density(const Grading& grading, double t) {
   return m;
 }
 
-// dt/ds of graded nodes is C / m: C from one node.
+// Returns C of (01.11) from one node, where dt/ds = C / m.
 double mean_density(const Grading& grading) {
   const GradedParameter node = graded_parameters(grading, 1)[0];
   return node.dt * node_density(grading, node.t);
 }
 
-// Gauss' rule of three points on panels of [a, b].
+// Integrates over [a, b] by Gauss' rule of three points on equal panels.
 template <class Function>
 double integral(const Function& f, double a, double b, int panels) {
   double sum = 0.0;
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(equal_numbers_of_nodes_hold_equal_integrals_of_their_densit
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       const double from = nodes[j].t;
       const double step = std::remainder(nodes[(j + 1) % nodes.size()].t - from, 2.0 * pi);
-      // Near a cluster a difference of parameters has the digits of its width only.
+      // Near a cluster, the difference of two parameters is accurate only relative to the width.
       const double rounding = 1e-15 * node_density(grading, from);
       const double held = integral([&](double t) { return node_density(grading, t); }, from,
                                    from + (step < 0.0 ? step + 2.0 * pi : step), 400);
@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(equal_numbers_of_nodes_hold_equal_integrals_of_their_densit
 }
 
 BOOST_AUTO_TEST_CASE(a_cluster_at_zero_keeps_the_digits_of_small_parameters) {
-  // t = width sinh(C s / b) where t is so small that the other terms of m are constant:
-  // (1 + t_c terms) t adds to it, solved here by a fixed point iteration.
+  // If t is so small that the other terms of m are constant, t = width sinh((C s - t) / b). A fixed
+  // point iteration solves this equation for t.
   for (double width : {1e-3, 1e-6, 1e-9}) {
     const Grading grading{{{0.0, width}}};
     const Index n = 512;
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_cluster_at_zero_keeps_the_digits_of_small_parameters) {
       double t = 0.0;
       for (int k = 0; k < 60; ++k) t = width * std::sinh((mean * s - t) / grading.strength);
       const double got = nodes[static_cast<std::size_t>(j)].t;
-      // 2 sin(t / 2) for t: relative t^2 / 24.
+      // The equation has t for 2 sin(t / 2), a relative error of t^2 / 24.
       BOOST_TEST(std::abs(got / t - 1.0) < 1e-14 + t * t);
     }
   }
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(positions_among_graded_nodes_invert_parameters) {
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) {
-  // Central differences of order 2.
+  // Compares with central differences of order 2.
   for (const Grading& grading : gradings) {
     const Index n = 20000;
     const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) 
       const double slope = std::remainder(at(1).t - at(-1).t, 2.0 * pi) / (2.0 * h);
       const double bend = (at(1).dt - at(-1).dt) / (2.0 * h);
       const double rounding = 1e-15 / h;
-      // t(s) changes over the length b / C, at least 0.02 here.
+      // t(s) varies over the length b / C, which is at least 0.02 here.
       BOOST_TEST(std::abs(slope - at(0).dt) < 1e-3 * at(0).dt + rounding);
       BOOST_TEST(std::abs(bend - at(0).ddt) <
                  1e-3 * (std::abs(at(0).ddt) + at(0).dt) + rounding * at(0).dt);
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(derivatives_of_parameters_are_those_of_finite_differences) 
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_curves_are_those_of_the_fourier_series) {
-  // As far as rounding, which differentiation multiplies by 600.
+  // The derivatives agree up to rounding, which differentiation multiplies by 600.
   for (const Grading& grading : {Grading{{{0.4, 0.3}}}, Grading{{{0.4, 0.1}, {3.0, 0.5}}, 1.0}}) {
     for (const Shape& shape : graded_shapes) {
       const Curve curve = sample(shape, 1200, Side::fluid_outside, grading);
@@ -173,15 +173,15 @@ BOOST_AUTO_TEST_CASE(lengths_and_areas_do_not_depend_on_the_grading) {
       BOOST_TEST(std::abs(perimeter(curve) / perimeter(even) - 1.0) < 1e-13);
       BOOST_TEST(std::abs(area(curve) / area(even) - 1.0) < 1e-13);
       BOOST_TEST(std::abs(boundary_centroid(curve) - boundary_centroid(even)) < 1e-13);
-      // Tangents turn once: curvature needs the second derivatives.
+      // The tangent turns once. The sum of curvatures depends on the second derivatives.
       BOOST_TEST(std::abs(curvatures(curve).dot(weights(curve)) - 2.0 * pi) < 1e-11);
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(lengths_converge_at_the_depth_of_the_speeds_branch_points) {
-  // |x'| of an ellipse vanishes as a square root at i d and pi + i d, tanh d = b / a: errors of
-  // N^(-3/2) e^{-rate N}, times a cosine of N.
+  // |x'| of an ellipse vanishes like a square root at i d and pi + i d, tanh d = b / a. The errors
+  // are therefore N^(-3/2) e^{-rate N} times a cosine of N (01.8).
   const Shape ellipse = Ellipse{2.0, 1.0};
   const double exact = perimeter(sample(ellipse, 400, Side::fluid_outside));
   const double distance = std::atanh(0.5);
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(lengths_converge_at_the_depth_of_the_speeds_branch_points) 
 }
 
 BOOST_AUTO_TEST_CASE(nodes_crowd_at_clusters) {
-  // About a cluster, within the distance r, lie (2 b / C) asinh(r / delta) / (2 pi) of the nodes.
+  // The share of the nodes within the distance r of a cluster is (b asinh(r / delta) + r) / (pi C).
   const Grading grading{{{2.0, 1e-5}}};
   const Index n = 400;
   const double mean = mean_density(grading);
@@ -218,7 +218,8 @@ BOOST_AUTO_TEST_CASE(nodes_crowd_at_clusters) {
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_grading_gives_symmetric_nodes) {
-  // C s, from which nodes far from the cluster follow, is up to 70: its rounding shows there.
+  // The nodes far from the cluster follow from C s, which is up to 70: this product's rounding is
+  // visible.
   for (double width : {1.0, 1e-3, 1e-6}) {
     const Curve curve = sample(Circle{1.0}, 64, Side::fluid_outside, {{{0.0, width}}});
     const Curve both = sample(Circle{1.0}, 64, Side::fluid_outside, {{{0.0, width}, {pi, width}}});
@@ -258,7 +259,7 @@ BOOST_AUTO_TEST_CASE(the_same_points_parametrise_a_shape_and_its_interpolant) {
           ellipse(2.0 * pi * static_cast<double>(j) / static_cast<double>(n)).value;
     }
     const Parametrisation nodal = parametrisation(NodalCurve{backwards, ""});
-    // The first of the points turned round is the last one of the ellipse's, and stays it.
+    // The last of the reversed points is the ellipse's first point: both curves start there.
     for (double t : {0.0, 1.3, 5.9}) {
       BOOST_TEST(std::abs(nodal(t).value - ellipse(t).value) < 1e-13);
       BOOST_TEST(std::abs(nodal(t).first - ellipse(t).first) < 1e-13);
@@ -272,8 +273,8 @@ BOOST_AUTO_TEST_CASE(the_depth_of_a_singularity_is_the_integral_up_to_it) {
     const double mean = mean_density(grading);
     for (double parameter : {0.301, 0.7003, 1.00001, 3.5}) {
       for (double depth : {1e-4, 1e-2, 0.8}) {
-        // Up from the real axis, m continued with the square root of positive real part, in panels
-        // that grow with the height.
+        // Integrates m (01.11) upwards from the real axis, in panels of equal ratio. In m, square
+        // roots with positive real parts continue the distances to the clusters.
         const auto continued = [&](double logarithm) {
           const double y = std::exp(logarithm);
           Complex m = 1.0;
@@ -306,13 +307,13 @@ BOOST_AUTO_TEST_CASE(over_its_cluster_a_singularity_is_as_deep_as_the_arc_sine_s
     }
   };
   for (double ratio : {0.1, 0.5, 0.9}) check(ratio * width, std::asin(ratio));
-  // Deeper ones gain no more than the depth itself.
+  // For a depth of one width or more, the integral beyond the depth itself stays pi / 2.
   for (double depth : {1e-3, 1e-2, 1.0}) check(depth, 0.5 * pi);
   BOOST_TEST(graded_depth({}, 0.4, 0.125) == 0.125);
 }
 
 BOOST_AUTO_TEST_CASE(singularities_at_any_depth) {
-  // Between parallel sides nothing piles up: depths have no bound.
+  // Far above the clusters, the grading adds the same constant to every depth.
   const Grading grading{{{0.3, 1e-2}, {2.0, 1e-5}}};
   const double mean = mean_density(grading);
   for (double parameter : {0.3, 1.0, 2.0 + pi}) {

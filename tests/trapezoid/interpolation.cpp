@@ -1,4 +1,4 @@
-// The trigonometric interpolant between its nodes, and resampling to more or fewer of them.
+// Checks the trigonometric interpolant between its nodes, and resampling to more or fewer nodes.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,7 +20,7 @@ double node(Index j, Index n) {
   return 2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
 }
 
-// f(t) = exp(a e^{it}), an entire series of both parts with known derivatives.
+// f(t) = exp(a e^{it}) is the sum of a power series in e^{it} and has known derivatives.
 struct Exponential {
   Complex a{0.5, 0.3};
   Complex value(double t) const { return std::exp(a * std::polar(1.0, t)); }
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(the_interpolant_passes_through_the_nodes) {
 }
 
 BOOST_AUTO_TEST_CASE(the_interpolant_of_real_values_is_real) {
-  // So the highest mode must be a cosine, half of it for each sign of k.
+  // The highest mode must therefore be a cosine, with one half for each sign of k.
   const ComplexVector values = random_vector(10, 5).real();
   const TrigonometricPolynomial interpolant(values);
   for (double t : {0.1, 1.0, 2.7}) {
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(resampling_up_keeps_the_interpolant) {
         BOOST_TEST(std::abs(back - values[j]) < 5e-14);
       }
       const TrigonometricPolynomial interpolant(values);
-      // Rounding grows with the number of modes.
+      // Rounding errors grow with the number of modes.
       const double tolerance = 1e-14 * std::max(1.0, static_cast<double>(n) / 16.0);
       for (Index j = 0; j < m; ++j) {
         BOOST_TEST(std::abs(interpolant(node(j, m)).value - fine[j]) < tolerance);
@@ -136,8 +136,7 @@ BOOST_AUTO_TEST_CASE(several_functions_at_once) {
 }
 
 BOOST_AUTO_TEST_CASE(resampling_down_cuts_the_series) {
-  // 33 nodes hold exp(a e^{it}) to rounding; of its modes k >= 0 the coarse grid keeps 0 ... m/2
-  // - 1.
+  // 33 nodes resolve exp(a e^{it}) to rounding. The coarse grid keeps the modes 0 <= k < m/2.
   const Exponential f;
   for (Index n : {33, 34}) {
     for (Index m : {4, 8, 16, 32}) {

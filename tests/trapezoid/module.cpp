@@ -1,3 +1,3 @@
-// The test module of the library trapezoid.
+// Defines the test module of the library trapezoid.
 #define BOOST_TEST_MODULE trapezoid
 #include <boost/test/unit_test.hpp>

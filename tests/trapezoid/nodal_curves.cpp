@@ -1,5 +1,5 @@
-// A curve through the points of an ellipse is that ellipse, however many points there are and
-// whichever way they run.
+// Checks that a curve through points of an ellipse is that ellipse, for any number of points and
+// for both directions of traversal.
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(clockwise_points_give_a_counter_clockwise_curve) {
     const Curve curve = sample(NodalCurve{clockwise, ""}, 64, Side::fluid_outside);
     BOOST_TEST(std::abs(area(curve) - 2.0 * std::numbers::pi) < 1e-14);
     BOOST_TEST(curvatures(curve).minCoeff() > 0.0);
-    // Out of the fluid is into the body.
+    // The normal points out of the fluid, which is into the body.
     BOOST_TEST(dot(normals(curve)[0], curve.x[0]) < 0.0);
   }
 }

@@ -1,4 +1,5 @@
-// The index finds the rectangles that a test of all of them finds, however they came in.
+// Checks that the index finds the same rectangles as a comparison with all rectangles does, for
+// rectangles that are packed at once or inserted one after another.
 #include "trapezoid/rectangle_index.hpp"
 
 #include <limits>
@@ -17,7 +18,7 @@ std::vector<Rectangle> random_rectangles(std::size_t count, unsigned seed) {
   std::vector<Rectangle> rectangles;
   while (rectangles.size() < count) {
     const Complex lower{place(random), place(random)};
-    // Of all sizes, points among them.
+    // The rectangles have various sizes, and some are points.
     const double scale = rectangles.size() % 10 == 0  ? 10.0
                          : rectangles.size() % 7 == 0 ? 0.0
                                                       : 1.0;

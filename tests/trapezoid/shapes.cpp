@@ -1,5 +1,6 @@
-// Every shape lies on its curve, runs once around counter-clockwise, and its derivatives are those
-// of its points, by finite differences and by Fourier differentiation.
+// Checks that every shape's points lie on the shape's curve and run once around it
+// counter-clockwise, and that the derivatives agree with finite differences and with Fourier
+// differentiation.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -21,7 +22,7 @@ const std::vector<Shape> analytic_shapes = {
     Circle{0.7},         Ellipse{2.0, 1.0},         Ellipse{0.3, 1.5},        Star{1.3, 0.2, 5},
     Star{0.8, -0.35, 3}, Superellipse{2.0, 1.0, 4}, Superellipse{1.0, 1.0, 6}};
 
-// Central difference of order 8 of node values; `stencil` holds the weights of f(+k) -+ f(-k).
+// Returns the central difference of order 8; `stencil` holds the weights of f(+k) -+ f(-k).
 ComplexVector difference(const ComplexVector& f, const std::vector<double>& stencil, double middle,
                          double parity) {
   const Index n = f.size();
@@ -47,7 +48,7 @@ ComplexVector second_difference(const ComplexVector& f, double h) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_finite_differences) {
-  // The truncation h^8 f^(9) / 630 is below rounding, eps / h and eps / h^2, for these shapes.
+  // The truncation error h^8 f^(9) / 630 is below the rounding errors eps / h and eps / h^2.
   constexpr Index n = 2048;
   const double h = 2.0 * std::numbers::pi / static_cast<double>(n);
   for (const Shape& shape : analytic_shapes) {
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_finite_differences) {
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_fourier_series) {
-  // Differentiation multiplies rounding by N/2.
+  // Differentiation multiplies rounding errors by N/2.
   constexpr Index n = 512;
   for (const Shape& shape : analytic_shapes) {
     const Curve curve = sample(shape, n, Side::fluid_outside);

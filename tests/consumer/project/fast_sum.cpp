@@ -1,4 +1,5 @@
-// The sum of stresslets at the nodes of many curves, by the fast multipole method and directly.
+// Sums the stresslets at the nodes of many curves, by the fast multipole method and directly, and
+// compares the sums (chapter 08).
 
 #include <iostream>
 
@@ -16,7 +17,7 @@ int main() {
 
   const double tolerance = 1e-9;
   const Fmm fast_sum(curves, ComplexVector(), FmmSettings::for_tolerance(tolerance));
-  const ComplexVector velocity = fast_sum.velocity(density);  // as often as densities change
+  const ComplexVector velocity = fast_sum.velocity(density);  // once per density
   const ComplexVector direct = StressletSum(curves)(density);
   const double error = (velocity - direct).norm() / direct.norm();
   std::cout << density.size() << " nodes, relative error " << error << '\n';

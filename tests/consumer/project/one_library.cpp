@@ -1,4 +1,5 @@
-// The perimeter of the unit circle, and the derivative of e^{it}.
+// Computes the perimeter of the unit circle and the derivative of e^{it} by the trapezoid library
+// (chapter 01).
 
 #include <cmath>
 #include <iostream>
