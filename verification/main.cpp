@@ -32,8 +32,8 @@ bool named(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
-/// Keeps the experiments of these names, and the studies that have one of them. Of an experiment
-/// that is named, the quick size leaves out no line.
+/// Keeps the experiments with these keys, and the studies that contain such an experiment. All
+/// lines of a selected experiment run, also those that the quick size skips.
 void keep_named(std::vector<study::Study>& studies, const std::vector<std::string>& keys) {
   std::set<std::string> known;
   for (study::Study& study : studies) {
@@ -84,7 +84,7 @@ int run_studies(const std::vector<study::Study>& studies, study::Size size,
 
 int main(int argc, char** argv) {
   using namespace stokesbook;
-  omp_set_num_threads(1);  // seconds compare methods, whatever else the machine does
+  omp_set_num_threads(1);  // seconds compare methods at any load of the machine
   CLI::App app{"Checks the claims of the book, one study a method"};
   std::vector<study::Study> studies = all_studies();
   std::vector<std::string> methods, known_methods, experiments;

@@ -4,7 +4,7 @@
 
 namespace stokesbook {
 
-/// @name The studies, one a method: what its chapter claims, and the planted defects
+/// @name The studies, one for each method: claims of the chapter, and planted defects
 /// @{
 study::Study trapezoid_study();
 study::Study double_layer_study();

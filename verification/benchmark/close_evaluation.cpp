@@ -1,3 +1,5 @@
+// Times velocities close to a curve by the trapezoid sum, the Cauchy scheme and interpolation
+// (chapter 06), and the two forms of storing near corrections.
 #include "close_evaluation.hpp"
 
 #include <memory>
@@ -18,14 +20,14 @@ Curve ellipse(Index n) {
   return sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
 }
 
-// Points half a spacing from the curve.
+// Points at a distance of half a spacing from the curve.
 ComplexVector close_points(const Curve& curve, Index count) {
   const Curve places = sample(Ellipse{1.0, 0.5}, count, curve.side);
   const double step = std::numbers::pi / static_cast<double>(curve.size());
   return places.x - step * places.dx.cwiseAbs().cwiseProduct(normals(places));
 }
 
-// Nanoseconds a target.
+// Nanoseconds for each target.
 template <class Evaluate>
 double nanoseconds(const Evaluate& evaluate, Index targets, double budget) {
   return 1e9 * least_seconds(evaluate, budget) / static_cast<double>(targets);
@@ -39,8 +41,9 @@ double time_interpolation(const Curve& curve, const ComplexVector& density,
   return nanoseconds([&] { return scheme.velocity(data, 0, targets); }, targets.size(), budget);
 }
 
-// Seconds for the plan of a correction and thirty applications, a curve: 64 bodies of one shape,
-// which share the products of factored storage, and whose rows leave the cache.
+// Seconds for each curve: the plan of a near correction and thirty applications. The 64 bodies have
+// one shape and share the products of factored storage; explicit rows of 64 bodies exceed the
+// cache.
 double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme, Index targets,
                                 NearStorage storage, double budget) {
   constexpr Index bodies = 64;
@@ -62,7 +65,7 @@ double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme
   return least_seconds(work, budget) / static_cast<double>(bodies);
 }
 
-// Targets a curve up to which NearCorrection keeps rows by itself.
+// Largest number of targets on a curve for which NearCorrection stores explicit rows by default.
 Index most_targets_with_rows(const std::shared_ptr<const CauchyCurve>& scheme) {
   const auto are_kept = [&](Index targets) {
     const ComplexVector points = close_points(scheme->curve(), 2 * targets).head(targets);
@@ -73,7 +76,7 @@ Index most_targets_with_rows(const std::shared_ptr<const CauchyCurve>& scheme) {
   return targets - 2;
 }
 
-// With one thread, whatever the caller's number is.
+// Runs the work with one thread, and restores the number of threads.
 template <class Work>
 void with_one_thread(const Work& work) {
   const int threads_before = omp_get_max_threads();

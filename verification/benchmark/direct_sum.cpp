@@ -1,3 +1,4 @@
+// Times the direct stresslet sum, streamed and stored, relative to the processor's peak.
 #include "direct_sum.hpp"
 
 #include <omp.h>
@@ -9,7 +10,7 @@ namespace stokesbook {
 
 namespace {
 
-// Ellipses of 32 nodes in a row, n nodes in all.
+// A row of ellipses with 32 nodes each, n nodes in all.
 std::vector<Curve> row_of_ellipses(int n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, 32, Side::fluid_outside);
   std::vector<Curve> curves;

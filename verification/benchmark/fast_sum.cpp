@@ -1,3 +1,5 @@
+// Times the fast multipole sum (chapter 08) relative to the direct sum, by tolerance and by the
+// number of nodes.
 #include "fast_sum.hpp"
 
 #include <cmath>
@@ -14,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-// Ellipses 2:1 in a square array, turned this way and that.
+// Ellipses 2:1 in a square array, at various angles.
 std::vector<Curve> array_of_ellipses(int bodies, Index n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
   const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
@@ -45,7 +47,7 @@ double seconds_with(int threads, const Work& work, double budget) {
   return seconds;
 }
 
-// Of the sum at all nodes, from that at some targets.
+// Seconds of the direct sum at all nodes, extrapolated from the sum at some targets.
 double seconds_of_direct_sum(const std::vector<Curve>& curves, const ComplexVector& density,
                              double budget) {
   const StressletSum sum(curves);

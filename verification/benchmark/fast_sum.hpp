@@ -4,14 +4,15 @@
 
 namespace stokesbook {
 
-/// Times the fast multipole sum of ellipses beside the direct one, by the tolerance, one thread:
-/// plan, application, several fields at once; and an application with two threads.
+/// Times the fast multipole sum of ellipses relative to the direct sum, by the tolerance: plan,
+/// application and several fields at once with one thread; an application with two threads.
 ///
 /// @param  bodies  number of ellipses of 128 nodes
 /// @param  budget  seconds to spend on each number
 Table time_fast_sum(int bodies, double budget);
 
-/// Times both sums of few nodes, one thread, and finds from where on the fast one is faster.
+/// Times both sums of few nodes with one thread, and finds the number of nodes beyond which the
+/// fast sum is faster.
 ///
 /// @param  budget  seconds to spend on each number
 Table time_break_even(double budget);

@@ -1,3 +1,4 @@
+// Measures the peak rate of one core by independent chains of fused multiply-adds.
 #include "fma_peak.hpp"
 
 #include "stopwatch.hpp"
@@ -16,10 +17,11 @@ constexpr int vector_bytes = 16;
 typedef double Vector __attribute__((vector_size(vector_bytes)));
 constexpr int lanes = vector_bytes / static_cast<int>(sizeof(double));
 
-// Two units of four cycles' latency need eight chains; twelve leave slack and fit the registers.
+// Two units with a latency of four cycles require eight chains; twelve leave a margin and fit the
+// registers.
 constexpr int chains = 12;
 
-// The chains tend to 1, whatever they start from.
+// The chains converge to 1 from any start.
 double run_chains(double start, long long length) {
   Vector x[chains];
   for (int k = 0; k < chains; ++k) x[k] = Vector{} + start * k;
@@ -37,7 +39,7 @@ double run_chains(double start, long long length) {
 
 double fma_peak(double budget) {
   constexpr long long length = 1'000'000;
-  // The store keeps the compiler from leaving out the work.
+  // The volatile store prevents the compiler from removing the work.
   volatile double result = 0.25;
   const double seconds = least_seconds([&] { result = run_chains(result, length); }, budget);
   return 2.0 * lanes * chains * static_cast<double>(length) / seconds;

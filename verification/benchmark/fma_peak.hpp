@@ -2,8 +2,9 @@
 
 namespace stokesbook {
 
-/// Measures how many floating-point operations a second one core does in independent chains of
-/// fused multiply-adds on the widest vectors of this build, two operations each: no loop does more.
+/// Measures the floating-point operations per second of one core in independent chains of fused
+/// multiply-adds (two operations each) on the widest vectors of this build. No other loop is
+/// faster.
 ///
 /// @param  budget  seconds to spend
 double fma_peak(double budget);

@@ -15,10 +15,10 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Returns the least time that a piece of work takes, in seconds: other processes only ever add to
-/// it.
+/// Returns the least time that a piece of work takes, in seconds. The least time is taken because
+/// other processes only add to the time.
 ///
-/// @param  work    called again and again
+/// @param  work    called repeatedly
 /// @param  budget  seconds to spend; at least two calls are made
 template <class Work>
 double least_seconds(const Work& work, double budget) {

@@ -1,3 +1,4 @@
+// Prints benchmark tables, and writes them as HTML with figures and as CSV.
 #include "table.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ std::string number(double value) {
   return text;
 }
 
-// The columns that are drawn, over the first one.
+// Plots the drawn columns over the first column.
 std::string figure(const Table& table) {
   study::Plot plot{.title = table.title, .x_label = table.columns[0], .y_label = table.drawn};
   for (std::size_t c = table.first; c <= table.last; ++c) {

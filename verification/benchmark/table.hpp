@@ -6,15 +6,15 @@
 
 namespace stokesbook {
 
-/// Numbers under named columns; the first column says what a row is about.
+/// Numbers in named columns. The first column identifies the row.
 struct Table {
   std::string title;
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;
   std::string note;        ///< printed below; may be empty
-  std::string drawn = {};  ///< what the columns of its figure have in common; empty: no figure
+  std::string drawn = {};  ///< label of the figure's ordinate; empty: no figure
   std::size_t first = 1;   ///< the first column of the figure
-  std::size_t last = 1;    ///< the last one
+  std::size_t last = 1;    ///< the last column of the figure
 };
 
 /// Prints a table in aligned columns.
@@ -23,7 +23,8 @@ void print(std::ostream& out, const Table& table);
 /// Writes tables and their figures for a page of the book, as HTML.
 void write_page(std::ostream& out, const std::string& machine, const std::vector<Table>& tables);
 
-/// Writes tables as CSV, one number a line: table, first column's name and value, column, value.
+/// Writes tables as CSV, one number per line: table, name and value of the first column, column,
+/// value.
 void write_csv(std::ostream& out, const std::vector<Table>& tables);
 
 }  // namespace stokesbook

@@ -4,15 +4,15 @@
 
 namespace stokesbook {
 
-/// Times set-up, matrix-vector product and solve for 48 slender ellipses in a Taylor-Green flow,
-/// where their published simulation starts, with all threads.
+/// Times set-up, matrix-vector product and solve, with all threads, for the start of the published
+/// simulation of 48 slender ellipses in a Taylor-Green flow.
 ///
 /// @param  budget  seconds to spend on each number
 Table time_taylor_green(double budget);
 
-/// Solves the same scene again and again, with 32 nodes a body and no preconditioner.
+/// Solves the same scene repeatedly, with 32 nodes for each body and without preconditioner.
 ///
-/// @param  solves  how often
+/// @param  solves  number of solves
 void solve_taylor_green(int solves);
 
 }  // namespace stokesbook

@@ -1,4 +1,4 @@
-// Measures the cost and the gain of waiting threads that sleep: see src/cli/waiting_threads.cpp.
+// Measures the cost and the gain of waiting threads that sleep, see src/cli/waiting_threads.cpp.
 #include "waiting.hpp"
 
 #include <atomic>
@@ -30,7 +30,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Processes that compute without end, until this object ends.
+// Processes that compute until this object is destroyed.
 class BusyProcesses {
  public:
   explicit BusyProcesses(int count) {
@@ -57,7 +57,7 @@ class BusyProcesses {
   std::vector<pid_t> children_;
 };
 
-// Runs a command, which prints wall and CPU seconds, three times, and returns the times of the run
+// Runs a command that prints wall and CPU seconds three times, and returns the times of the run
 // with the least wall time.
 WorkTime least_of_three_runs(const std::string& command) {
   WorkTime least{};

@@ -6,22 +6,22 @@
 
 namespace stokesbook {
 
-/// How a program used the machine.
+/// Times of a program.
 struct WorkTime {
   double wall = 0.0;  ///< seconds from the beginning to the end
-  double cpu = 0.0;   ///< seconds of all processors together
+  double cpu = 0.0;   ///< seconds of all threads together
 };
 
-/// Solves the Taylor-Green start again and again, with all threads: work with many short parallel
-/// loops, at whose ends threads wait.
+/// Solves the Taylor-Green start repeatedly with all threads: work with many short parallel loops,
+/// at whose ends threads wait.
 ///
-/// @param  solves  how often
+/// @param  solves  number of solves
 WorkTime solve_often(int solves);
 
-/// Times the same work alone and beside two busy processes, once with the program's own choice for
+/// Times the same work alone and beside two busy processes, once with the program's own policy for
 /// waiting threads and once with threads that spin.
 ///
-/// The policy holds for a whole process, so that each time comes from a process of its own.
+/// The policy holds for a whole process, so that each time is measured in a separate process.
 /// @param  program  path of this program, whose option --solves calls solve_often()
 Table time_waiting(const std::string& program);
 

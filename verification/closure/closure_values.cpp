@@ -1,5 +1,6 @@
-// What the closure is: a choice among densities that produce one flow. Free bodies move alike
-// whatever their border says; of held bodies, the factor between mean density and load is free.
+// Shows that the closure selects one of the densities that produce the same flow: free bodies move
+// alike for any right-hand side of their border, and held bodies for any factor between mean
+// density and load.
 #include <algorithm>
 #include <numbers>
 
@@ -12,7 +13,7 @@ using namespace test;
 
 namespace {
 
-/// Two free bodies, loaded, and one that is held.
+/// Two loaded free bodies, and a held body.
 StokesProblem problem() {
   return {{free_body(Ellipse{1.0, 0.6}, 64, {{-1.6, 0.5}, 0.7}, {{1.0, -0.4}, 0.3}),
            free_body(Circle{0.8}, 64, {{1.4, 0.0}}, {{-0.3, 0.9}, -0.5}),
@@ -38,8 +39,8 @@ Completion completed(const DenseSystem& system, ClosureForm form) {
   return complete_dense(problem(), form, solve(system));
 }
 
-/// What changes where a vector of size beta stands on the right of the border, instead of what the
-/// form puts there; relative to beta, with which rounding errors grow.
+/// Change of motions and loads if a vector of size beta is on the right of the border, instead of
+/// the form's values. The change is relative to beta, since the rounding errors grow with beta.
 double change_by_values(const StokesProblem& of, ClosureForm form, double beta) {
   DenseSystem system = assemble(of, form);
   const Completion given = completed(system, form);
@@ -47,16 +48,16 @@ double change_by_values(const StokesProblem& of, ClosureForm form, double beta) 
   return difference(completed(system, form), given) / std::max(1.0, beta);
 }
 
-/// A planted defect: one body's normals into the fluid, so that its rigid motions are no null
-/// densities.
+/// A planted defect: one body's normals point into the fluid, so that its rigid motions are not
+/// null densities.
 StokesProblem problem_with_normals_turned() {
   StokesProblem turned = problem();
   turned.components[0].curve.side = Side::fluid_inside;
   return turned;
 }
 
-/// What changes where the rows <eta> + F / (4 pi mu) = 0 of the held body read
-/// <eta> + beta F / (4 pi mu) = 0.
+/// Change of motions and loads if the rows <eta> + F / (4 pi mu) = 0 of the held body become <eta>
+/// + beta F / (4 pi mu) = 0.
 double change_by_factor(double beta) {
   DenseSystem system = assemble(problem(), ClosureForm::scaled_bordered);
   const Completion given = completed(system, ClosureForm::scaled_bordered);
@@ -64,7 +65,7 @@ double change_by_factor(double beta) {
   return difference(completed(system, ClosureForm::scaled_bordered), given);
 }
 
-/// A planted defect: 4 pi mu forgotten in the row, while F is read as before.
+/// A planted defect: the row lacks the factor 4 pi mu, while F is read as before.
 double change_by_strength(double beta) {
   DenseSystem system = assemble(problem(), ClosureForm::scaled_bordered);
   const Completion given = completed(system, ClosureForm::scaled_bordered);
@@ -98,7 +99,7 @@ Experiment closure_values() {
   const std::vector<double> sizes = log_points(1e-2, 1e2, 9);
   return {
       .key = "values",
-      .title = "What the closure says does not matter",
+      .title = "Results do not depend on the values of the closure",
       .x = "size of the change beta",
       .error = "largest change of U, omega, F, L",
       .lines = {
@@ -109,12 +110,14 @@ Experiment closure_values() {
            .label = "factor between load and mean density of a held body",
            .measure = at(
                sizes, [](double b) { return std::max(change_by_factor(b), change_by_factor(-b)); }),
-           .claim = Claim{.id = "03_10",
-                          .statement = "On held bodies any factor between mean density and "
-                                       "load, of either sign, gives the same loads.",
-                          .law = Identity{1e-12},
-                          .reason = "it fixes the rigid part of the density, and that alone",
-                          .api = {"stokesbook::assemble"}},
+           .claim =
+               Claim{.id = "03_10",
+                     .statement = "On held bodies any factor between mean density and "
+                                  "load, of either sign, gives the same loads.",
+                     .law = Identity{1e-12},
+                     .reason =
+                         "the factor determines the rigid part of the density, and nothing else",
+                     .api = {"stokesbook::assemble"}},
            .control = Control{"4 pi mu left out of the Stokeslet's column",
                               at(sizes, change_by_strength)}}}};
 }

@@ -1,5 +1,6 @@
-// Condition numbers of the three forms against the size of the body, the number of nodes and the
-// viscosity. On an ellipse, generic but near enough to the circle whose singular values are known.
+// Computes condition numbers of the three forms of the closure by the size of the body, the number
+// of nodes and the viscosity. The body is an ellipse near to the circle, whose singular values are
+// known.
 #include "experiments.hpp"
 
 namespace stokesbook::verification::closure {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double aspect_ratio = 2.0;
 
-/// A free ellipse of minor semi-axis b; no load, which does not enter the matrix.
+/// A free ellipse of minor semi-axis b. The matrix does not depend on the load, which is 0.
 StokesProblem free_ellipse(double b, double nodes = 48.0) {
   const Ellipse ellipse{aspect_ratio * b, b};
   return {{free_body(ellipse, count(nodes), {b * Complex{0.3, 0.1}, 0.4})}, 1.3, {}, {}};
@@ -21,7 +22,7 @@ StokesProblem held_at_viscosity(double mu) {
   return {{held_body(Ellipse{aspect_ratio, 1.0}, 48, {{0.3, 0.1}, 0.4}, {})}, mu, {}, 20.0};
 }
 
-/// A planted defect: the torque's row in the units of the force's.
+/// A planted defect: the row of the torque in the units of the force's row.
 double with_scaled_torque(double b) {
   const StokesProblem problem = free_ellipse(b);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
@@ -29,7 +30,7 @@ double with_scaled_torque(double b) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: omega as unknown, not a omega.
+/// A planted defect: the unknown is omega instead of a omega.
 double with_plain_turn(double b) {
   const StokesProblem problem = free_ellipse(b);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -53,19 +54,20 @@ double with_sums(double nodes) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: the same in P.
+/// A planted defect: sums over the nodes instead of means in P.
 double with_sums_in_projection(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
   return test::mean_square_condition(matrix + (1.0 - nodes) * projection_matrix(problem), problem);
 }
 
-/// The plain 2-norm of the vectors of node values.
+/// Condition number in the plain 2-norm of node values.
 double plain_condition(const StokesProblem& problem, ClosureForm form) {
   return condition_number(assemble(problem, form).matrix);
 }
 
-/// A planted defect: the border's columns and rows taken with the root of the number of nodes.
+/// A planted defect: the border's columns are divided by the square root of the number of nodes,
+/// its rows multiplied by it.
 double with_balanced_border(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -74,7 +76,7 @@ double with_balanced_border(double nodes) {
   return condition_number(system.matrix);
 }
 
-/// A planted defect: singularities without 1 / (4 pi mu).
+/// A planted defect: the singularities lack the factor 1 / (4 pi mu).
 double without_viscosity(double mu) {
   const StokesProblem problem = held_at_viscosity(mu);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
@@ -82,7 +84,7 @@ double without_viscosity(double mu) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: F / (4 pi) as unknown, not F / (4 pi mu).
+/// A planted defect: the unknown is F / (4 pi) instead of F / (4 pi mu).
 double with_load_unscaled(double mu) {
   const StokesProblem problem = held_at_viscosity(mu);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -90,7 +92,7 @@ double with_load_unscaled(double mu) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: P without the factor between motions and loads.
+/// A planted defect: P lacks the factor between motions and loads.
 double with_load_for_motion(double mu) {
   const StokesProblem problem = held_at_viscosity(mu);
   const DenseSystem bordered = assemble(problem, ClosureForm::scaled_bordered);
@@ -145,7 +147,8 @@ Experiment condition_and_size() {
            .label = "draft's border, large body",
            .measure = over_sizes(3.0, 1e3, 7, ClosureForm::draft_bordered),
            .claim = Claim{.id = "03_16",
-                          .statement = "It grows as the square of a large body's size.",
+                          .statement = "The condition number of the draft's form grows as the "
+                                       "square of a large body's size.",
                           .law = Algebraic{-2.0, 0.05},
                           .reason = "the torque's row a^2, beside 1/2 of -1/2 + D",
                           .api = assemble_api},
@@ -201,7 +204,8 @@ Experiment condition_and_nodes() {
            .label = "scaled border, mean squares",
            .measure = over_nodes(ClosureForm::scaled_bordered),
            .claim = Claim{.id = "03_20",
-                          .statement = "Between mean-square norms it does not.",
+                          .statement = "Between mean-square norms the condition number of the "
+                                       "scaled form does not grow with the number of nodes.",
                           .law = Algebraic{0.0, 1e-6},
                           .reason = "the singular values are those of a second-kind operator",
                           .api = assemble_api},
@@ -225,54 +229,54 @@ Experiment condition_and_nodes() {
 }
 
 Experiment condition_and_viscosity() {
-  return {
-      .key = "viscosities",
-      .title = "Conditioning and the viscosity, held body",
-      .x = "viscosity mu",
-      .error = "condition number between mean-square norms",
-      .lines = {
-          {.key = "draft_thin",
-           .label = "draft's border, thin fluid",
-           .measure = over_viscosities(1e-5, 1e-3, 5, ClosureForm::draft_bordered),
-           .claim = Claim{.id = "03_22",
-                          .statement = "For held bodies the condition number of the draft's form "
-                                       "grows as 1 / mu in a thin fluid.",
-                          .law = Algebraic{1.0, 0.05},
-                          .reason = "the columns of F hold 1 / (4 pi mu)",
-                          .api = assemble_api},
-           .control = Control{"singularities without 1 / (4 pi mu)",
-                              at(log_points(1e-5, 1e-3, 5), without_viscosity)}},
-          {.key = "draft_thick",
-           .label = "draft's border, thick fluid",
-           .measure = over_viscosities(1e1, 1e4, 7, ClosureForm::draft_bordered),
-           .claim = Claim{.id = "03_23",
-                          .statement = "It grows as mu in a thick one.",
-                          .law = Algebraic{-1.0, 0.05},
-                          .reason = "the same columns, which vanish",
-                          .api = assemble_api},
-           .control = Control{"singularities without 1 / (4 pi mu)",
-                              at(log_points(1e1, 1e4, 7), without_viscosity)}},
-          {.key = "scaled",
-           .label = "scaled border",
-           .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::scaled_bordered),
-           .claim = Claim{.id = "03_24",
-                          .statement = "With F / (4 pi mu) as unknown it does not depend on the "
-                                       "viscosity.",
-                          .law = Algebraic{0.0, 1e-9},
-                          .reason = "the viscosity does not enter the matrix",
-                          .api = assemble_api},
-           .control =
-               Control{"F / (4 pi) as unknown", at(log_points(1e-5, 1e4, 13), with_load_unscaled)}},
-          {.key = "reduced",
-           .label = "reduced",
-           .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::reduced),
-           .claim = Claim{.id = "03_25",
-                          .statement = "Nor does that of the reduced form.",
-                          .law = Algebraic{0.0, 1e-9},
-                          .reason = "the viscosity does not enter the matrix",
-                          .api = assemble_api},
-           .control = Control{"F = -4 pi U, without the viscosity",
-                              at(log_points(1e-5, 1e4, 13), with_load_for_motion)}}}};
+  return {.key = "viscosities",
+          .title = "Conditioning and the viscosity, held body",
+          .x = "viscosity mu",
+          .error = "condition number between mean-square norms",
+          .lines = {{.key = "draft_thin",
+                     .label = "draft's border, thin fluid",
+                     .measure = over_viscosities(1e-5, 1e-3, 5, ClosureForm::draft_bordered),
+                     .claim = Claim{.id = "03_22",
+                                    .statement =
+                                        "For held bodies the condition number of the draft's form "
+                                        "grows as 1 / mu in a thin fluid.",
+                                    .law = Algebraic{1.0, 0.05},
+                                    .reason = "the columns of F hold 1 / (4 pi mu)",
+                                    .api = assemble_api},
+                     .control = Control{"singularities without 1 / (4 pi mu)",
+                                        at(log_points(1e-5, 1e-3, 5), without_viscosity)}},
+                    {.key = "draft_thick",
+                     .label = "draft's border, thick fluid",
+                     .measure = over_viscosities(1e1, 1e4, 7, ClosureForm::draft_bordered),
+                     .claim = Claim{.id = "03_23",
+                                    .statement = "For held bodies the condition number of the "
+                                                 "draft's form grows as mu in a thick fluid.",
+                                    .law = Algebraic{-1.0, 0.05},
+                                    .reason = "the same columns, which vanish",
+                                    .api = assemble_api},
+                     .control = Control{"singularities without 1 / (4 pi mu)",
+                                        at(log_points(1e1, 1e4, 7), without_viscosity)}},
+                    {.key = "scaled",
+                     .label = "scaled border",
+                     .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::scaled_bordered),
+                     .claim = Claim{.id = "03_24",
+                                    .statement = "With F / (4 pi mu) as unknown the condition "
+                                                 "number does not depend on the viscosity.",
+                                    .law = Algebraic{0.0, 1e-9},
+                                    .reason = "the viscosity does not enter the matrix",
+                                    .api = assemble_api},
+                     .control = Control{"F / (4 pi) as unknown",
+                                        at(log_points(1e-5, 1e4, 13), with_load_unscaled)}},
+                    {.key = "reduced",
+                     .label = "reduced",
+                     .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::reduced),
+                     .claim = Claim{.id = "03_25",
+                                    .statement = "Nor does that of the reduced form.",
+                                    .law = Algebraic{0.0, 1e-9},
+                                    .reason = "the viscosity does not enter the matrix",
+                                    .api = assemble_api},
+                     .control = Control{"F = -4 pi U, without the viscosity",
+                                        at(log_points(1e-5, 1e4, 13), with_load_for_motion)}}}};
 }
 
 }  // namespace stokesbook::verification::closure

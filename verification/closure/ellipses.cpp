@@ -1,5 +1,5 @@
-// Ellipses that are pushed and turned, and ellipses in shear, against their closed forms: rates
-// predicted from the ellipse alone.
+// Compares ellipses under loads, and ellipses in shear, with closed forms; the rates of convergence
+// are predicted from the ellipse's shape.
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -16,17 +16,17 @@ namespace {
 
 constexpr double viscosity = 1.3, gauge_length = 7.0, ellipse_orientation = 0.4;
 
-/// A planted defect, if any: what is done to a problem before it is solved.
+/// Changes a problem before its solution, for planted defects.
 using Change = std::function<void(StokesProblem&)>;
 
-/// A planted defect: U and omega with the other sign in the system, as the draft has it in print.
+/// A planted defect: U and omega have the opposite sign in the system, as printed in the draft.
 RigidMotion solve_with_motions_reversed(const StokesProblem& problem) {
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.rightCols(3) *= -1.0;
   return complete_dense(problem, ClosureForm::scaled_bordered, solve(system)).motions[0];
 }
 
-/// A planted defect: the diagonal of the double layer left out.
+/// A planted defect: the double layer lacks its diagonal.
 RigidMotion solve_without_diagonal(const StokesProblem& problem) {
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   for (Eigen::Index row = 0; row + 3 < system.matrix.rows(); row += 2) {
@@ -57,7 +57,8 @@ double error_under_load(double aspect, double x, const Solve& solve, const Chang
   return distance(solve(problem), exact) / std::abs(exact.velocity);
 }
 
-/// Error of the turn of a free ellipse (aspect, 1) in shear, relative to the rate.
+/// Error of the angular velocity of a free ellipse (aspect, 1) in shear, relative to the shear
+/// rate.
 double error_in_shear(double aspect, double x, const Solve& solve, const Change& change) {
   constexpr double rate = 1.4;
   const Ellipse ellipse{aspect, 1.0};
@@ -73,7 +74,8 @@ double ratio(double aspect) {
   return (aspect - 1.0) / (aspect + 1.0);
 }
 
-/// Rounding, in units of the condition number, which grows as the square of the aspect ratio.
+/// Level of rounding errors, in proportion to the condition number, which grows as the square of
+/// the aspect ratio.
 double rounding(double aspect) {
   return aspect * aspect * std::numeric_limits<double>::epsilon();
 }
@@ -139,8 +141,8 @@ Line sheared_line(const std::string& key, const std::string& id, double aspect,
   return ellipse_line(
       key, aspect, error_in_shear,
       {.id = id,
-       .statement = "The turn of a free ellipse in shear converges as N m^N: Jeffery's angular "
-                    "velocity.",
+       .statement =
+           "The angular velocity of a free ellipse in shear converges to Jeffery's as N m^N.",
        .law = Geometric{rate, 0.03, 1.0},
        .window = {.from = 6.0 / rate, .floor = rounding(aspect)},
        .reason =

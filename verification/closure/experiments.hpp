@@ -35,21 +35,21 @@ study::Experiment nearly_touching_condition();
 study::Experiment nearly_touching_rounding();
 /// @}
 
-/// Points from a to b, equidistant in their logarithm.
+/// Points from a to b that are equidistant on a logarithmic scale.
 inline std::vector<double> log_points(double a, double b, int count) {
   std::vector<double> points;
   for (int k = 0; k < count; ++k) points.push_back(a * std::pow(b / a, k / (count - 1.0)));
   return points;
 }
 
-/// Numbers of nodes from a to b, rounded to even ones, as points of an axis.
+/// Even numbers of nodes from a to b, as points of an axis.
 inline std::vector<double> node_counts(double a, double b, int count) {
   const std::vector<Eigen::Index> counts = test::even_counts(a, b, count - 1);
   return {counts.begin(), counts.end()};
 }
 
 /// Measures a number at each of the points; a quick study takes every second one.
-/// @param  unknowns_a_node  where the points are numbers of nodes
+/// @param  unknowns_a_node  unknowns for each node, if the points are numbers of nodes
 template <class Number>
 study::Measure at(const std::vector<double>& points, const Number& number,
                   double unknowns_a_node = study::unmeasured) {
@@ -69,8 +69,8 @@ inline Eigen::Index count(double x) {
   return static_cast<Eigen::Index>(x);
 }
 
-/// P as a matrix on the nodes of free bodies, from the border of their scaled system: minus the
-/// columns of U and a omega, times the rows of their means. For centres that are centroids.
+/// Returns P as a matrix on the nodes of free bodies whose centres are centroids. The border of the
+/// scaled system yields P: minus the columns of U and a omega, times the rows of their means.
 inline Eigen::MatrixXd projection_matrix(const StokesProblem& bodies) {
   const Eigen::MatrixXd system = assemble(bodies, ClosureForm::scaled_bordered).matrix;
   const Eigen::Index border = 3 * static_cast<Eigen::Index>(bodies.components.size());
@@ -78,7 +78,7 @@ inline Eigen::MatrixXd projection_matrix(const StokesProblem& bodies) {
   return -system.topRightCorner(n, border) * system.bottomLeftCorner(border, n);
 }
 
-/// The fluid's undisturbed velocity in the shear flow (rate y, 0).
+/// Undisturbed velocity of the shear flow (rate y, 0).
 inline ComplexVector shear(const ComplexVector& x, double rate) {
   return rate * x.imag().cast<Complex>();
 }

@@ -1,5 +1,6 @@
-// Two circles that nearly touch: nodes that crowd at the gap, and the double layer between the
-// circles by the Cauchy scheme, so that the density alone is left to be resolved.
+// Solves for two circles that nearly touch on nodes graded towards the gap, with the double layer
+// between the circles by the Cauchy scheme, so that only the resolution of the density limits the
+// error.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,30 +22,30 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// From where coordinates are counted in the double layer of one circle on the other.
+/// Origin of the coordinates in the double layer of one circle on the other.
 enum class Origin {
-  centre,  ///< of the circle, as for a body with many neighbours
+  centre,  ///< the circle's centre, as for a body with many neighbours
   gap      ///< the circle's point at the gap: differences of near coordinates keep their digits
 };
 
-/// How one of two circles moves along their line of centres, away from the other.
+/// Speeds of either circle along the line of centres, away from the other.
 struct Speeds {
-  double in_extension,  ///< over strain rate and radius
-      of_pull;          ///< over force / (4 pi mu)
+  double in_extension,  ///< relative to strain rate times radius
+      of_pull;          ///< relative to force / (4 pi mu)
 };
 
-/// The force whose Stokeslet has the coefficient 1, at the viscosity 1.
+/// Force whose Stokeslet has the coefficient 1 if the viscosity is 1.
 constexpr double unit_force = 4.0 * std::numbers::pi;
 
-/// Two unit circles, each with its parameter 0 at the gap.
+/// Two unit circles whose parameter 0 is at the gap.
 struct NearlyTouching {
   double gap;
   Complex along = std::polar(1.0, 0.35);
 
-  /// How deep below the real t axis reflections pile up.
+  /// Depth of the reflections' limit point below the real t axis.
   double depth() const { return std::asinh(std::sqrt(gap * (1.0 + 0.25 * gap))); }
   Grading grading() const { return {{{0.0, depth()}}}; }
-  /// Of the error in the number of graded nodes.
+  /// Rate of the error in the number of graded nodes.
   double rate() const { return graded_depth(grading(), 0.0, depth()); }
 
   StokesProblem problem(Index n, const Grading& nodes) const {
@@ -63,12 +64,12 @@ struct NearlyTouching {
     const CirclePair pair{1.0, gap};
     return {pair.speed_in_extension(1.0), pair.speed_of_pull(unit_force, 1.0)};
   }
-  /// Of either circle where both are pushed across their line of centres.
+  /// Angular velocity of either circle if forces push both circles across the line of centres.
   double exact_turn() const { return CirclePair{1.0, gap}.turn_of_settling(unit_force, 1.0); }
 };
 
-/// The double layer of a curve at targets, by the Cauchy scheme, as a matrix for interleaved
-/// densities; curve and targets in a frame that is turned against densities and velocities.
+/// Double layer of a curve at targets by the Cauchy scheme, as a matrix for interleaved densities.
+/// Curve and targets are in a frame that is rotated by `turn` relative to densities and velocities.
 MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex turn) {
   const Index n = curve.size();
   MatrixXcd units = MatrixXcd::Zero(n, 2 * n);
@@ -83,17 +84,18 @@ MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex 
   return block;
 }
 
-/// Of either circle on the other: half a turn exchanges them.
+/// Double layer of either circle on the other; a half turn exchanges the circles.
 ///
-/// In a frame turned at random: one with the gap on an axis would flatter, as coordinates along the
-/// curve keep all their digits there.
+/// The frame is rotated by an arbitrary angle. With the gap on an axis, the coordinates along the
+/// curve would keep all their digits, and the rounding errors would be untypically small.
 MatrixXd block_between(const NearlyTouching& circles, Index n, const Grading& grading,
                        Origin origin) {
   constexpr double turn = 0.7;
   Curve circle = sample(Circle{1.0}, n, Side::fluid_outside, grading);
   double distance = 2.0 + circles.gap;
   if (origin == Origin::gap) {
-    // e^{it} - 1
+    // Node relative to the circle's point at the gap: e^{it} - 1 = 2 i sin(t / 2) e^{it/2}, without
+    // cancellation.
     const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
     for (Index j = 0; j < n; ++j) {
       const double half = 0.5 * nodes[static_cast<std::size_t>(j)].t;
@@ -105,7 +107,7 @@ MatrixXd block_between(const NearlyTouching& circles, Index n, const Grading& gr
   return cauchy_block(place(circle, 0.0, turn), other, circles.along / std::polar(1.0, turn));
 }
 
-/// (-1/2 + D)(I - P) - P
+/// Matrix of the reduced system (03.11), (-1/2 + D)(I - P) - P.
 MatrixXd reduced_matrix(const NearlyTouching& circles, const StokesProblem& pair,
                         const Grading& grading, Origin origin) {
   const Index nodes = pair.components[0].curve.size(), n = 2 * nodes;
@@ -141,21 +143,22 @@ Speeds computed(const NearlyTouching& circles, double nodes, const Grading& grad
 
 double computed_turn(const NearlyTouching& circles, double nodes, const Grading& grading) {
   StokesProblem settling = circles.problem(count(nodes), grading);
-  // Turns do not depend on it.
+  // The angular velocities do not depend on the gauge length.
   settling.gauge_length = 1.0;
   for (Component& body : settling.components) body.force = unit_force * perp(circles.along);
   return first_motion(settling, reduced_matrix(circles, settling, grading, Origin::centre)).omega;
 }
 
-/// The larger of two errors, of the speeds over exact ones.
+/// Larger of the two relative errors of the speeds.
 double relative_error(const NearlyTouching& circles, const Speeds& got) {
   const Speeds exact = circles.exact();
   return std::max(std::abs(got.in_extension / exact.in_extension - 1.0),
                   std::abs(got.of_pull / exact.of_pull - 1.0));
 }
 
-/// The largest of three errors, of speeds and turn over the scales of all velocities. The turn
-/// falls as g^(1/2) only: tolerances above the speeds themselves still ask for something.
+/// Largest of the three errors of speeds and angular velocity, relative to the scale of all
+/// velocities. The angular velocity decays only as g^(1/2), so it matters also at tolerances above
+/// the speeds.
 double scaled_error(const NearlyTouching& circles, double nodes, const Grading& grading) {
   const Speeds exact = circles.exact(), got = computed(circles, nodes, grading);
   const double turn = std::abs(computed_turn(circles, nodes, grading)) - circles.exact_turn();
@@ -163,10 +166,10 @@ double scaled_error(const NearlyTouching& circles, double nodes, const Grading& 
                    std::abs(got.of_pull - exact.of_pull), std::abs(turn)});
 }
 
-/// Even number of nodes that meets a tolerance, at an error of 10^5 e^{-rate N}.
+/// Even number of nodes that meets a tolerance if the error is 10^5 e^{-rate N}.
 ///
-/// The factor is no theory: it bounds what was measured at the gaps 1e-2, 1e-4 and 1e-6, 5 to 6e4.
-/// It is held to account at other gaps.
+/// The factor 10^5 has no theory: it bounds the factors 5 to 6e4 that were measured at the gaps
+/// 1e-2, 1e-4 and 1e-6. The claim tests it at other gaps.
 double nodes_for(double tolerance, double rate) {
   return 2.0 * std::ceil(0.5 * std::log(1e5 / tolerance) / rate);
 }
@@ -190,15 +193,16 @@ Line tolerance_line(const std::string& key, const std::string& id, double gap,
       return scaled_error(circles, nodes_for(tolerance, rate), grading);
     };
   };
-  // From ten times what rounding leaves: the condition number is about 0.4 gap^(-3/2).
+  // The least tolerance is ten times the rounding error: the condition number is about 0.4
+  // gap^(-3/2).
   const double rounding = 1e-15 * std::pow(gap, -1.5);
   const std::vector<double> tolerances = log_points(rounding, 1e-3, 9);
   return {.key = key,
           .label = label,
           .measure = at(tolerances, error(circles.grading())),
           .claim = Claim{.id = id,
-                         .statement = "Nodes that crowd at a gap need the numbers that the depth "
-                                      "of the reflections' limit point asks for.",
+                         .statement = "The depth of the reflections' limit point predicts how many "
+                                      "graded nodes a tolerance requires.",
                          .law = ErrorBelowTolerance{1.0, 1e-6},
                          .reason = "error 1e5 e^{-r N}, r the depth in the new parameter; the "
                                    "factor was measured at other gaps",
@@ -219,7 +223,7 @@ double speed_of_pull(const NearlyTouching& circles, const Grading& grading) {
   return computed(circles, 96.0, grading).of_pull;
 }
 
-/// The geometric mean of some, as rounding errors vary.
+/// Geometric mean of the errors at several numbers of nodes, because rounding errors vary.
 Number rounding_error(Origin origin) {
   return [origin](const NearlyTouching& circles, const Grading& grading) {
     const std::vector<double> counts = node_counts(72, 92, 6);
@@ -255,7 +259,7 @@ Experiment graded_pairs() {
 
 Experiment graded_tolerances() {
   return {.key = "graded_tolerances",
-          .title = "Crowding nodes in numbers that a tolerance asks for",
+          .title = "Graded nodes in the numbers that a tolerance requires",
           .x = "tolerance T",
           .error = "error of speeds and turn over the scale of velocities",
           .lines = {tolerance_line("tenth", "03_38", 1e-1, "gap 0.1"),
@@ -303,25 +307,25 @@ Experiment nearly_touching_condition() {
 Experiment nearly_touching_rounding() {
   const Number from_gap = rounding_error(Origin::gap);
   return {.key = "touching_rounding",
-          .title = "What rounding leaves of the speeds of two circles with 72 to 92 nodes",
+          .title = "Rounding errors of the speeds of two circles with 72 to 92 nodes",
           .x = "gap over radius g",
           .error = "relative error of the speeds, geometric mean",
-          .lines = {{.key = "gap",
-                     .label = "coordinates from the gap",
-                     .measure = over_gaps(from_gap),
-                     .claim = Claim{.id = "03_43",
-                                    .statement = "With nodes enough, rounding is left, multiplied "
-                                                 "by the condition number, where coordinates are "
-                                                 "counted from the gap.",
-                                    .law = Algebraic{1.5, 0.15},
-                                    .window = {.to = 1.1e-4},
-                                    .reason = "differences of near coordinates keep their digits",
-                                    .api = {"stokesbook::CauchyCurve"}},
-                     .control = Control{"as many equidistant nodes", over_gaps(from_gap, false)}},
-                    // No claim: between the powers 3/2 and 2, as rounding happens to fall.
-                    {.key = "centre",
-                     .label = "coordinates from the centre",
-                     .measure = over_gaps(rounding_error(Origin::centre))}}};
+          .lines = {
+              {.key = "gap",
+               .label = "coordinates from the gap",
+               .measure = over_gaps(from_gap),
+               .claim = Claim{.id = "03_43",
+                              .statement = "With enough nodes, and coordinates relative to the "
+                                           "gap, the error is rounding times the condition number.",
+                              .law = Algebraic{1.5, 0.15},
+                              .window = {.to = 1.1e-4},
+                              .reason = "differences of near coordinates keep their digits",
+                              .api = {"stokesbook::CauchyCurve"}},
+               .control = Control{"as many equidistant nodes", over_gaps(from_gap, false)}},
+              // No claim: the rounding errors lie between the powers 3/2 and 2 of the gap.
+              {.key = "centre",
+               .label = "coordinates from the centre",
+               .measure = over_gaps(rounding_error(Origin::centre))}}};
 }
 
 }  // namespace stokesbook::verification::closure

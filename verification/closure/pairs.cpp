@@ -1,5 +1,5 @@
-// Two equal circles, whose motion is known in closed form, by plain trapezoid sums: rates predicted
-// from the gap, the gap that defeats them, and what each form costs.
+// Compares two equal circles, computed by plain trapezoid sums, with their closed form: rates
+// predicted from the gap, the gap at which the sums fail, and the cost of each form.
 #include <algorithm>
 #include <functional>
 
@@ -14,9 +14,9 @@ using namespace test;
 namespace {
 
 /// Two circles of radius a, pulled apart by an extensional flow and by forces along their line of
-/// centres; both have a node where they are nearest.
+/// centres. Each circle has a node at its point nearest to the other.
 struct Pair {
-  double a, gap;  // the gap in radii
+  double a, gap;  // gap relative to the radius
   Complex along = std::polar(1.0, 0.35);
   double strain = 1.0, viscosity = 1.3;
   double pull = 3.0 * viscosity * strain * a;
@@ -39,7 +39,7 @@ struct Pair {
     return std::abs(dot(motion.velocity, along) / speed - 1.0);
   }
 
-  /// Rate of the error in N: see the chapter.
+  /// Rate of the error in N (03.17).
   double rate() const { return 2.0 * std::log1p(0.5 * gap); }
 };
 
@@ -53,7 +53,7 @@ double error_of_form(const Pair& pair, double nodes, ClosureForm form) {
   return error(pair, problem, assemble(problem, form), form);
 }
 
-/// A planted defect: the other circle's normals into the fluid.
+/// A planted defect: the other circle's normals point into the fluid.
 double error_with_normals_turned(const Pair& pair, double nodes) {
   StokesProblem problem = pair.problem(count(nodes), count(nodes));
   problem.components[1].curve.side = Side::fluid_inside;
@@ -61,7 +61,8 @@ double error_with_normals_turned(const Pair& pair, double nodes) {
                ClosureForm::scaled_bordered);
 }
 
-/// A planted defect, and the naive method: no double layer of one circle on the other.
+/// A planted defect, which is also the naive method: omits the double layer of one circle on the
+/// other.
 double error_one_by_one(const Pair& pair, double nodes) {
   const StokesProblem problem = pair.problem(count(nodes), count(nodes));
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -71,14 +72,14 @@ double error_one_by_one(const Pair& pair, double nodes) {
   return error(pair, problem, system, ClosureForm::scaled_bordered);
 }
 
-/// A planted defect: half as many nodes on the other circle.
+/// A planted defect: the other circle has half as many nodes.
 double error_with_fewer_nodes(const Pair& pair, double nodes) {
   const StokesProblem problem = pair.problem(count(nodes), 2 * count(nodes / 4.0));
   return error(pair, problem, assemble(problem, ClosureForm::scaled_bordered),
                ClosureForm::scaled_bordered);
 }
 
-/// The reduced form with D eta for D (I - P) eta.
+/// Assembles the reduced form with D eta instead of D (I - P) eta.
 DenseSystem assemble_with_rigid_part(const StokesProblem& problem) {
   const DenseSystem bordered = assemble(problem, ClosureForm::scaled_bordered);
   const Eigen::Index n = bordered.matrix.rows() - 6;
@@ -91,7 +92,7 @@ DenseSystem assemble_reduced(const StokesProblem& problem) {
   return assemble(problem, ClosureForm::reduced);
 }
 
-/// What a uniform stream changes in the velocity of a circle, beside adding itself; relative to the
+/// Change of a circle's velocity by a uniform stream, minus the stream itself, relative to the
 /// stream.
 double drift(double nodes, DenseSystem (*system)(const StokesProblem&)) {
   const Complex stream{-0.6, 0.8};
@@ -105,7 +106,7 @@ double drift(double nodes, DenseSystem (*system)(const StokesProblem&)) {
   return std::abs(velocity(in_stream) - stream - velocity(problem));
 }
 
-/// The draft's form with zero on the right of its border.
+/// The draft's form with zero on the right-hand side of its border.
 double error_of_draft_with_zero(double a) {
   const Pair pair{a, 0.5};
   const StokesProblem problem = pair.problem(36, 36);
@@ -144,7 +145,7 @@ Line gap_line(const std::string& key, const std::string& id, const Pair& pair,
           .control = Control{defect, at(nodes, [=](double n) { return wrong(pair, n); })}};
 }
 
-/// Errors with their costs: unknowns and evaluations of the double layer's kernel.
+/// Measures errors with their costs: unknowns, and evaluations of the double layer's kernel.
 Measure at_cost(const Pair& pair, const PairError& error, int border, double blocks) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -197,13 +198,13 @@ Experiment streams() {
            .label = "D (I - P) eta",
            .measure = at(
                nodes, [](double n) { return drift(n, assemble_reduced); }, 4.0),
-           .claim = Claim{.id = "03_34",
-                          .statement = "A uniform stream carries all bodies with it, "
-                                       "however few the nodes.",
-                          .law = Identity{1e-14},
-                          .reason = "the stream goes into P eta, which the double layer "
-                                    "is not asked about",
-                          .api = {"stokesbook::Closure"}},
+           .claim =
+               Claim{.id = "03_34",
+                     .statement = "A uniform stream carries all bodies with it, "
+                                  "however few the nodes.",
+                     .law = Identity{1e-14},
+                     .reason = "the stream is in P eta, to which the double layer is not applied",
+                     .api = {"stokesbook::Closure"}},
            .control = Control{"D of the rigid part too", with_rigid_part}},
           {.key = "with_rigid_part", .label = "D eta, by quadrature", .measure = with_rigid_part}}};
 }
@@ -245,7 +246,7 @@ Experiment pair_units() {
 }
 
 Experiment forms_at_work() {
-  // A micrometre, in metres.
+  // One micrometre, in metres.
   const Pair pair{1e-6, 0.5}, touching{1e-6, 0.01};
   return {.key = "forms",
           .title = "The forms of the closure at work: two circles of a micrometre, in metres",

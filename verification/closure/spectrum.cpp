@@ -1,5 +1,5 @@
-// The spectrum of the reduced system: on a circle nothing but -1 and -1/2, on an ellipse that of
-// the double layer with the rigid motions moved from 0 to -1.
+// Computes the spectrum of the reduced system: on a circle only -1 and -1/2; on an ellipse the
+// spectrum of -1/2 + D with the eigenvalues of the rigid motions moved from 0 to -1.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -21,7 +21,7 @@ Eigen::MatrixXd reduced(const StokesProblem& problem) {
   return assemble(problem, ClosureForm::reduced).matrix;
 }
 
-/// A planted defect: P with the other sign.
+/// A planted defect: P has the opposite sign.
 Eigen::MatrixXd with_projection_added(const StokesProblem& problem) {
   return reduced(problem) + 2.0 * projection_matrix(problem);
 }
@@ -32,7 +32,7 @@ Eigen::MatrixXd with_integrals(const StokesProblem& problem) {
   return reduced(problem) + (1.0 - length) * projection_matrix(problem);
 }
 
-/// Returns the eigenvalues of -1/2 + D, those of the three rigid motions moved from 0 to -1.
+/// Returns the eigenvalues of -1/2 + D, with those of the three rigid motions moved from 0 to -1.
 Eigen::VectorXd known_spectrum(const Ellipse& ellipse, double x) {
   Eigen::VectorXd values = ellipse_spectrum(ellipse, Side::fluid_outside, count(x)).array() - 0.5;
   values.tail(3).setConstant(-1.0);
@@ -44,7 +44,7 @@ double circle_error(const Eigen::MatrixXd& matrix, double x) {
   return spectrum_distance(eigenvalues(matrix), known_spectrum({1.0, 1.0}, x));
 }
 
-/// Largest error of the nine least and the nine largest eigenvalues.
+/// Largest error of the nine smallest and the nine largest eigenvalues.
 double ellipse_error(const Eigen::MatrixXd& matrix, const Ellipse& ellipse, double x) {
   return spectrum_distance(eigenvalues(matrix), known_spectrum(ellipse, x), 9);
 }

@@ -1,4 +1,5 @@
-// Study of the closure: motions against closed forms, and what its scales do to the conditioning.
+// Study of the closure: compares motions with closed forms, and shows the effect of scales on the
+// condition number.
 #include "experiments.hpp"
 #include "studies.hpp"
 

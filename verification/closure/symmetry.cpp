@@ -1,4 +1,5 @@
-// The mobility matrix is symmetric: Lorentz' reciprocal theorem, seen by bodies without symmetry.
+// Tests the symmetry of the mobility matrix, which is Lorentz' reciprocal theorem (03.15), for
+// bodies without symmetry.
 #include "experiments.hpp"
 #include "support/mobility_matrix.hpp"
 
@@ -28,7 +29,8 @@ double asymmetry(const Eigen::MatrixXd& mobility) {
   return (mobility - mobility.transpose()).cwiseAbs().maxCoeff() / mobility.cwiseAbs().maxCoeff();
 }
 
-/// A planted defect: loads act at the bodies' centres, velocities are those of other points.
+/// A planted defect: the loads act at the bodies' centres, while the velocities are those of other
+/// points.
 Eigen::MatrixXd with_velocities_elsewhere(Eigen::MatrixXd mobility) {
   const Complex arm{0.1, 0.2};
   for (Eigen::Index k = 0; k < mobility.rows(); k += 3) {

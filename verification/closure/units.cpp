@@ -1,4 +1,5 @@
-// The same bodies in millimetres, metres and kilometres: relative errors that ought not to know.
+// Compares the relative errors of the same bodies in millimetres, metres and kilometres, which must
+// be equal.
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double viscosities[] = {1.0, 1.3};
 
-/// Relative error of the motion of a loaded ellipse whose lengths are multiples of one length, with
-/// a gauge length of its own.
+/// Relative error of the motion of a loaded ellipse. All lengths are multiples of one length; the
+/// gauge length is given separately.
 double loaded_error(double length, double gauge, ClosureForm form) {
   const Ellipse ellipse{1.7 * length, length};
   const Load load{{0.3, -1.1}, 0.6 * length};
@@ -30,7 +31,7 @@ double loaded_error(double length, double gauge, ClosureForm form) {
   return error;
 }
 
-/// Relative error of the forces on two circles, one of which is drawn away from the other.
+/// Relative error of the forces on two circles, one of which moves away from the other.
 double held_error(double length, std::optional<double> gauge) {
   const CirclePair pair{length, 0.5 * length};
   const Complex along = std::polar(1.0, 0.35);
@@ -51,7 +52,7 @@ double held_error(double length, std::optional<double> gauge) {
   return error;
 }
 
-/// A planted defect: the gauge length stays when the unit of length changes.
+/// A planted defect: the gauge length does not change with the unit of length.
 constexpr double other_gauge = 5.0;
 
 const std::vector<double> lengths = log_points(1e-8, 1e8, 17);

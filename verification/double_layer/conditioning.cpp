@@ -1,4 +1,5 @@
-// What the second kind buys: a condition number that does not know the number of nodes.
+// Computes condition numbers of the equation of the second kind, which do not depend on the number
+// of nodes, and of an equation of the first kind, which do.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Condition number of a matrix of node values in the norm of functions on the curve.
+/// Condition number of a matrix of node values, in the mean-square norm of functions on the curve.
 double condition(const Curve& curve, const Eigen::MatrixXd& matrix) {
   Eigen::VectorXd scale(2 * curve.size());
   const Eigen::VectorXd w = weights(curve).cwiseSqrt();
@@ -26,18 +27,19 @@ double second_kind(const Curve& curve) {
   return condition(curve, test::completed_system(curve, double_layer_matrix(curve)));
 }
 
-/// A planted defect: -1/2 + D as it stands, singular on rigid motions.
+/// A planted defect: -1/2 + D without completion, singular on rigid motions.
 double not_completed(const Curve& curve) {
   const Index n = 2 * curve.size();
   return condition(curve, double_layer_matrix(curve) - 0.5 * Eigen::MatrixXd::Identity(n, n));
 }
 
-/// A planted defect: the normal into the fluid, completed as if it were right.
+/// A planted defect: the normal points into the fluid, and the completion is that of the right
+/// normal.
 double inward_normal(const Curve& curve) {
   return condition(curve, test::completed_system(curve, -double_layer_matrix(curve)));
 }
 
-/// Kress' weights of the trapezoid rule for a factor log(4 sin^2((t_0 - t_k) / 2)).
+/// Kress' weights of the trapezoid rule for the factor log(4 sin^2((t_0 - t_k) / 2)).
 Eigen::VectorXd logarithmic_weights(Index n) {
   const auto nodes = static_cast<double>(n);
   return Eigen::VectorXd::NullaryExpr(n, [=](Index k) {
@@ -50,8 +52,8 @@ Eigen::VectorXd logarithmic_weights(Index n) {
   });
 }
 
-/// An equation of the first kind for the same problem: the single layer of Stokeslets, its null
-/// vector n completed.
+/// An equation of the first kind for the same problem: the single layer of Stokeslets, completed on
+/// its null vector n.
 double first_kind(const Curve& curve) {
   constexpr double gauge = 20.0, viscosity = 1.0;
   const Index n = curve.size();

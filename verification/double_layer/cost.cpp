@@ -1,4 +1,4 @@
-// The price of the direct sum: all pairs of nodes.
+// Counts the kernel evaluations of the direct sum, which takes all pairs of nodes.
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
@@ -20,7 +20,8 @@ std::vector<Curve> row_of_bodies(Index count) {
   return bodies;
 }
 
-/// Kernel evaluations of an assembled sum, a block of 2 x 2 entries each, counted where not zero.
+/// Counts the kernel evaluations of an assembled sum: the blocks of 2 x 2 entries that are not
+/// zero.
 Index evaluations(const Eigen::MatrixXd& matrix) {
   Index count = 0;
   for (Index j = 0; j < matrix.cols(); j += 2) {
@@ -35,7 +36,7 @@ Index all_pairs(const std::vector<Curve>& bodies) {
   return evaluations(double_layer_matrix(bodies));
 }
 
-/// A planted defect: no body feels the others.
+/// A planted defect: only pairs of nodes on one body.
 Index own_pairs(const std::vector<Curve>& bodies) {
   Index count = 0;
   for (const Curve& body : bodies) count += evaluations(double_layer_matrix(body));

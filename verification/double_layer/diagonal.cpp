@@ -1,5 +1,6 @@
-// The kernel on its own node: its limit, with the curvature, or something else. The action of D on
-// the Fourier modes of an ellipse is known in closed form.
+// Measures the error of D for the kernel's limit on its own node, with the curvature (02.9), and
+// for other values. The exact action of D on the Fourier modes of an ellipse is known in closed
+// form.
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 #include "support/vectors.hpp"
@@ -14,10 +15,11 @@ namespace {
 
 constexpr Index highest_mode = 4;
 
-/// Random Fourier modes |k| <= highest_mode of the density; entry k + highest_mode.
+/// Random Fourier coefficients of the density for |k| <= highest_mode; the coefficient of k is
+/// entry k + highest_mode.
 const ComplexVector modes = test::random_vector(2 * highest_mode + 1, 1);
 
-/// Node values of the series with those modes.
+/// Node values of the series with these coefficients.
 ComplexVector series(const ComplexVector& coefficients, Index n) {
   ComplexVector c = ComplexVector::Zero(n);
   for (Index k = -highest_mode; k <= highest_mode; ++k) {
@@ -26,8 +28,8 @@ ComplexVector series(const ComplexVector& coefficients, Index n) {
   return fourier_values(c);
 }
 
-/// D in closed form, fluid inside: (D eta)_k = -(m^|k| eta_{-k} - c_k conj(eta_k)) / 2 with
-/// c_k = (1 - m^2) k m^{k-1} for k >= 1, else 0.
+/// Coefficients of D eta in closed form, fluid inside: (D eta)_k = -(m^|k| eta_{-k} - c_k
+/// conj(eta_k)) / 2 with c_k = (1 - m^2) k m^{k-1} for k >= 1, else 0.
 ComplexVector exact_modes() {
   const double m = std::exp(-kernel_distance(two_to_one));
   ComplexVector result(modes.size());
@@ -42,7 +44,7 @@ ComplexVector exact_modes() {
   return result;
 }
 
-/// Error of D eta where the diagonal counts with a factor.
+/// Error of D eta if the diagonal is multiplied by a factor.
 Measure errors_with(double factor) {
   return [=](Size size) {
     std::vector<Measurement> measurements;

@@ -1,5 +1,6 @@
-// Dirichlet problems: the nearest of the flow's sources, the targets' preimages and the shape's own
-// singularity sets the rate. What a double layer cannot do, and its completion.
+// Solves Dirichlet problems (02.10). The rate of convergence follows from the nearest of three
+// singularities: the flow's sources, the targets' preimages, and the shape's own. Also completes
+// the layer for a body with force and torque (02.13).
 #include "support/dirichlet.hpp"
 
 #include "double_layer/double_layer.hpp"
@@ -13,13 +14,13 @@ using Eigen::Index;
 
 namespace {
 
-/// A flow with one source of velocity outside the fluid, and where it is compared.
+/// A flow with one source of velocity outside the fluid, and the targets of the comparison.
 struct Problem {
   Ellipse ellipse;
   Side side;
-  Complex source;     ///< the parameter whose point it is
-  double height;      ///< of the targets' preimages
-  Index oversampled;  ///< nodes of the evaluation over those of the solve
+  Complex source;     ///< complex parameter of the source's place
+  double height;      ///< imaginary part of the targets' preimages
+  Index oversampled;  ///< nodes of the evaluation relative to those of the solve
 
   test::ExactFlow flow() const { return {{{continued(ellipse, source), {0.5, -0.3}, 0.0}}}; }
 };
@@ -41,7 +42,7 @@ ComplexVector evaluate(const Curve& curve, const ComplexVector& density, const P
                     points_at(problem.ellipse, problem.height));
 }
 
-/// Error of the velocity, with the double layer on the curve given as a function of the curve.
+/// Error of the velocity; `layer` returns the matrix of the double layer on a curve.
 template <class Layer>
 double error_with(const Layer& layer, const Problem& problem, Index n) {
   const test::ExactFlow flow = problem.flow();
@@ -58,14 +59,15 @@ double error(const Problem& problem, Index n) {
   return error_with([](const Curve& curve) { return double_layer_matrix(curve); }, problem, n);
 }
 
-/// A planted defect: the normal into the fluid, which solves on the other side of the curve.
+/// A planted defect: the normal points into the fluid, so that the system is that of the curve's
+/// other side.
 double inward_normal(const Problem& problem, Index n) {
   Problem other = problem;
   other.side = problem.side == Side::fluid_inside ? Side::fluid_outside : Side::fluid_inside;
   return error(other, n);
 }
 
-/// A planted defect: the diagonal with the curvature's other sign.
+/// A planted defect: the diagonal has the opposite sign of the curvature.
 double wrong_diagonal(const Problem& problem, Index n) {
   return error_with(with_wrong_diagonal, problem, n);
 }
@@ -79,7 +81,7 @@ Line source_line(const std::string& key, const std::string& id, const std::strin
       .measure = errors_at(rate, [=](Index n) { return error(problem, n); }),
       .claim = Claim{.id = id,
                      .statement = "A Dirichlet problem, " + label +
-                                  ", converges as the nearest singularity says.",
+                                  ", converges at the rate of the nearest singularity.",
                      .law = Geometric{rate, 0.03, power},
                      .window = {.from = 4.0 / rate, .floor = 1e-14},
                      .reason = reason,
@@ -98,7 +100,7 @@ Complex loaded_flow(Complex z) {
          rotlet(z - load_point, load_torque, viscosity);
 }
 
-/// Stokeslet and rotlet of the same force and torque at the centre of the body, times a factor.
+/// Stokeslet and rotlet at the centre of the body with the same force and torque, times a factor.
 Complex completing_flow(Complex z, double factor) {
   return factor * (stokeslet(z, load_force, viscosity, gauge) +
                    rotlet(z, load_torque + cross(load_point, load_force), viscosity));

@@ -32,22 +32,23 @@ study::Experiment cost();
 study::Experiment near_target();
 /// @}
 
-/// The shape of most experiments.
+/// Shape of most experiments.
 inline constexpr Ellipse two_to_one{2.0, 1.0};
 
-/// A flow in it, its sources so far away that 96 nodes resolve its density to rounding.
+/// A flow in this ellipse. Its sources are so far away that 96 nodes resolve its density to
+/// rounding.
 inline const test::ExactFlow far_flow{
     {{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
 
-/// The point x(t) = a cos t + i b sin t of an ellipse's continuation to complex parameters t.
+/// Point x(t) = a cos t + i b sin t of the continuation of an ellipse to complex parameters t.
 ///
-/// For small Im t it lies inside the ellipse where Im t > 0, outside where Im t < 0.
+/// For small |Im t| the point lies inside the ellipse if Im t > 0, outside if Im t < 0.
 inline Complex continued(const Ellipse& ellipse, Complex t) {
   return ellipse.a * std::cos(t) + imaginary * ellipse.b * std::sin(t);
 }
 
-/// Sixteen points all around whose preimages have the same imaginary part: at the distance
-/// |height| from the real axis, inside for height > 0.
+/// Sixteen points round the ellipse whose preimages have the imaginary part `height`: inside for
+/// height > 0.
 inline ComplexVector points_at(const Ellipse& ellipse, double height) {
   ComplexVector points(16);
   for (Eigen::Index k = 0; k < points.size(); ++k) {
@@ -56,13 +57,13 @@ inline ComplexVector points_at(const Ellipse& ellipse, double height) {
   return points;
 }
 
-/// ln(1/m), m = (a - b) / (a + b), a > b: the distance from the real axis at which the kernel of an
-/// ellipse on itself is singular, since x(t) = x(s) also where e^{i (t + s)} = m.
+/// Returns ln(1/m), m = (a - b) / (a + b), a > b: the distance from the real axis at which the
+/// kernel of an ellipse on itself is singular, because x(t) = x(s) also if e^{i (t + s)} = m.
 inline double kernel_distance(const Ellipse& ellipse) {
   return std::log((ellipse.a + ellipse.b) / (ellipse.a - ellipse.b));
 }
 
-/// A planted defect: the matrix with the curvature's other sign on its diagonal.
+/// A planted defect: the diagonal has the opposite sign of the curvature.
 inline Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
   Eigen::MatrixXd layer = double_layer_matrix(curve);
   for (Eigen::Index j = 0; j < curve.size(); ++j) layer.block<2, 2>(2 * j, 2 * j) *= -1.0;
@@ -74,8 +75,8 @@ inline double relative_error(const ComplexVector& got, const ComplexVector& exac
   return test::largest(got - exact) / test::largest(exact);
 }
 
-/// Measures an error, a function of the number of nodes, at node counts that lower e^{-rate n} from
-/// 1 to rounding.
+/// Measures an error, a function of the number of nodes, at node counts for which e^{-rate n}
+/// decreases from 1 to rounding.
 template <class Error>
 study::Measure errors_at(double rate, const Error& error) {
   return test::over_nodes(0.0, 36.0 / rate, 24, error, 2.0);

@@ -1,5 +1,5 @@
-// Green's representation u = S[sigma n] - D[u] of an exact flow about a body: the flow outside,
-// nothing inside.
+// Tests Green's representation u = S[sigma n] - D[u] (02.5) of an exact flow about a body: the sum
+// is the flow outside, and zero inside.
 #include "experiments.hpp"
 
 namespace stokesbook::verification::double_layer {
@@ -12,7 +12,7 @@ namespace {
 constexpr double fluid_viscosity = 1.3, stokeslet_gauge = 0.7;
 const test::ExactFlow outer_flow{{{continued(two_to_one, {0.9, 0.4}), {0.5, -0.3}, 0.4}}};
 
-/// Factors of the single layer that a defect changes.
+/// Factors of the single layer that the defects change.
 struct Factors {
   double single_layer = 1.0;
   double stokeslet_viscosity = fluid_viscosity;

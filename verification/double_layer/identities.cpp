@@ -1,4 +1,5 @@
-// What the double layer makes of rigid motions, 1, 1/2 or 0 of them, and the flux it carries.
+// Tests the double layer of rigid motions, which is 1, 1/2 or 0 times the motion (02.7), and the
+// flux that the layer carries (02.11).
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
 
@@ -34,7 +35,7 @@ double error_on_curve(const Curve& curve, const Eigen::MatrixXd& layer) {
   return relative_error(deinterleaved(velocity), 0.5 * v);
 }
 
-/// Error of the flux of jump * eta + D eta, which is claimed to be -int eta.n: the worst over all
+/// Error of the flux of jump * eta + D eta, which must be -int eta.n (02.11): the largest over all
 /// densities |eta| <= 1 at the nodes, relative to the length of the curve.
 double flux_error(Index n, double jump) {
   const Curve curve = body(n);

@@ -1,4 +1,5 @@
-// The limits on the curve from both sides, extrapolated from values off the curve.
+// Extrapolates the limits (02.8) of the double layer on the curve from values off the curve, from
+// both sides.
 #include <numbers>
 
 #include "double_layer/double_layer.hpp"
@@ -20,7 +21,7 @@ ComplexVector densities(Index n) {
   });
 }
 
-/// Where the limits are taken: parameters of no symmetry, between the nodes.
+/// Parameters at which the limits are taken: between the nodes, without symmetry.
 const Eigen::VectorXd parameters = Eigen::VectorXd::LinSpaced(8, 0.13, 5.9);
 
 ComplexVector at_parameters(const ComplexVector& node_values) {
@@ -28,7 +29,7 @@ ComplexVector at_parameters(const ComplexVector& node_values) {
   return parameters.unaryExpr([&](double t) { return polynomial(t).value; });
 }
 
-/// jump * eta + D eta, the claimed limit.
+/// The predicted limit, jump * eta + D eta.
 ComplexVector limits(const Shape& shape, Side side, double jump) {
   constexpr Index n = 256;
   const Curve curve = sample(shape, n, side);
@@ -37,10 +38,10 @@ ComplexVector limits(const Shape& shape, Side side, double jump) {
   return at_parameters(jump * density + deinterleaved(principal_value));
 }
 
-/// Where a limit is approached from.
+/// Side from which a limit is approached.
 enum class Approach { from_the_fluid = -1, from_the_other_side = +1 };
 
-/// D eta at a distance from the curve, by a rule for which that is far.
+/// D eta at a distance from the curve, by a rule that is so fine that the targets are not near.
 ComplexVector layer_at(const Shape& shape, Side side, Approach approach, double distance) {
   const Index nodes = 2 * static_cast<Index>(std::lround(40.0 / distance));
   const Curve coarse = sample(shape, 256, side), fine = sample(shape, nodes, side);
@@ -62,7 +63,8 @@ Measure plain_approach(const Shape& shape, Side side, Approach approach, double 
   };
 }
 
-/// The parabola through values at one, two and three times the distance, at zero.
+/// Extrapolates to the curve by the parabola through values at one, two and three times the
+/// distance.
 Measure extrapolated(const Shape& shape, Side side, Approach approach, double jump) {
   return [=](Size size) {
     std::vector<Measurement> measurements;

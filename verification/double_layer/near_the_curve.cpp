@@ -1,5 +1,5 @@
-// Off the curve the rule errs as the preimage of the target says, and each spacing of distance
-// counts the same.
+// Measures the errors of the rule off the curve: they follow from the preimage of the target
+// (02.15), and each spacing of distance changes them by the same factor (02.16).
 #include <numbers>
 
 #include "experiments.hpp"
@@ -13,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-/// The flow's density on n nodes, without the error of a solve at n nodes.
+/// Density of the flow on n nodes, without the error of a solve on n nodes.
 ComplexVector resolved_density(Index n) {
   static const ComplexVector density = [] {
     const Curve wall = sample(two_to_one, 96, Side::fluid_inside);
@@ -26,17 +26,17 @@ ComplexVector rule(Index n, const ComplexVector& targets) {
   return plain_rule(sample(two_to_one, n, Side::fluid_inside), resolved_density(n), targets);
 }
 
-/// A planted defect: the normal into the fluid.
+/// A planted defect: the normal points into the fluid.
 ComplexVector inward_normal(Index n, const ComplexVector& targets) {
   return -rule(n, targets);
 }
 
-/// A planted defect: the kernel without 1/pi.
+/// A planted defect: the kernel lacks the factor 1/pi.
 ComplexVector forgotten_pi(Index n, const ComplexVector& targets) {
   return std::numbers::pi * rule(n, targets);
 }
 
-/// A planted defect: densities of the next node.
+/// A planted defect: each node has the density of the next node.
 ComplexVector shifted_density(Index n, const ComplexVector& targets) {
   ComplexVector density = resolved_density(n);
   std::rotate(density.begin(), density.begin() + 1, density.end());
@@ -70,7 +70,7 @@ Line height_line(const std::string& key, const std::string& id, double height,
       .control = Control{defect, errors_at_height(height, defective)}};
 }
 
-/// Density that is an entire function of the parameter.
+/// A density that is an entire function of the parameter.
 Complex smooth_density(double t) {
   return {std::cos(t) + 0.3 * std::sin(3.0 * t), std::exp(std::sin(t)) - 0.5};
 }
@@ -81,8 +81,8 @@ ComplexVector smooth_densities(Index n) {
   });
 }
 
-/// Targets on the fluid's side, so many local spacings from the curve, at sixteen places between
-/// its nodes.
+/// Targets in the fluid, at a distance of so many local spacings, at sixteen places between the
+/// nodes.
 ComplexVector targets_off(const Curve& curve, double spacings) {
   const TrigonometricPolynomial position(curve.x);
   return ComplexVector::NullaryExpr(16, [&](Index k) {
@@ -92,8 +92,8 @@ ComplexVector targets_off(const Curve& curve, double spacings) {
   });
 }
 
-/// Errors over distance; the exact values are those of a rule for which no target is near. There
-/// are so many nodes that five spacings are small compared with the radius of curvature.
+/// Errors by distance. The exact values are by a rule that is so fine that no target is near. The
+/// number of nodes is so large that five spacings are small relative to the radius of curvature.
 Measure errors_over_spacings(const Shape& shape, Index n, Side side, double scale) {
   return [=](Size size) {
     const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);

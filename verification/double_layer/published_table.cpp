@@ -1,4 +1,5 @@
-// The published table of the trapezoid rule's errors inside an ellipse, ever closer to its tip.
+// Compares with the published table of the trapezoid rule's errors inside an ellipse, at points
+// closer and closer to its tip.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -25,11 +26,11 @@ constexpr double nothing = 0.0;
 
 struct Entry {
   Index n;
-  double printed;  ///< or nothing, where the error is that of rounding
+  double printed;  ///< `nothing` if the error is at the level of rounding
 };
 
-/// Distance of an error from a printed one, in units of the printed one's third digit; in units of
-/// 1e-13 where nothing is printed.
+/// Difference of an error from the printed error, in units of its third digit; in units of 1e-13 if
+/// nothing is printed.
 double units_off(double error, double printed) {
   if (printed == nothing) return error / 1e-13;
   return std::abs(error - printed) / std::pow(10.0, std::floor(std::log10(printed)) - 2.0);

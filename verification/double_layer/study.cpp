@@ -1,4 +1,5 @@
-// Study of the double layer: its identities, its rates as numbers, and where it fails.
+// Study of the double layer: its identities, its rates of convergence, and the cases in which the
+// plain rule fails.
 #include "experiments.hpp"
 #include "studies.hpp"
 

@@ -1,5 +1,5 @@
-// Targets close to a wall: the plain rule, a finer rule for the same density, and the scheme of the
-// chapter on near-singular evaluation.
+// Compares error and work at targets close to a wall: the plain rule, a finer rule for the same
+// density, and the Cauchy scheme of chapter 06.
 #include <algorithm>
 #include <chrono>
 
@@ -19,7 +19,7 @@ constexpr double height = 0.03;
 constexpr Index refinement = 4;
 const ComplexVector targets = points_at(two_to_one, height);
 
-/// Velocities and the kernel evaluations they took.
+/// Velocities, and the number of kernel evaluations.
 struct Evaluation {
   ComplexVector velocity;
   Index kernels;
@@ -29,7 +29,7 @@ Evaluation plain(const Curve& wall, const ComplexVector& density) {
   return {plain_rule(wall, density, targets), wall.size() * targets.size()};
 }
 
-/// A planted defect: the normal into the fluid.
+/// A planted defect: the normal points into the fluid.
 Evaluation inward_normal(const Curve& wall, const ComplexVector& density) {
   return plain(wall, -density);
 }
@@ -39,7 +39,7 @@ Evaluation refined(const Curve& wall, const ComplexVector& density) {
   return plain(sample(two_to_one, n, wall.side), resample(density, n));
 }
 
-/// A planted defect: each fine node takes the density of the coarse node before it.
+/// A planted defect: each fine node takes the density of the preceding coarse node.
 Evaluation refined_by_steps(const Curve& wall, const ComplexVector& density) {
   const Index n = refinement * wall.size();
   const ComplexVector steps =
@@ -47,14 +47,15 @@ Evaluation refined_by_steps(const Curve& wall, const ComplexVector& density) {
   return plain(sample(two_to_one, n, wall.side), steps);
 }
 
-/// Beside N weights a target, three matrices of the curve on itself.
+/// The Cauchy scheme takes N weights for each target, and three matrices of the curve on itself.
 Evaluation cauchy(const Curve& wall, const ComplexVector& density) {
   const CauchyCurve curve(wall);
   const CauchyData data = curve.data(density);
   return {curve.velocity(data, 0, targets), wall.size() * (targets.size() + 3 * wall.size())};
 }
 
-/// The flow's density; beyond 96 nodes, which resolve it to rounding, it is interpolated.
+/// Density of the flow. The density is interpolated from 96 nodes, which resolve it to rounding, if
+/// n is larger.
 ComplexVector density_on(Index n) {
   const Curve wall = sample(two_to_one, std::min<Index>(n, 96), Side::fluid_inside);
   return resample(test::density_of(wall, far_flow.velocity(wall.x)), n);
@@ -109,7 +110,7 @@ Experiment near_target() {
                  .measure = errors_of(refined, 350),
                  .claim = Claim{.id = "02_29",
                                 .statement = "A rule with four times the nodes has four times the "
-                                             "rate: it moves the trouble nearer to the wall.",
+                                             "rate: large errors are confined nearer to the wall.",
                                 .law = Geometric{refinement * height, 0.03, 1.0},
                                 .window = {.from = 33.0, .floor = 1e-14},
                                 .reason = "4 N nodes, and the density is resolved",

@@ -1,4 +1,5 @@
-// What whole sums leave out, by the order, and by the tolerance that chose it.
+// Measures the truncation errors of whole sums by the order, and by the tolerance that selects the
+// order.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,8 @@ namespace {
 
 using Set = const Summed& (*)();
 
-/// What is summed, and the power of p in its error: a derivative multiplies the power k by k.
+/// An error of a sum, and the power of p in this error: a derivative multiplies the k-th power's
+/// term by k.
 struct Quantity {
   double (*error)(const Summed&, const FmmSettings&);
   double power;
@@ -21,7 +23,7 @@ struct Quantity {
 constexpr Quantity velocity_sum{velocity_error, 0.0}, derivative_sum{derivative_error, 1.0},
     point_force_sum{point_force_error, 0.0};
 
-/// The tree stays the same: boxes of at most 80 nodes.
+/// Errors by the order. The tree is the same for all orders, with boxes of at most 80 nodes.
 Measure over_orders(Set set, const Quantity& quantity, int most) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -52,7 +54,7 @@ Line order_line(const std::string& key, const std::string& id, const std::string
 
 using Choice = FmmSettings (*)(double tolerance);
 
-/// A planted defect: the order of half of the digits.
+/// A planted defect: the order for half of the digits.
 FmmSettings for_half_of_the_digits(double tolerance) {
   return FmmSettings::for_tolerance(std::sqrt(tolerance));
 }

@@ -1,5 +1,5 @@
-// What an application costs: counted operations by the number of nodes, and where they are fewer
-// than the direct sum's.
+// Counts the operations of an application by the number of nodes, and finds the number of nodes
+// from which on they are fewer than those of the direct sum.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using MakeCurves = std::vector<Curve> (*)(Index n);
 
-/// A row: the number is both what is shown and what is counted.
+/// A row of the table that shows the number of operations.
 Measurement counted(Index n, double operations) {
   return {.x = static_cast<double>(n), .error = operations, .operations = operations};
 }
@@ -36,7 +36,7 @@ Measure over_nodes(const Count& count) {
   };
 }
 
-/// Of the method, for six digits.
+/// Operations of the fast multipole method for six digits.
 Measure multipoles(MakeCurves make, Index least_leaf = 0) {
   return over_nodes([=](Index n) {
     FmmSettings settings = FmmSettings::for_tolerance(1e-6);
@@ -50,8 +50,8 @@ Measurement all_pairs(Index n) {
   return counted(n, static_cast<double>(n) * static_cast<double>(n));
 }
 
-/// Boxes of one size, side x side, without a tree: each pair that is well separated is converted,
-/// all others are summed.
+/// Operations with boxes of one size, side x side, without a tree (08.14): well separated pairs of
+/// boxes are converted, all other pairs are summed directly.
 double one_level(const ComplexVector& points, Index side) {
   Eigen::ArrayXXd in_box = Eigen::ArrayXXd::Zero(side, side);
   const auto place = [&](double x) {
@@ -61,7 +61,7 @@ double one_level(const ComplexVector& points, Index side) {
   double pairs = 0.0, near_boxes = 0.0;
   for (Index i = -2; i <= 2; ++i) {
     for (Index j = -2; j <= 2; ++j) {
-      if (i * i + j * j >= 5) continue;  // 3 R < |D|
+      if (i * i + j * j >= 5) continue;  // converts if 3 R < |D|
       const Index rows = side - std::abs(i), columns = side - std::abs(j);
       const auto from = in_box.block(std::max<Index>(i, 0), std::max<Index>(j, 0), rows, columns),
                  to = in_box.block(std::max<Index>(-i, 0), std::max<Index>(-j, 0), rows, columns);
@@ -75,7 +75,7 @@ double one_level(const ComplexVector& points, Index side) {
          3.0 * p * static_cast<double>(points.size());
 }
 
-/// The number of boxes that minimises 13 n^2/b + b^2 p^2/2.
+/// Number of boxes on a side for which 13 n^2/b + b^2 p^2/2 is minimal, b = side^2 (08.14).
 Index best_side(Index n) {
   const double ratio = static_cast<double>(n) / FmmSettings::for_tolerance(1e-6).order;
   return std::lround(std::cbrt(std::sqrt(13.0) * ratio));
@@ -84,7 +84,7 @@ Index best_side(Index n) {
 Measurement best_level(Index n) {
   return counted(n, one_level(test::points_in_a_square(n), best_side(n)));
 }
-/// A planted defect: the boxes of ten thousand nodes for all.
+/// A planted defect: the number of boxes for ten thousand nodes, whatever n.
 Measurement fixed_level(Index n) {
   return counted(n, one_level(test::points_in_a_square(n), best_side(10000)));
 }
@@ -113,7 +113,7 @@ std::vector<Curve> few_ellipses(Index n) {
   return test::ellipses(5, 2 * std::lround(static_cast<double>(n) / 50.0));
 }
 
-/// Operations of the method over those of the direct sum.
+/// Operations of the method relative to those of the direct sum.
 Measurement share(Index n, const FmmSettings& settings) {
   const Fmm plan(few_ellipses(n), {}, settings);
   const auto nodes = static_cast<double>(plan.sources().size());
@@ -130,7 +130,7 @@ Measure shares(double tolerance) {
   };
 }
 
-/// At the number of nodes from which on the library takes the method.
+/// Shares at the number of nodes from which on the library uses the method.
 Measure shares_at_break_even(Index least_leaf) {
   return [=](Size) {
     std::vector<Measurement> measurements;
@@ -144,7 +144,7 @@ Measure shares_at_break_even(Index least_leaf) {
   };
 }
 
-/// The least seconds of a few repeats.
+/// Least time of five runs, in seconds.
 template <class Work>
 double least_seconds(const Work& work) {
   using Clock = std::chrono::steady_clock;

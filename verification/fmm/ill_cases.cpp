@@ -1,4 +1,4 @@
-// What a tree may find hard.
+// Measures errors for node sets that may be difficult for a tree.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -43,7 +43,7 @@ Summed kilometres() {
   return Summed(scaled(ellipses(4000), 1e6));
 }
 
-/// Settings whose order cannot fail: p 2^-p <= tolerance.
+/// Settings with an order that suffices for any nodes: p 2^-p <= tolerance.
 FmmSettings guaranteed(double tolerance) {
   FmmSettings settings = FmmSettings::for_tolerance(tolerance);
   while (settings.order * std::exp2(-settings.order) > tolerance) ++settings.order;

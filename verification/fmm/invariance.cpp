@@ -1,4 +1,4 @@
-// The same numbers by any number of threads, and for several densities at once.
+// Tests that the sums are the same for any number of threads, and for several densities at once.
 #include <algorithm>
 
 #include <omp.h>
@@ -24,7 +24,7 @@ ComplexVector by_threads(int threads) {
   return velocity;
 }
 
-/// A planted defect: each thread sums its own sources, and the sums are added.
+/// A planted defect: each thread evaluates the sum of its own sources, and the sums are added.
 ComplexVector by_shares(int threads) {
   const Summed& sum = summed_ellipses();
   const Fmm plan(sum.curves, {}, nine_digits);
@@ -51,8 +51,8 @@ Measure over_threads(ComplexVector (*velocity)(int)) {
   };
 }
 
-/// Largest difference of fields that are summed at once and alone; which field is which may be
-/// mistaken by a shift.
+/// Largest difference between fields that are summed together and alone. A shift other than 0
+/// compares wrong fields (a planted defect).
 Measure over_fields(Index shift) {
   return [=](Size) {
     const Summed& sum = summed_ellipses();

@@ -1,5 +1,5 @@
-// One multipole expansion, converted once: what is left out, by the order, the separation, and the
-// place in the plane.
+// Measures the truncation error of one multipole expansion that is converted once, by the order,
+// the separation, and the place in the plane (08.9).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,8 @@ Box disk(Complex centre) {
   return box;
 }
 
-/// Points of the unit circle; multiples of 2^-20, so that adding them to a whole number is exact.
+/// Points on the unit circle, as multiples of 2^-20, so that their sum with a whole number is
+/// exact.
 Points on_circle(double first_angle) {
   Points points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -39,10 +40,11 @@ Points on_circle(double first_angle) {
   return points;
 }
 
-/// Stresslets on the rim of a disk, and targets on the rim of another one, which they see first.
+/// Stresslets on the rim of a disk, and targets on the rim of another disk, beginning at the points
+/// nearest to the first disk.
 struct Pair {
-  /// @param  centre    of the sources
-  /// @param  distance  of the disks' centres, along the real axis
+  /// @param  centre    centre of the disk of sources
+  /// @param  distance  distance of the disks' centres, along the real axis
   Pair(Complex centre, double distance) : from(disk(centre)), to(disk(centre + distance)) {
     const Points at = on_circle(0.0), targets_at = on_circle(std::numbers::pi);
     const ComplexVector normal = test::random_vector(Index{count}, 1),
@@ -73,7 +75,7 @@ struct Pair {
     return as_points(sum[0]);
   }
 
-  /// The local expansion about a disk.
+  /// Returns the local expansion about a disk.
   Expansion local(int order, const Box& about) const {
     Expansions multipole(1, 1, order);
     multipole.clear(0);
@@ -89,7 +91,7 @@ struct Pair {
     return as_points(sum);
   }
 
-  /// Largest error, relative to the largest velocity.
+  /// Returns the largest error, relative to the largest velocity.
   double error(const Points& found) const {
     const Points all = exact();
     double difference = 0.0, size = 0.0;
@@ -117,17 +119,17 @@ using TranslationMethod = std::function<double(const Pair&, int order)>;
 double converted(const Pair& pair, int order) {
   return pair.error(pair.evaluated(pair.local(order, pair.to)));
 }
-/// A planted defect: D = c_s - c_t.
+/// A planted defect: D has the opposite sign, c_s - c_t.
 double towards_the_other_side(const Pair& pair, int order) {
   const Box mirrored = disk(2.0 * pair.from.centre - pair.to.centre);
   return pair.error(pair.evaluated(pair.local(order, mirrored)));
 }
-/// A planted defect: a loop that ends one power early.
+/// A planted defect: the loop ends one power early.
 double one_power_less(const Pair& pair, int order) {
   return converted(pair, order - 1);
 }
 
-/// Disks of radius 1 at the ratio rho = R/(|D| - R).
+/// Disks of radius 1 with the ratio rho = R/(|D| - R), see (08.8).
 Pair pair_of_ratio(double rho) {
   return {{0.3, -0.2}, 1.0 + 1.0 / rho};
 }
@@ -186,14 +188,14 @@ Line ratio_line(const std::string& key, const std::string& id, int order) {
           .control = Control{"a power less", over_ratios(order, one_power_less)}};
 }
 
-/// What is left out at rho = 1/3 is below rounding.
+/// At rho = 1/3 the truncation error of this order is below rounding.
 constexpr int high_order = 45;
 
 double recentred(const Pair& pair) {
   return converted(pair, high_order);
 }
 
-/// With psi = psi_c - conj(c) phi', which does not know of any centre.
+/// A planted defect: psi = psi_c - conj(c) phi' about the origin instead of the box centre.
 double about_the_origin(const Pair& pair) {
   const Expansion local = pair.local(high_order, pair.to);
   const Complex c = pair.to.centre;
@@ -250,31 +252,31 @@ Experiment separation() {
 }
 
 Experiment centres() {
-  return {
-      .key = "centres",
-      .title = "A pair of boxes, moved away from the origin",
-      .x = "distance from the origin in radii d",
-      .error = "largest error of the velocity, relative to the largest",
-      .lines = {{.key = "recentred",
-                 .label = "psi about the centre of its box",
-                 .measure = over_places(recentred),
-                 .claim = Claim{.id = "08_7",
-                                .statement = "Expansions are as accurate anywhere in the plane.",
-                                .law = Identity{1e-13},
-                                .reason = "they know differences of positions alone",
-                                .api = {"stokesbook::Expansion", "stokesbook::Translations"}},
-                 .control = Control{"psi about the origin", over_places(about_the_origin)}},
-                {.key = "origin",
-                 .label = "psi about the origin",
-                 .measure = over_places(about_the_origin),
-                 .claim = Claim{.id = "08_8",
-                                .statement = "Without a centre psi loses digits in proportion to "
-                                             "the distance from the origin.",
-                                .law = Algebraic{-1.0},
-                                .window = {.from = 100.0},
-                                .reason = "two terms of the size |c| phi' cancel",
-                                .api = {"stokesbook::Expansion"}},
-                 .control = Control{"psi about its box", over_places(recentred)}}}};
+  return {.key = "centres",
+          .title = "A pair of boxes, moved away from the origin",
+          .x = "distance from the origin in radii d",
+          .error = "largest error of the velocity, relative to the largest",
+          .lines = {
+              {.key = "recentred",
+               .label = "psi about the centre of its box",
+               .measure = over_places(recentred),
+               .claim = Claim{.id = "08_7",
+                              .statement = "Expansions are equally accurate anywhere in the plane.",
+                              .law = Identity{1e-13},
+                              .reason = "they depend on differences of positions only",
+                              .api = {"stokesbook::Expansion", "stokesbook::Translations"}},
+               .control = Control{"psi about the origin", over_places(about_the_origin)}},
+              {.key = "origin",
+               .label = "psi about the origin",
+               .measure = over_places(about_the_origin),
+               .claim = Claim{.id = "08_8",
+                              .statement = "Without a centre psi loses digits in proportion to "
+                                           "the distance from the origin.",
+                              .law = Algebraic{-1.0},
+                              .window = {.from = 100.0},
+                              .reason = "two terms of the size |c| phi' cancel",
+                              .api = {"stokesbook::Expansion"}},
+               .control = Control{"psi about its box", over_places(recentred)}}}};
 }
 
 }  // namespace stokesbook::verification::fmm

@@ -1,3 +1,5 @@
+// Builds the node sets of the study with their direct sums, and counts operations of the fast
+// multipole method.
 #include "set_ups.hpp"
 
 #include <cmath>

@@ -8,27 +8,27 @@
 
 namespace stokesbook::verification::fmm {
 
-/// Nodes with a random density, and what the direct sum makes of it.
+/// Nodes with a random density, and the results of the direct sum.
 struct Summed {
   explicit Summed(const std::vector<Curve>& of);
 
-  /// Sums directly, after the density was changed.
+  /// Evaluates the direct sums anew after a change of the density.
   void evaluate();
 
   std::vector<Curve> curves;
-  ComplexVector density, velocity;           ///< at the nodes
-  ComplexVector elsewhere;                   ///< 300 points beside nodes
-  std::vector<FlowDerivatives> derivatives;  ///< there
+  ComplexVector density, velocity;           ///< values at the nodes
+  ComplexVector elsewhere;                   ///< 300 points near nodes
+  std::vector<FlowDerivatives> derivatives;  ///< derivatives at these points
 };
 
-/// @name About n nodes that fill the plane differently
+/// @name Sets of about n nodes
 /// @{
 std::vector<Curve> square(Eigen::Index n);    ///< uniform in a square
-std::vector<Curve> ellipses(Eigen::Index n);  ///< on ellipses 2:1, 64 each, in a square array
-std::vector<Curve> crowd(Eigen::Index n);     ///< towards one point, over eight decades
+std::vector<Curve> ellipses(Eigen::Index n);  ///< on ellipses 2:1 of 64 nodes, in a square array
+std::vector<Curve> crowd(Eigen::Index n);     ///< accumulating at one point, over eight decades
 /// @}
 
-/// Points as nodes, which weigh next to nothing.
+/// Makes points into nodes with very small weights.
 std::vector<Curve> as_nodes(const ComplexVector& points);
 
 /// @name Sums of some 5000 nodes, made once
@@ -36,28 +36,27 @@ std::vector<Curve> as_nodes(const ComplexVector& points);
 const Summed& summed_square();
 const Summed& summed_ellipses();
 const Summed& summed_crowd();
-const Summed& summed_slender_body();  ///< 1:100, with a wavy density: few boxes, whose errors are
-                                      ///< alike
+const Summed& summed_slender_body();  ///< 1:100, wavy density: few boxes, with similar errors
 /// @}
 
-/// Error of the velocities at the nodes in the 2-norm, relative.
+/// Relative error of the velocities at the nodes in the 2-norm.
 double velocity_error(const Summed& exact, const FmmSettings& settings);
 
-/// Error of pressure, vorticity and strain beside the nodes in the 2-norm, relative.
+/// Relative error of pressure, vorticity and strain near the nodes in the 2-norm.
 double derivative_error(const Summed& exact, const FmmSettings& settings);
 
-/// Error of the velocities beside the nodes in the 2-norm, relative, with a Stokeslet and a rotlet
-/// at every node instead of the layer.
+/// Relative error of the velocities near the nodes in the 2-norm, for a Stokeslet and a rotlet at
+/// every node instead of the layer.
 double point_force_error(const Summed& exact, const FmmSettings& settings);
 
-/// Settings of an order, with leaves as for the tolerance that asks for it.
+/// Settings with a given order; the leaf size is that of a tolerance with this order.
 FmmSettings of_order(int order);
 
-/// Operations of an application in kernel evaluations.
+/// Counts the operations of an application in units of kernel evaluations.
 ///
-/// Each is taken for eight multiplications. Pairs of the near lists count one, a conversion counts
-/// p^2/2, an expansion that moves a level up or down p^2/4, a node's part in a multipole expansion
-/// and its velocity by a local one 3p together.
+/// An evaluation counts eight multiplications. Each pair of the near lists costs 1, a conversion
+/// (M2L) p^2/2, a translation of an expansion by one level (M2M, L2L) p^2/4; for each node, P2M and
+/// L2P together cost 3p.
 double operations(const Fmm& plan, int order);
 
 }  // namespace stokesbook::verification::fmm

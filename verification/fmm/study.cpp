@@ -1,4 +1,4 @@
-// Study of the fast multipole method: what it leaves out, and what it costs.
+// Study of the fast multipole method: truncation errors, and cost.
 #include "study/study.hpp"
 
 #include "experiments.hpp"

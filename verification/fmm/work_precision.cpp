@@ -1,4 +1,4 @@
-// What a digit costs: multipoles, the direct sum, and the near field alone.
+// Compares error and work of the fast multipole method, the direct sum, and the near field alone.
 #include <algorithm>
 #include <chrono>
 #include <numbers>
@@ -22,7 +22,7 @@ const Summed& sources() {
   return sum;
 }
 
-/// At each 64th node, in more digits than those of the methods.
+/// Takes the values at every 64th node. The reference there has more digits than the methods.
 ComplexVector sample_of(const ComplexVector& velocity) {
   return velocity(Eigen::seq(0, Eigen::last, 64));
 }
@@ -55,7 +55,7 @@ const ComplexVector& exact_sample() {
   return exact;
 }
 
-/// Velocities, and what they took.
+/// Velocities, and the work for them.
 struct Found {
   ComplexVector velocity;
   double operations, seconds;
@@ -84,7 +84,7 @@ Found direct(int) {
   return timed(n * n, [&] { return sum(sources().density); });
 }
 
-/// The near lists of the plan of an order, and nothing else.
+/// Sums only the near lists of the plan of a given order.
 Found near_field(int order) {
   const Fmm plan(sources().curves, {}, of_order(order));
   const StressletNodes nodes(sources().curves);

@@ -1,5 +1,5 @@
-// Hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by, units
-// far from one. Errors are against closed forms, symmetries, or a solution to more digits.
+// Defines hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by,
+// units far from one. Errors are against closed forms, symmetries, or a solution to more digits.
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +53,7 @@ HardCase needle_in_shear(double aspect) {
           }};
 }
 
-// A rotor next to the wall that encloses it.
+// A rotor near the wall that encloses it.
 HardCase near_a_wall(double gap) {
   return {"04",
           text("a turning disk next to its container's wall, gap %g of its radius; "
@@ -91,7 +91,7 @@ HardCase in_units(const std::string& what, double length, double viscosity) {
           }};
 }
 
-// A five-armed star with an arm in the valley between two arms of another.
+// A five-armed star with an arm in the valley between two arms of another star.
 HardCase tip_in_valley() {
   return {"06", "a lobe of one star in the valley of another; against more digits", [] {
             const Star star{1.0, 0.25, 5};
@@ -105,11 +105,12 @@ HardCase cornered(int power) {
   return {"01", text("a superellipse of power %.0f, nearly a square, in shear", power), [=] {
             return solve(
                 scene(ShearFlow{1.0}, {body(Superellipse{1.0, 1.0, power}, 0.0, 0.4)}, 1e-6),
-                against(0, {0.0, -0.5}));  // it looks the same after a quarter turn
+                against(0, {0.0, -0.5}));  // symmetry: the shape repeats after a quarter turn
           }};
 }
 
-// Where the logarithm of the Stokeslet cancels the drag of a disk, which a force does not move.
+// At this gauge length the logarithm of the Stokeslet cancels the drag of a disk, so that a force
+// does not move the disk (03.12).
 HardCase degenerate_gauge() {
   return {"03", "a pushed disk whose gauge length is degenerate: it must stay", [] {
             Body disk = body(Circle{1.0}, 0.0);
@@ -120,7 +121,7 @@ HardCase degenerate_gauge() {
           }};
 }
 
-// Two circles, one in the other and nothing between: the torque is 4 pi mu omega / (R1^-2 - R2^-2).
+// Two circles, one inside the other, without bodies: the torque is 4 pi mu omega / (R1^-2 - R2^-2).
 HardCase walls_only() {
   return {"04", "walls and no body; relative error of the torque", [] {
             Scene cell = scene(QuiescentFlow{}, {}, 1e-10);
@@ -134,7 +135,7 @@ HardCase walls_only() {
           }};
 }
 
-// Outside of a turning disk the flow is (perp x) / |x|^2: no pressure, no vorticity.
+// Flow outside a turning disk, (perp x) / |x|^2: pressure and vorticity vanish.
 HardCase stress_at_a_surface() {
   return {"07", "pressure, vorticity and strain 1e-10 from a turning disk", [] {
             Body rotor = body(Circle{1.0}, 0.0);

@@ -1,4 +1,5 @@
-// Hard runs with contact: steps far too long, bodies pressed together in every way, crowds.
+// Defines hard runs with contact: steps that are far too long, bodies pressed together in various
+// ways, crowds.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,7 +25,7 @@ Body held(const Shape& shape, Complex position, double orientation = 0.0) {
   return result;
 }
 
-// Loads and held bodies in an unbounded fluid.
+// Loaded and held bodies in an unbounded fluid.
 Scene pressed(const std::vector<Body>& bodies, double separation) {
   Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
   scene.gauge_length = 100.0;
@@ -32,7 +33,7 @@ Scene pressed(const std::vector<Body>& bodies, double separation) {
   return scene;
 }
 
-// The step's free end lies beyond a held body, which swept bounding boxes alone see.
+// The body would pass a held body within one step: only swept bounding boxes detect the contact.
 Finding tunnelling() {
   Scene bullet =
       pressed({pushed(Circle{0.3}, {0.1, 2.0}, {0.0, -100.0}), held(Ellipse{1.5, 0.4}, 0.0)}, 0.05);
@@ -45,7 +46,7 @@ Finding tunnelling() {
   });
 }
 
-// Disks of a square lattice, all pushed to its centre.
+// Disks of a square lattice, all pushed towards its centre.
 Finding lattice() {
   constexpr int side = 9;
   constexpr double separation = 0.1;
@@ -73,8 +74,8 @@ Finding thousand_steps_in_contact() {
   return run(cell, 1e-3, [&](const RecordedRun& recorded) { return shortfall(cell, recorded); });
 }
 
-// On the line of centres, where nothing but contact stops them: both must end where the gap is the
-// separation.
+// Two circles on the line of centres of an extension; only contact stops them. Their final gap must
+// be the separation.
 Finding head_on() {
   const double separation = 0.1;
   Scene pair = in_contact(ExtensionalFlow{-30.0}, {body(Circle{1.0}, -1.4), body(Circle{1.0}, 1.4)},
@@ -91,7 +92,7 @@ Finding head_on() {
   });
 }
 
-// Sum of the forces of contact on a body that lies still, over its load, less one.
+// Sum of the contact forces on a body at rest plus its load, relative to the load.
 double missing_support(const Frame& end, std::size_t body, Complex load) {
   Complex sum = 0.0;
   for (const ContactForce& contact : end.contacts) {
@@ -101,7 +102,7 @@ double missing_support(const Frame& end, std::size_t body, Complex load) {
   return std::abs(sum + load) / std::abs(load);
 }
 
-// A body that comes to lie on two others, which are held: both together carry its load.
+// A body that comes to rest on two held bodies; both together must carry its load.
 Finding resting_on_two(const Body& pressed_body, const std::vector<Body>& held_bodies) {
   std::vector<Body> bodies{pressed_body};
   bodies.insert(bodies.end(), held_bodies.begin(), held_bodies.end());
@@ -125,7 +126,8 @@ Finding pinch() {
                         {held(Circle{1.0}, {-1.2, 0.0}), held(Circle{1.0}, {1.2, 0.0})});
 }
 
-// Long sides on each other: a film as long as the bodies, out of which they turn and slide apart.
+// Two ellipses with their long sides facing: a film as long as the bodies, out of which they turn
+// and slide apart.
 Finding flat_pair() {
   Scene pair = in_contact(QuiescentFlow{},
                           {pushed(Ellipse{1.0, 0.1}, {0.02, 0.1252}, {0.0, -100.0}),
@@ -139,7 +141,7 @@ Finding flat_pair() {
   });
 }
 
-// All that fills a container turns with it: no gap opens or closes.
+// All bodies of a container turn with it as one body: no gap opens or closes.
 Finding turning_crowd() {
   const double gap = 0.021;
   Scene crowd = disk_hexagon(1, gap, 1e-3);
@@ -151,7 +153,7 @@ Finding turning_crowd() {
   return run(crowd, 1e-3, [=](const RecordedRun& recorded) { return shortfall(crowd, recorded); });
 }
 
-// The published ellipses by the lagged coupling, steps of a length.
+// The published ellipses by the lagged coupling, with steps of a given length.
 HardCase lagged(double dt) {
   return {"12",
           text("48 ellipses in vortices by the lagged coupling, with contact and steps of %g", dt),

@@ -1,4 +1,4 @@
-// Instants of many bodies that nearly touch.
+// Defines hard instants of many bodies that nearly touch.
 #include <algorithm>
 
 #include "hard_case.hpp"
@@ -27,7 +27,7 @@ HardCase packing(int count) {
           }};
 }
 
-// What floats in a container turns with it, as one body, whatever the gaps.
+// Bodies in a turning container turn with it as one rigid body, for any gaps.
 Finding turning_container(Scene scene, double radius) {
   scene.flow = QuiescentFlow{};
   scene.walls = {{.role = WallRole::outer, .shape = Circle{radius}, .motion = RotatingWall{1.0}}};

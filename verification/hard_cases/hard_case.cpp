@@ -1,3 +1,4 @@
+// Solves hard cases, and decides whether each result is as required.
 #include "hard_case.hpp"
 
 #include <algorithm>
@@ -7,7 +8,7 @@ namespace stokesbook::verification::hard_cases {
 
 bool is_met(const HardCase& hard, const Finding& finding) {
   if (finding.refusal.empty()) {
-    // No estimate is none too large; an error that is not a number is.
+    // A missing estimate (NaN) is accepted, a missing error is not.
     return hard.due != Due::refusal && finding.error <= finding.tolerance &&
            !(finding.estimate > finding.tolerance);
   }

@@ -11,64 +11,64 @@ namespace stokesbook::verification::hard_cases {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What came of a hard case.
+/// Result of a hard case.
 struct Finding {
-  double tolerance = unknown;  ///< that was asked for
+  double tolerance = unknown;  ///< required tolerance
   double error = unknown;      ///< against a closed form, a symmetry or a finer solution
-  double estimate = unknown;   ///< of that error, by the solver itself
-  long long iterations = 0;    ///< of GMRES
-  std::string refusal = {};    ///< why there is no answer; empty: there is one
+  double estimate = unknown;   ///< solver's own estimate of the error
+  long long iterations = 0;    ///< GMRES iterations
+  std::string refusal = {};    ///< reason why there is no answer; empty if there is one
 };
 
-/// What must come of a case. Either will do where rounding decides.
+/// Required kind of result. Both are accepted if rounding errors decide.
 enum class Due { answer, refusal, either };
 
-/// A question that is hard, and what must come of it.
+/// A hard problem, and the required kind of result.
 struct HardCase {
-  std::string chapter;                  ///< that it is about, "06"
-  std::string asked;                    ///< for people
-  std::function<Finding()> find;        ///< asks
-  Due due = Due::answer;                ///< what must come of it
-  std::vector<std::string> words = {};  ///< of a refusal
+  std::string chapter;                  ///< chapter that it belongs to, "06"
+  std::string asked;                    ///< description for the reader
+  std::function<Finding()> find;        ///< solves the problem
+  Due due = Due::answer;                ///< required kind of result
+  std::vector<std::string> words = {};  ///< words that the message of a refusal must contain
 };
 
-/// Tells whether a case went as it must: an answer whose error and estimate are within the
-/// tolerance, or a refusal that says what it is about.
+/// Returns whether a result is as required: an answer whose error and estimate are within the
+/// tolerance, or a refusal whose message contains the words.
 bool is_met(const HardCase& hard, const Finding& finding);
 
-/// Distance of a solution from what is known, a velocity.
+/// Returns the difference of a solution from the known result, as a velocity.
 using Measure = std::function<double(const Solution&)>;
 
-/// A number in a sentence, by a format of printf.
+/// Formats a number in a sentence, by a format of printf.
 std::string text(const char* format, double number);
 
-/// Larger one of the differences of velocities and, times a length, of angular velocities.
+/// Returns the larger of the differences of velocities and of angular velocities times a length.
 double distance_of_motions(const RigidMotion& a, const RigidMotion& b, double length);
 
-/// Compares with the same scene, asked for three more digits.
+/// Compares with a solution of the same scene to three more digits.
 Measure against_finer(const Scene& scene);
 
-/// Solves a scene's start, and compares; refusals are findings.
+/// Solves a scene's start and measures the error; a refusal is recorded in the result.
 Finding solve(const Scene& scene, const Measure& error);
 
-/// A free body at rest with automatic nodes.
+/// Returns a free body at rest with automatic nodes.
 Body body(const Shape& shape, Complex position, double orientation = 0.0);
 
-/// A scene with an accuracy to be kept.
+/// Returns a scene with a solver tolerance.
 Scene scene(const BackgroundFlow& flow, std::vector<Body> bodies, double tolerance);
 
-/// Two circles of radius 1 so far apart, in extension along the line of their centres.
+/// Two circles of radius 1 with a gap, in extension along the line of centres.
 Scene circles_in_extension(double gap, double tolerance);
 
 /// @name The cases
 /// @{
-std::vector<HardCase> answers();   ///< one instant, which has an answer
+std::vector<HardCase> answers();   ///< single instants that have an answer
 std::vector<HardCase> crowds();    ///< instants of many bodies
 std::vector<HardCase> sums();      ///< fast sums
 std::vector<HardCase> contacts();  ///< runs in which bodies are pressed together
-std::vector<HardCase> problems();  ///< of complementarity
-std::vector<HardCase> motions();   ///< runs
-std::vector<HardCase> refusals();  ///< what must not be answered
+std::vector<HardCase> problems();  ///< complementarity problems
+std::vector<HardCase> motions();   ///< runs without contact
+std::vector<HardCase> refusals();  ///< problems that the solver must refuse
 /// @}
 
 }  // namespace stokesbook::verification::hard_cases

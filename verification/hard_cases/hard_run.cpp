@@ -1,3 +1,4 @@
+// Runs hard scenes in time, and measures gaps against the separation.
 #include "hard_run.hpp"
 
 #include <algorithm>

@@ -5,13 +5,14 @@
 
 namespace stokesbook::verification::hard_cases {
 
-/// What is measured of a run that reached its end.
+/// Returns the error of a run that reached its end.
 using RunMeasure = std::function<double(const test::RecordedRun&)>;
 
-/// Runs a scene, and measures it; refusals are findings.
+/// Runs a scene and measures its error; a refusal is recorded in the result.
 Finding run(const Scene& scene, double tolerance, const RunMeasure& error);
 
-/// By how much the least gap of any written state falls short of the separation, relative to it.
+/// Returns the amount by which the least gap of all written states is below the separation,
+/// relative to the separation.
 double shortfall(const Scene& scene, const test::RecordedRun& recorded);
 
 }  // namespace stokesbook::verification::hard_cases

@@ -1,5 +1,5 @@
-// The hard cases of the book: what was asked, and what happened. Fails where an answer is not as
-// good as was asked, or where there is one and should not be.
+// Runs the hard cases of the book, prints the results, and fails if a result is not as required: an
+// answer outside its tolerance, or an answer in place of a refusal.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -17,7 +17,8 @@ namespace {
 
 constexpr int exit_case_fails = 2, exit_io = 3;
 
-// The table's own controls: an answer that is not as good as was asked, and one that was not due.
+// Controls of the test itself: it must reject an answer outside its tolerance, and an answer in
+// place of a refusal.
 bool rejects_bad_answers() {
   Scene pair = circles_in_extension(0.1, 0.3);
   for (Body& disk : pair.bodies) disk.n_nodes = 24;

@@ -1,4 +1,4 @@
-// Hard runs without contact: steps that are far too long, and very many.
+// Defines hard runs without contact: steps that are far too long, and very many steps.
 #include <cmath>
 
 #include "hard_run.hpp"
@@ -19,7 +19,7 @@ Finding thousand_steps() {
   });
 }
 
-// Two circles that a flow drives together, from 3 to nearly 2 radii.
+// Two circles that a flow drives together, from a distance of 3 radii to nearly 2.
 Scene approach(double t_final, double dt, SteppingMethod method) {
   return over(scene(ExtensionalFlow{-1.0}, {body(Circle{1.0}, -1.5), body(Circle{1.0}, 1.5)}, 1e-8),
               t_final, dt, method);

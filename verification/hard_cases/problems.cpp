@@ -1,4 +1,4 @@
-// Problems of complementarity whose solution is known, or known not to be.
+// Defines complementarity problems whose solution is known, and a problem without solution.
 #include <cmath>
 
 #include "hard_case.hpp"
@@ -14,8 +14,9 @@ namespace {
 
 constexpr double pivoting_tolerance = 1e-9;
 
-/// The error is that of z where it is unique, else that of w = q + M z, which is unique for all of
-/// these: M is symmetric and semidefinite. Both whatever the units of rows.
+/// Solves by pivoting. The error is that of z if z is unique, otherwise that of w = q + M z. The
+/// matrix M is symmetric and semidefinite, so that w is unique. Both errors are independent of the
+/// units of rows.
 Finding solve_by_pivoting(const PlantedLcp& lcp) {
   const auto& [matrix, offset] = lcp.problem;
   const LcpResult found = lemke(lcp.problem);
@@ -32,7 +33,7 @@ Finding solve_by_pivoting(const PlantedLcp& lcp) {
   return finding;
 }
 
-/// Row by row in other units, over twelve decades.
+/// Scales the rows to other units, over twelve decades.
 PlantedLcp scaled(const PlantedLcp& lcp) {
   const Index m = lcp.z.size();
   const VectorXd scale = VectorXd::NullaryExpr(m, [=](Index i) {
@@ -41,7 +42,8 @@ PlantedLcp scaled(const PlantedLcp& lcp) {
   return in_other_units(lcp, scale);
 }
 
-/// Two contacts that pull at each other and are both to open: there is no solution.
+/// Two contacts that must both open although each force closes the other contact: there is no
+/// solution.
 Finding without_solution() {
   const LcpProblem problem{matrix2(1.0, -1.0, -1.0, 1.0), vector2(-1.0, -1.0)};
   const LcpResult found = lemke(problem);

@@ -1,4 +1,5 @@
-// What must not be answered: the message says why, and what would be right.
+// Defines problems that the solver must refuse with a message that states the reason and the
+// remedy.
 #include <cmath>
 
 #include "hard_case.hpp"

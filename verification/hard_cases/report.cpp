@@ -1,3 +1,4 @@
+// Prints the results of hard cases, and writes them as an HTML table.
 #include "report.hpp"
 
 #include <cstdio>

@@ -7,7 +7,7 @@
 
 namespace stokesbook::verification::hard_cases {
 
-/// A case, what came of it, and how long that took.
+/// A hard case, its result, and the seconds that it took.
 struct Row {
   HardCase hard;
   Finding finding;

@@ -1,4 +1,4 @@
-// Fast sums over nodes that a tree may find hard, against the direct sum.
+// Compares fast sums with the direct sum, for nodes that may be difficult for a tree.
 #include <cmath>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -25,7 +25,8 @@ Finding sum(const std::vector<Curve>& curves, double tolerance) {
   return sum(curves, tolerance, FmmSettings::for_tolerance(tolerance));
 }
 
-// Errors of points at one place add: for_tolerance() names the order that they ask for.
+// The errors of points at one place add up. The order is therefore the least for which p 2^-p meets
+// the tolerance, see FmmSettings::for_tolerance().
 Finding coincident(const ComplexVector& points, double tolerance) {
   FmmSettings settings = FmmSettings::for_tolerance(tolerance);
   while (std::ldexp(settings.order, -settings.order) > tolerance) ++settings.order;

@@ -1,4 +1,5 @@
-// What a solve costs in the number of nodes: k n^2 against n^3.
+// Counts the multiplications of a GMRES solve by the number of nodes: k n^2 against n^3 of a
+// factorisation.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -16,13 +17,13 @@ std::vector<Index> resolutions(Size size) {
                             : std::vector<Index>{32, 48, 64, 96};
 }
 
-/// Multiplications of the dense sums, a product an iteration and one for the residual, and of the
-/// orthogonalisation, four a basis vector and number.
+/// Counts multiplications of the dense sums (one product in each iteration, one for the residual)
+/// and of the orthogonalisation (four for each entry of each earlier basis vector).
 double multiplications(double unknowns, double iterations) {
   return (iterations + 1.0) * unknowns * unknowns + 2.0 * unknowns * iterations * iterations;
 }
 
-/// Iterations for nine circles in shear, to 1e-12.
+/// Iterations for nine circles in shear, to the tolerance 1e-12.
 double reduced_iterations(Index nodes) {
   const BodySystem system(nine_circles(), nodes, shear);
   return gmres(system.map(), {}, system.rhs(), {1e-12, 500}).iterations;

@@ -40,10 +40,11 @@ study::Experiment solvers();
 study::Experiment costs_of_a_solve();
 /// @}
 
-/// Of the matrices that are made for their spectra.
+/// Order of the matrices that are constructed for their spectra.
 inline constexpr Eigen::Index matrix_order = 200;
 
-/// Relative residuals of GMRES that starts anew every `length` iterations, before and after each.
+/// Returns the relative residuals of GMRES that restarts after every `length` iterations: the
+/// initial residual, and that after each iteration.
 std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
                               const Eigen::VectorXd& b, int length, int iterations);
 

@@ -1,3 +1,4 @@
+// Records the residuals of restarted GMRES, iteration by iteration.
 #include <algorithm>
 
 #include "experiments.hpp"

@@ -1,4 +1,4 @@
-// Preconditioners for bodies that nearly touch, all that were tried, on one dense system.
+// Compares all preconditioners that were tried for bodies that nearly touch, on one dense system.
 #include <cmath>
 
 #include "closure/rigid_modes.hpp"
@@ -36,14 +36,14 @@ MatrixXd dense(const SuspensionOperator& system) {
   return matrix;
 }
 
-/// The bodies held, with Stokeslets of the clusters' gauge.
+/// Holds all bodies; the Stokeslets have the gauge length of the clusters.
 Scene held(Scene scene) {
   for (Body& body : scene.bodies) body.held = true;
   scene.gauge_length = 100.0;
   return scene;
 }
 
-/// A hexagon of seven disks: free and held operators, rigid motions, neighbours.
+/// A hexagon of seven disks: operators of free and held bodies, rigid motions, neighbours.
 class Hexagon {
  public:
   explicit Hexagon(double gap)
@@ -65,7 +65,7 @@ class Hexagon {
     }
   }
 
-  /// The numbers of some bodies.
+  /// Returns the rows of the matrix that belong to some bodies.
   std::vector<Index> rows(const BodyIndices& bodies) const {
     std::vector<Index> rows;
     for (const std::size_t k : bodies) {
@@ -110,7 +110,7 @@ class Hexagon {
   test::Discretised free_, held_;
 
  public:
-  MatrixXd free_matrix, held_matrix;  // A, A_h
+  MatrixXd free_matrix, held_matrix;  // A, A_h (05.15)
   MatrixXd modes, projection;         // K, Pi
   std::vector<BodyIndices> clusters;  // each body and its neighbours
 };
@@ -131,7 +131,8 @@ MatrixXd blocks(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// Blocks, and for each pair of neighbours what its inverse adds to them.
+/// Block-diagonal inverse, plus the difference that the inverse of each pair of neighbours makes to
+/// its two blocks.
 MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
   const MatrixXd alone = blocks(hexagon, matrix);
   MatrixXd result = alone;
@@ -146,7 +147,7 @@ MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// Restricted additive Schwarz: each body's rows are those of its cluster's inverse.
+/// Restricted additive Schwarz: the rows of each body are its rows in the inverse of its cluster.
 MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd result = MatrixXd::Zero(matrix.rows(), matrix.cols());
   for (const BodyIndices& cluster : hexagon.clusters) {
@@ -156,7 +157,7 @@ MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// The inverse of the matrix without the blocks between bodies that are no neighbours.
+/// Inverse of the matrix without the blocks between bodies that are not neighbours.
 MatrixXd near_field(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd near = MatrixXd::Zero(matrix.rows(), matrix.cols());
   for (const BodyIndices& cluster : hexagon.clusters) {
@@ -166,7 +167,7 @@ MatrixXd near_field(const Hexagon& hexagon, const MatrixXd& matrix) {
   return test::inverse(near);
 }
 
-/// An idea, made into a preconditioner.
+/// Constructs a preconditioner for the hexagon.
 using Idea = std::function<LinearMap(const Hexagon&)>;
 
 LinearMap product_with(MatrixXd inverse) {
@@ -179,7 +180,8 @@ Idea free_bodies(Approximate approximate) {
   };
 }
 
-/// A^{-1} = H - (H K + K) R^{-1} Pi H from the held bodies' inverse H and resistances R.
+/// Inverse for free bodies from the inverse H for held bodies and the resistances R:
+/// A^{-1} = H - (H K + K) R^{-1} Pi H, see (05.16).
 MatrixXd let_go(const Hexagon& hexagon, const MatrixXd& inverse, const MatrixXd& resistance) {
   const MatrixXd motions = test::inverse(resistance) * (hexagon.projection * inverse);
   return inverse - (inverse * hexagon.modes + hexagon.modes) * motions;
@@ -192,7 +194,7 @@ Idea held_bodies(Approximate approximate) {
   };
 }
 
-/// A planted defect: the resistances of all bodies together, not those of the clusters.
+/// A planted defect: the resistances of all bodies together instead of those of the clusters.
 LinearMap true_resistances(const Hexagon& hexagon) {
   const MatrixXd exact = test::inverse(hexagon.held_matrix);
   return product_with(let_go(hexagon, schwarz(hexagon, hexagon.held_matrix),

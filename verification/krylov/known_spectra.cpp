@@ -1,4 +1,4 @@
-// Matrices whose spectra, and hence GMRES residuals, are known in closed form.
+// Compares residuals of GMRES with closed forms, on matrices with known spectra (05.6)-(05.8).
 #include <cmath>
 
 #include "experiments.hpp"
@@ -12,10 +12,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double radius = 0.5;   // of the disk of eigenvalues about 1
-constexpr double spread = 25.0;  // quotient of the ends of the interval of eigenvalues
+constexpr double radius = 0.5;   // radius of the disk of eigenvalues about 1
+constexpr double spread = 25.0;  // quotient of the largest and the least eigenvalue of the interval
 
-/// A system whose operator is known, with a history of its solution.
+/// A system with a known operator, and the residuals of its solution.
 struct System {
   LinearMap apply;
   VectorXd rhs;
@@ -27,14 +27,15 @@ VectorXd shifted(const VectorXd& v) {
   return result;
 }
 
-/// centre + radius S with the cyclic shift S: eigenvalues equidistant on a circle; the right-hand
-/// side has equal parts of all eigenvectors.
+/// Operator centre + radius S with the cyclic shift S: its eigenvalues are equidistant on a circle.
+/// The right-hand side is the sum of all eigenvectors with equal weights.
 System circle_of_eigenvalues(double centre, double circle) {
   return {[=](const VectorXd& v) -> VectorXd { return centre * v + circle * shifted(v); },
           VectorXd::Unit(matrix_order, 0)};
 }
 
-/// Eigenvalues at Chebyshev's points of [1, spread], equal parts of all eigenvectors.
+/// Eigenvalues at the Chebyshev points of [1, spread]; the right-hand side has equal parts of all
+/// eigenvectors.
 System interval_of_eigenvalues() {
   VectorXd eigenvalues(matrix_order);
   for (Index j = 0; j < matrix_order; ++j) {
@@ -45,7 +46,7 @@ System interval_of_eigenvalues() {
           VectorXd::Ones(matrix_order)};
 }
 
-/// The circle about 1, and a few eigenvalues far outside its disk.
+/// The circle of eigenvalues about 1, and a few eigenvalues far outside its disk.
 System disk_and_outliers() {
   VectorXd outliers(6);
   outliers << 1e-3, 1e-2, 0.1, -0.3, 3.0, 10.0;
@@ -60,15 +61,15 @@ System disk_and_outliers() {
           rhs};
 }
 
-/// Residuals of the circle about 1: the least mean square over the circle of a polynomial with
-/// p(0) = 1.
+/// Residuals for the circle about 1 (05.7): the least mean square on the circle of a polynomial
+/// with p(0) = 1.
 double least_on_circle(int k) {
   double sum = 0.0;
   for (int j = 0; j <= k; ++j) sum += std::pow(radius, -2.0 * j);
   return 1.0 / std::sqrt(sum);
 }
 
-/// The same on the interval, by its orthonormal polynomials sqrt(2) T_j.
+/// Residuals for the interval, by its orthonormal polynomials sqrt(2) T_j.
 double least_on_interval(int k) {
   const double at_zero = std::acosh((spread + 1.0) / (spread - 1.0));
   double sum = 1.0;
@@ -99,7 +100,8 @@ Measure restarted_history(const System& system, int iterations, int length) {
   };
 }
 
-/// The naive symmetric method: (1 + r S)^T (1 + r S) x = (1 + r S)^T b, two products an iteration.
+/// The naive symmetric method: iterates with (1 + r S)^T (1 + r S) x = (1 + r S)^T b, two products
+/// in each iteration.
 std::vector<Measurement> normal_equations(Size) {
   const System system = circle_of_eigenvalues(1.0, radius);
   const auto transposed = [](const VectorXd& v) -> VectorXd {
@@ -112,7 +114,8 @@ std::vector<Measurement> normal_equations(Size) {
   return as_measurements(history_of(normal, 25), 2);
 }
 
-/// A planted defect: residuals orthogonal to the Krylov space (Galerkin) instead of least.
+/// A planted defect: residuals that are orthogonal to the Krylov space (Galerkin) instead of
+/// minimal.
 double galerkin(const std::vector<double>& least, std::size_t k) {
   const double quotient = least[k] / least[k - 1];
   return least[k] / std::sqrt(1.0 - quotient * quotient);

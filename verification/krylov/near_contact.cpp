@@ -1,5 +1,5 @@
-// Bodies that nearly touch: what the block-diagonal preconditioner cannot do, and what a restart
-// makes of it.
+// Counts iterations for bodies that nearly touch with the block-diagonal preconditioner, and shows
+// the effect of a restart.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -16,7 +16,7 @@ constexpr GmresOptions near_contact_options{1e-8, 1000};
 
 using Arrangement = std::vector<PlacedBody> (*)(double gap);
 
-/// Nodes that resolve densities with modes e^{-alpha |k|}, cosh alpha = 1 + gap / 2.
+/// Number of nodes that resolve densities with modes e^{-alpha |k|}, cosh alpha = 1 + gap / 2.
 Index nodes_at_gap(double gap) {
   return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
 }
@@ -27,7 +27,8 @@ LinearMap blocks_of(const std::vector<PlacedBody>& bodies, Index nodes, CircleBl
   return blocks == CircleBlocks::own ? LinearMap(block_diagonal(bodies, nodes)) : LinearMap{};
 }
 
-/// @param  fixed_nodes  a planted defect: so many whatever the gap; 0: as many as needed
+/// @param  fixed_nodes  number of nodes for every gap (a planted defect); 0: as many as the gap
+///                      requires
 Measure counts(Arrangement arrange, CircleBlocks blocks, std::vector<double> gaps,
                Index fixed_nodes = 0) {
   return [=](Size size) {

@@ -1,4 +1,5 @@
-// The published case: nine circles, by form of the closure and number of nodes.
+// Counts iterations for the published case of nine circles, by form of the closure and number of
+// nodes.
 #include <cmath>
 #include <functional>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr GmresOptions tight_options{1e-12, 500};
 constexpr int published = 16;
 
-/// Iterations at a number of nodes.
+/// Returns the iterations for a number of nodes.
 using Count = std::function<int(Index nodes)>;
 
 Count reduced_form() {
@@ -25,7 +26,7 @@ Count reduced_form() {
   };
 }
 
-/// With the blocks of that shape.
+/// The reduced form, preconditioned by the blocks of a shape.
 Count reduced_form_with_blocks(const Shape& shape) {
   return [=](Index nodes) {
     const BodySystem system(nine_circles(), nodes, shear);

@@ -1,4 +1,5 @@
-// Matrices that are not normal: when eigenvalues tell the residuals of GMRES, and when they do not.
+// Compares normal and non-normal matrices with equal eigenvalues: whether eigenvalues determine the
+// residuals of GMRES.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -17,7 +18,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double pair_gap = 0.1;
-constexpr Index pair_nodes = 96;  // hold the modes of that gap to e^{-15}
+constexpr Index pair_nodes = 96;  // resolve the modes of that gap to e^{-15}
 
 std::vector<Measurement> residuals_of(const LinearMap& apply, const VectorXd& rhs, int iterations) {
   const std::vector<double> history = gmres(apply, {}, rhs, {1e-15, iterations}).history;
@@ -28,7 +29,7 @@ std::vector<Measurement> residuals_of(const LinearMap& apply, const VectorXd& rh
   return measurements;
 }
 
-/// 1 + coupling N with (N v)_i = v_{i+1}: every eigenvalue is 1.
+/// Operator 1 + coupling N with (N v)_i = v_{i+1}; all its eigenvalues are 1.
 Measure jordan_block(double coupling) {
   return [=](Size) {
     const LinearMap apply = [=](const VectorXd& v) -> VectorXd {
@@ -40,13 +41,13 @@ Measure jordan_block(double coupling) {
   };
 }
 
-/// A normal matrix with these eigenvalues, and equal parts of all eigenvectors.
+/// A normal matrix with these eigenvalues; the right-hand side has equal parts of all eigenvectors.
 std::vector<Measurement> normal_matrix(const VectorXd& eigenvalues, int iterations) {
   return residuals_of([&](const VectorXd& v) -> VectorXd { return eigenvalues.cwiseProduct(v); },
                       VectorXd::Ones(eigenvalues.size()), iterations);
 }
 
-/// Two circles with their own blocks, and data without any smoothness.
+/// Two circles with their own blocks, and random data.
 struct Pair {
   BodySystem system{circle_pair(pair_gap), pair_nodes, shear};
   BlockDiagonalPreconditioner solve_blocks = block_diagonal(circle_pair(pair_gap), pair_nodes);
@@ -60,7 +61,7 @@ std::vector<Measurement> pair_residuals(Size) {
   return residuals_of([&](const VectorXd& v) { return pair.apply(v); }, interleaved(pair.data), 45);
 }
 
-/// The same eigenvalues without their eigenvectors.
+/// A normal matrix with the eigenvalues of the pair.
 std::vector<Measurement> pair_if_normal(Size) {
   const Pair pair;
   const Index size = pair.system.size();
@@ -71,7 +72,7 @@ std::vector<Measurement> pair_if_normal(Size) {
   return normal_matrix(test::eigenvalues(matrix).real(), 45);
 }
 
-/// A planted error: eigenvalues within a tenth of 1 are taken for the whole truth.
+/// A planted defect: eigenvalues within a tenth of 1 in place of those of the pair.
 std::vector<Measurement> normal_near_one(Size) {
   return normal_matrix(VectorXd::LinSpaced(matrix_order, 0.9, 1.1), 45);
 }
@@ -81,7 +82,7 @@ std::vector<Measurement> normal_near_one(Size) {
 Experiment normality() {
   return {
       .key = "normality",
-      .title = "Where eigenvalues tell, and where they do not",
+      .title = "Whether eigenvalues determine the residuals",
       .x = "iterations k",
       .error = "residual, relative to the right-hand side",
       .axes = Axes::semi_log,

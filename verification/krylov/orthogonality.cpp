@@ -1,4 +1,5 @@
-// Why the basis is made orthogonal twice: what once leaves, on two circles that nearly touch.
+// Measures the loss of orthogonality of the basis after one and two passes of Gram-Schmidt, on two
+// circles that nearly touch.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +23,7 @@ BodySystem nearly_touching() {
   return BodySystem(circle_pair(gap), nodes, generic_flow);
 }
 
-/// The library's basis, seen from outside: what it applies the operator to.
+/// Records the library's basis: the vectors to which GMRES applies the operator.
 MatrixXd basis_of_library() {
   const BodySystem system = nearly_touching();
   MatrixXd basis(system.size(), basis_size + 1);
@@ -32,15 +33,15 @@ MatrixXd basis_of_library() {
     return system.apply(v);
   };
   gmres(observed, {}, system.rhs(), {0.0, basis_size});
-  return basis.leftCols(basis_size);  // after them the solution, for its residual
+  return basis.leftCols(basis_size);  // the last vector is the solution, for its residual
 }
 
-/// Gram and Schmidt's projections, all from the same vector.
+/// Classical Gram-Schmidt: all projections are of the same vector.
 void classical(const MatrixXd& basis, VectorXd& w) {
   w -= basis * (basis.transpose() * w);
 }
 
-/// One after another, each from what the last has left.
+/// Modified Gram-Schmidt: each projection is of the remainder of the previous one.
 void modified(const MatrixXd& basis, VectorXd& w) {
   for (Index i = 0; i < basis.cols(); ++i) w -= basis.col(i).dot(w) * basis.col(i);
 }
@@ -84,20 +85,21 @@ Experiment orthogonality() {
       .x = "iterations k",
       .error = "largest entry of V^T V - I",
       .axes = Axes::semi_log,
-      .lines = {{.key = "twice",
-                 .label = "classical, twice (the library)",
-                 .measure = [](Size) { return loss(basis_of_library()); },
-                 .claim = Claim{.id = "05_6",
-                                .statement = "A basis that is made orthogonal twice stays so to "
-                                             "rounding.",
-                                .law = Identity{1e-14},
-                                .reason = "the second pass starts from a vector that is nearly "
-                                          "orthogonal already, and so loses nothing to "
-                                          "cancellation; 1e-14: 60 rounding units",
-                                .api = {"stokesbook::gmres"}},
-                 .control = Control{"classical, once", loss_by(classical)}},
-                {.key = "classical", .label = "classical, once", .measure = loss_by(classical)},
-                {.key = "modified", .label = "modified, once", .measure = loss_by(modified)}}};
+      .lines = {
+          {.key = "twice",
+           .label = "classical, twice (the library)",
+           .measure = [](Size) { return loss(basis_of_library()); },
+           .claim = Claim{.id = "05_6",
+                          .statement =
+                              "A basis that is orthogonalised twice stays orthogonal to rounding.",
+                          .law = Identity{1e-14},
+                          .reason = "the second pass starts from a vector that is nearly "
+                                    "orthogonal already, and so loses nothing to "
+                                    "cancellation; 1e-14: 60 rounding units",
+                          .api = {"stokesbook::gmres"}},
+           .control = Control{"classical, once", loss_by(classical)}},
+          {.key = "classical", .label = "classical, once", .measure = loss_by(classical)},
+          {.key = "modified", .label = "modified, once", .measure = loss_by(modified)}}};
 }
 
 }  // namespace stokesbook::verification::krylov

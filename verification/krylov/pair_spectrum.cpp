@@ -1,5 +1,5 @@
-// The spectrum of two circles in closed form: how far the eigenvalues cluster, and why near
-// contacts are hard.
+// Compares the spectrum of two circles with its closed form (05.13), and shows how the eigenvalues
+// cluster by the gap.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,19 +19,19 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The parameter of bipolar coordinates whose circles are two unit circles.
+/// Parameter alpha of the bipolar coordinates of two unit circles, cosh(alpha) = 1 + gap / 2.
 double bipolar(double gap) {
   return std::acosh(1.0 + 0.5 * gap);
 }
 
-/// Nodes that hold the eigenvectors of many modes.
+/// Number of nodes that resolve the eigenvectors of many modes.
 Index nodes_for_modes(double gap) {
   return 2 * static_cast<Index>(std::ceil(12.0 + 40.0 / bipolar(gap)));
 }
 
-/// Eigenvalues of A M^{-1} - 1 in closed form (05.13): +-e^{-y} with
-/// sinh(2 n alpha - y) = +-n sinh(2 alpha), each twice; of n = 1 only those with the larger y. The
-/// rest is 0: rigid motions, and what the nodes do not resolve.
+/// Eigenvalues of A M^{-1} - 1 in closed form (05.13): +-e^{-y} with sinh(2 n alpha - y) = +-n
+/// sinh(2 alpha), each twice; for n = 1 only those with the larger y. The other eigenvalues are 0:
+/// those of rigid motions, and of modes that the nodes do not resolve.
 VectorXd known_spectrum(double gap) {
   const double alpha = bipolar(gap);
   const Index nodes = nodes_for_modes(gap);
@@ -48,11 +48,11 @@ VectorXd known_spectrum(double gap) {
   return values;
 }
 
-/// Eigenvalues of A M^{-1} - 1, with the block of that shape in M.
+/// Computes the eigenvalues of A M^{-1} - 1; M contains the block of the given shape.
 ///
-/// The pair is its own image under the half turn, which takes node j of one circle to node
-/// j + N / 2 of the other and vectors to their negative. Densities that go into plus or minus
-/// themselves are known from one circle, so that half the unknowns do; the two kinds have
+/// The half turn maps the pair to itself: node j of one circle goes to node j + N / 2 of the other,
+/// and vectors change their sign. A density that is even or odd under this map is determined by its
+/// values on one circle, so half the unknowns suffice. The even and the odd densities have
 /// eigenvalues of opposite sign.
 VectorXcd computed_spectrum(double gap, const Shape& block) {
   const Index nodes = nodes_for_modes(gap), size = 2 * nodes;
@@ -72,8 +72,8 @@ VectorXcd computed_spectrum(double gap, const Shape& block) {
   return all;
 }
 
-/// Eigenvalues at either end of the spectrum that are compared. Those in between are nearer to 1,
-/// and the closer they come to it, the more rounding moves them: the matrix is not normal.
+/// Number of eigenvalues that are compared at either end of the spectrum. The inner eigenvalues of
+/// A M^{-1} are nearer to 1, where rounding errors move them more because the matrix is not normal.
 constexpr Index outer = 16;
 
 Measure spectrum_errors(const Shape& block) {
@@ -91,7 +91,7 @@ Measure spectrum_errors(const Shape& block) {
   };
 }
 
-/// One of each four equal eigenvalues.
+/// Distances from 1 of the eigenvalues, one of each four equal values.
 Measure clustering(double gap, const Shape& block) {
   return [=](Size) {
     VectorXd distances = computed_spectrum(gap, block).cwiseAbs();

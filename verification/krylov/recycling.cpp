@@ -1,5 +1,5 @@
-// Krylov recycling: what a step's solve gains from directions of the step
-// before, and what they cost.
+// Measures Krylov recycling: the iterations that one step's solve saves by directions of the
+// previous step, and the products that these directions cost.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr GmresOptions step_options{1e-8, 500};
 
-/// A M^{-1}, interleaved.
+/// The operator A M^{-1} on interleaved vectors.
 LinearMap preconditioned(const LinearSystem& discrete) {
   return [&discrete](const VectorXd& v) -> VectorXd {
     const VectorXd density = discrete.precondition ? discrete.precondition(v) : v;
@@ -33,7 +33,8 @@ LinearMap preconditioned(const LinearSystem& discrete) {
   };
 }
 
-/// An orthonormal basis of a Krylov space, and the map in it: A V_k = V_{k+1} H.
+/// Arnoldi's method: an orthonormal basis of a Krylov space and the matrix H with A V_k = V_{k+1} H
+/// (05.3).
 struct Arnoldi {
   MatrixXd basis, hessenberg;
 
@@ -53,7 +54,8 @@ struct Arnoldi {
   }
 };
 
-/// Harmonic Ritz vectors of the least harmonic Ritz values, real and imaginary parts.
+/// Returns the harmonic Ritz vectors of the harmonic Ritz values of least modulus, as real and
+/// imaginary parts.
 MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   const Index size = arnoldi.hessenberg.cols();
   MatrixXd square = arnoldi.hessenberg.topRows(size);
@@ -67,7 +69,7 @@ MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   MatrixXd chosen(size, 0);
   for (const Index i : order) {
     const Complex value = pairs.values[i];
-    if (value.imag() < 0.0) continue;  // its conjugate has the same two parts
+    if (value.imag() < 0.0) continue;  // the conjugate has the same two parts
     if (chosen.cols() >= count) break;
     const Index parts = value.imag() > 0.0 ? 2 : 1;
     chosen.conservativeResize(Eigen::NoChange, chosen.cols() + parts);
@@ -77,7 +79,7 @@ MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   return arnoldi.basis.leftCols(size) * chosen;
 }
 
-/// The system of a scene's start, and that a short time later with the same nodes.
+/// The systems of a scene's start and of a time dt later, on the same nodes.
 struct TwoSteps {
   test::Discretised first;
   LinearSystem second;
@@ -97,14 +99,15 @@ struct TwoSteps {
     second = first.solver.linear_system({moved}, first.discretisation);
   }
 
-  /// Products with the operator, those that the recycled directions take included.
+  /// Products with the operator, including the products for the recycled directions.
   double products(Index recycled) const {
     const ComplexVector data = second.system.right_hand_side();
     const VectorXd rhs = interleaved(data), old = solved.solution;
     const ComplexVector of_old = second.system(deinterleaved(old));
     const VectorXd rest = rhs - interleaved(of_old);
     const LinearMap apply = preconditioned(second);
-    // Relative to the residual of the earlier density, where all begin.
+    // GMRES counts its tolerance relative to the residual of the earlier density, with which all
+    // solves begin.
     const double tolerance = step_options.tolerance * rhs.norm() / rest.norm();
     if (recycled == 0) return gmres(apply, {}, rest, {tolerance, 500}).iterations;
     const ComplexVector earlier = first.discrete.system.right_hand_side();
@@ -162,8 +165,8 @@ Experiment recycling() {
     lines.push_back({.key = one.key, .label = one.label, .measure = products(one)});
   }
   return {.key = "recycling",
-          .title = "Directions of the step before, recycled",
-          .x = "directions and one, k",
+          .title = "Recycled directions of the step before",
+          .x = "number of directions plus one, k",
           .error = "products with the operator, to 1e-8",
           .lines = std::move(lines)};
 }

@@ -1,4 +1,5 @@
-// Why clusters of held bodies can be local: how far they feel each other, and what closes pores.
+// Shows why clusters of held bodies can be local: the decay of forces between held bodies with
+// distance, and the force due to closed pores (05.17).
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -16,11 +17,11 @@ using namespace study;
 
 namespace {
 
-/// What the other bodies do while one is moved.
+/// State of the other bodies while one body is moved.
 enum class Others { held, free };
 
-/// Motions and loads while the body in the middle of the list moves at unit speed. Stokeslets have
-/// a gauge of a hundred radii.
+/// Returns motions and loads if the body in the middle of the list moves at unit speed. The gauge
+/// length of the Stokeslets is a hundred radii.
 Completion moved_middle(Scene scene, Others others, PreconditionerKind preconditioner) {
   const std::size_t middle = scene.bodies.size() / 2;
   scene.flow = QuiescentFlow{};
@@ -34,8 +35,8 @@ Completion moved_middle(Scene scene, Others others, PreconditionerKind precondit
   return system.discrete.system.closure().complete(deinterleaved(result.solution));
 }
 
-/// Forces of held disks in a hexagonal patch, or velocities of free ones, relative to those of the
-/// moved one: root mean squares over equal distances from it.
+/// Forces of held disks in a hexagonal patch (or velocities of free disks) relative to those of the
+/// moved disk: root mean squares over disks at equal distances from it.
 std::vector<Measurement> responses(int rings, Others others) {
   const Scene scene = test::disk_hexagon(rings, 0.05, 1e-2);
   const Completion completion = moved_middle(scene, others, PreconditionerKind::clusters);
@@ -45,7 +46,7 @@ std::vector<Measurement> responses(int rings, Others others) {
   };
   const std::size_t middle = scene.bodies.size() / 2;
   const double own = others == Others::held ? response(middle) : 1.0;
-  std::map<long, std::vector<double>> at_distance;  // in millionths of a radius
+  std::map<long, std::vector<double>> at_distance;  // keys in millionths of a radius
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const double r = std::abs(scene.bodies[k].position - scene.bodies[middle].position);
     if (k != middle) at_distance[std::lround(1e6 * r)].push_back(response(k) / own);
@@ -69,7 +70,7 @@ Measure by_distance(Others others) {
 
 const std::vector<double> pore_gaps{0.005, 0.01, 0.02};
 
-/// Force on the middle disk of seven, moved among held ones.
+/// Force on the middle disk of seven that moves among held disks.
 double force_in_hexagon(double gap) {
   return std::abs(moved_middle(test::disk_hexagon(1, gap, 1e-3), Others::held,
                                PreconditionerKind::block_diagonal)
@@ -77,7 +78,7 @@ double force_in_hexagon(double gap) {
                       .force);
 }
 
-/// The same as a sum over its six pairs.
+/// The same force as the sum over the six pairs.
 double force_of_pairs(double gap) {
   const Scene hexagon = test::disk_hexagon(1, gap, 1e-3);
   Complex force = 0.0;
@@ -108,7 +109,7 @@ Measure forces(Force force) {
 Experiment screening() {
   return {
       .key = "screening",
-      .title = "What a moved disk does to others in a hexagonal patch, gap 0.05",
+      .title = "Effect of a moved disk on others in a hexagonal patch, gap 0.05",
       .x = "distance of the centres, in radii, r",
       .error = "force or velocity, relative to that of the moved disk",
       .lines = {

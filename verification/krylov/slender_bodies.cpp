@@ -1,5 +1,5 @@
-// Slender bodies, for which the preconditioner is made; and what becomes of it when its blocks are
-// not turned with the bodies.
+// Counts iterations for slender bodies with the block-diagonal preconditioner, also with blocks
+// that are not rotated with the bodies (a defect).
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr GmresOptions slender_options{1e-10, 1000};
 
-/// What the preconditioner takes the bodies for.
+/// Blocks of the preconditioner: none, rotated with the bodies, or not rotated.
 enum class EllipseBlocks { none, turned, not_turned };
 
 LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, EllipseBlocks blocks) {
@@ -27,12 +27,13 @@ LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, EllipseBlocks b
   return block_diagonal(bodies, nodes);
 }
 
-/// Nodes that resolve an ellipse: modes of its double layer fall by (a - b) / (a + b).
+/// Number of nodes that resolve an ellipse: the modes of its double layer decay by the factor (a -
+/// b) / (a + b).
 Index nodes_of_ellipse(double aspect) {
   return 16 * std::lround(1.0 + aspect);
 }
 
-/// Iterations for one turned ellipse and random data.
+/// Iterations for a single rotated ellipse with random data.
 int alone_count(double aspect, EllipseBlocks blocks) {
   const std::vector<PlacedBody> body{{Ellipse{1.0, 1.0 / aspect}, 0.0, 0.7}};
   const Index nodes = nodes_of_ellipse(aspect);

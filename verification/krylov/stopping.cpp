@@ -1,5 +1,5 @@
-// What the tolerance of the solver means: residuals from the left and from the right, errors of
-// the velocities, and what they cost.
+// Compares the solver's tolerance with true residuals (preconditioned from the left and from the
+// right, (05.9)) and with errors of velocities; measures their cost.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most = 1000;
 
-/// A system with what solves it.
+/// A system with its preconditioner and right-hand side.
 struct SolvableSystem {
   BodySystem system;
   BlockDiagonalPreconditioner solve_blocks;
@@ -33,7 +33,7 @@ struct SolvableSystem {
     return gmres(system.map(), solve_blocks, rhs, options);
   }
 
-  /// M^{-1} A x = M^{-1} b: GMRES sees the preconditioned residual only.
+  /// Solves M^{-1} A x = M^{-1} b: GMRES measures only the preconditioned residual.
   GmresResult from_the_left(const GmresOptions& options) const {
     return gmres([this](const VectorXd& v) { return solve_blocks(system.apply(v)); }, {},
                  solve_blocks(rhs), options);
@@ -50,8 +50,8 @@ SolvableSystem woven() {
   return {woven_ellipses(2, 2, 6.0), 64, generic_flow};
 }
 
-/// Two needles 16:1 side by side in a flow that would bend them: the mode whose eigenvalue is the
-/// smallest.
+/// Two needles 16:1 side by side in a flow that would bend them, which is the mode with the
+/// smallest eigenvalue.
 SolvableSystem needles() {
   const Shape needle = Ellipse{1.0, 1.0 / 16.0};
   const auto bending = [](Complex z) {
@@ -60,7 +60,7 @@ SolvableSystem needles() {
   return {{{needle, 0.0}, {needle, {0.2, 0.3}}}, 272, bending};
 }
 
-/// Difference of the residual that GMRES believes from that of its iterate.
+/// Difference of the residual that GMRES reports from the residual of its iterate.
 Measure residual_differences(Solver solve) {
   return [=](Size) {
     const SolvableSystem problem = woven();
@@ -97,7 +97,8 @@ Measure true_residuals(Solver solve) {
   };
 }
 
-/// Velocities of all bodies, and their angular velocities times the longest semi-axis, 1.
+/// Velocities and angular velocities of all bodies. The longest semi-axis is 1, so that both have
+/// one unit.
 VectorXd velocities(const BodySystem& system, const VectorXd& density) {
   std::vector<double> values;
   for (const RigidMotion& motion : system.motions(density)) {
@@ -114,7 +115,7 @@ double seconds_of(const Function& function) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Largest error of a velocity, relative to the largest velocity.
+/// Returns the largest error of a velocity, relative to the largest velocity.
 struct Reference {
   VectorXd exact;
 
@@ -145,7 +146,7 @@ Measure velocity_errors(Solver solve, int most_iterations = most) {
   };
 }
 
-/// The naive method: assemble the matrix, a product a column, and factorise it.
+/// The naive method: assembles the matrix, one product for each column, and factorises it.
 std::vector<Measurement> by_factorisation(Size size) {
   const SolvableSystem problem = woven();
   const Reference reference(problem);
@@ -168,7 +169,7 @@ std::vector<Measurement> by_factorisation(Size size) {
 Experiment residuals() {
   return {
       .key = "residuals",
-      .title = "The residual that GMRES believes",
+      .title = "The residual that GMRES reports",
       .x = "iterations k",
       .error = "difference from the residual of the iterate",
       .axes = Axes::semi_log,
@@ -189,25 +190,28 @@ Experiment residuals() {
 }
 
 Experiment tolerances() {
-  return {.key = "tolerances",
-          .title = "Residual found for the tolerance asked, two needles 16:1",
-          .x = "tolerance",
-          .error = "residual of the solution, relative to the right-hand side",
-          .lines = {{.key = "right",
-                     .label = "preconditioned from the right",
-                     .measure = true_residuals(&SolvableSystem::from_the_right),
-                     .claim = Claim{.id = "05_22",
-                                    .statement = "The tolerance bounds the residual of the "
-                                                 "solution, and little is done beyond it.",
-                                    .law = ErrorBelowTolerance{1.0, 0.1},
-                                    .reason = "an iteration gains less than a factor of ten",
-                                    .api = {"stokesbook::GmresOptions"}},
-                     .control = Control{"preconditioned from the left",
-                                        true_residuals(&SolvableSystem::from_the_left)}},
-                    {.key = "left",
-                     .label = "preconditioned from the left",
-                     .measure = true_residuals(&SolvableSystem::from_the_left)}},
-          .operation = "iterations"};
+  return {
+      .key = "tolerances",
+      .title = "Residual by the tolerance, two needles 16:1",
+      .x = "tolerance",
+      .error = "residual of the solution, relative to the right-hand side",
+      .lines =
+          {{.key = "right",
+            .label = "preconditioned from the right",
+            .measure = true_residuals(&SolvableSystem::from_the_right),
+            .claim =
+                Claim{.id = "05_22",
+                      .statement =
+                          "The residual of the solution is below the tolerance, and not far below.",
+                      .law = ErrorBelowTolerance{1.0, 0.1},
+                      .reason = "an iteration gains less than a factor of ten",
+                      .api = {"stokesbook::GmresOptions"}},
+            .control = Control{"preconditioned from the left",
+                               true_residuals(&SolvableSystem::from_the_left)}},
+           {.key = "left",
+            .label = "preconditioned from the left",
+            .measure = true_residuals(&SolvableSystem::from_the_left)}},
+      .operation = "iterations"};
 }
 
 Experiment solvers() {

@@ -1,3 +1,5 @@
+// Builds the systems of the study: reduced and bordered systems of free bodies in a flow with near
+// corrections, block-diagonal preconditioners, and arrangements of bodies.
 #include "systems.hpp"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double near_tolerance = 1e-14;
 
-/// One object for all bodies of a shape, at the place of its first body.
+/// Makes one object for each shape; bodies of equal shape share it.
 template <class Object, class Make>
 std::vector<std::shared_ptr<const Object>> shared_by_shape(const std::vector<PlacedBody>& bodies,
                                                            const Make& make) {

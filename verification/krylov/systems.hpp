@@ -34,17 +34,17 @@ inline Complex generic_flow(Complex z) {
   return z.imag() + 0.7 * std::conj(z) + 0.3 * std::exp(0.4 * z) * imaginary;
 }
 
-/// How the double layer of one body is evaluated on another.
+/// Evaluation of the double layer of one body on another.
 enum class Between {
-  trapezoid,  ///< by the rule: an error of order 1 where the gap is less than the node spacing
-  resolved    ///< with near corrections, exactly for the densities that the nodes hold
+  trapezoid,  ///< by the trapezoid rule: an error of order 1 if the gap is below a spacing
+  resolved    ///< with near corrections, exact for the densities that the nodes resolve
 };
 
-/// Bodies in a flow, posed as the problem that their nodes make of it.
+/// Discretises bodies in a flow.
 StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Eigen::Index nodes,
                          const Flow& flow);
 
-/// A free body of that shape alone, in its own frame.
+/// Discretises one free body of the given shape in its own frame.
 Component alone(const Shape& shape, Eigen::Index nodes);
 
 /// The inverse of the bodies' diagonal blocks; bodies of equal shape share one.
@@ -60,7 +60,7 @@ class BodySystem {
   BodySystem(std::vector<PlacedBody> bodies, Eigen::Index nodes, const Flow& flow,
              Between between = Between::resolved);
 
-  /// The operator; refers to this object.
+  /// Returns the operator, which refers to this object.
   LinearMap map() const {
     return [this](const Eigen::VectorXd& v) { return apply(v); };
   }
@@ -79,14 +79,14 @@ class BodySystem {
   std::optional<NearCorrection> near_;
 };
 
-/// A bordered form of the same system, dense but for the near corrections.
+/// A bordered form of the same system; its matrix is dense, its near corrections are not.
 class BorderedSystem {
  public:
   BorderedSystem(const std::vector<PlacedBody>& bodies, Eigen::Index nodes, const Flow& flow,
                  Between between, ClosureForm form);
 
-  /// The operator and the inverse of its diagonal blocks, each with its border; refer to this
-  /// object.
+  /// Returns the operator, and the inverse of its diagonal blocks, each block with its border. Both
+  /// refer to this object.
   LinearMap map() const {
     return [this](const Eigen::VectorXd& v) { return apply(v); };
   }
@@ -109,17 +109,17 @@ class BorderedSystem {
 /// @name Arrangements
 /// @{
 
-/// Nine circles of radius .5 with the pitch 1.25: gaps of .25.
+/// Nine circles of radius .5 at the pitch 1.25, with gaps of .25.
 std::vector<PlacedBody> nine_circles();
 
-/// A woven lattice of ellipses: every neighbour is turned by a right angle, the tip of one .0555
-/// from the flank of the next.
+/// A woven lattice of ellipses: neighbours are perpendicular to each other, and the tip of an
+/// ellipse is .0555 from the flank of the next.
 std::vector<PlacedBody> woven_ellipses(int columns, int rows, double aspect);
 
 /// Two unit circles.
 std::vector<PlacedBody> circle_pair(double gap);
 
-/// A unit circle and the six around it that nearly touch it and each other.
+/// A unit circle and six circles around it; each nearly touches its neighbours.
 std::vector<PlacedBody> hexagon(double gap);
 
 /// @}

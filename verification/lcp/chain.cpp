@@ -1,4 +1,4 @@
-// A chain of contacts: what solvers need as it grows longer.
+// Counts the iterations of the solvers on a chain of contacts, by its length.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,7 +19,8 @@ double distance_from_solution(const VectorXd& z) {
   return largest(z - VectorXd::Ones(z.size()));
 }
 
-// Enough sweeps that only the slowest part of the error is left, but for exp(-9 pi^2 / 4).
+// Number of sweeps after which only the slowest part of the error is left, up to a factor exp(-9
+// pi^2 / 4).
 int enough_sweeps(Index m) {
   return static_cast<int>(3 * (m + 1) * (m + 1) / 4) + 1;
 }
@@ -55,7 +56,7 @@ Measure counts(const CountOfSize& count) {
   };
 }
 
-// Sweeps until z is known to three digits, by halving an interval.
+// Number of sweeps until the error of z is below 1e-3, by bisection.
 double sweeps_for_three_digits(const LcpProblem& problem, const VectorXd& z) {
   const auto near = [&](int sweeps) {
     const LcpOptions options{.tolerance = 0.0, .max_iterations = sweeps};
@@ -91,7 +92,7 @@ double minimum_map_steps(const LcpProblem& problem) {
 Experiment sweeps() {
   return {
       .key = "sweeps",
-      .title = "A chain: what a sweep of Gauss-Seidel leaves of the error",
+      .title = "A chain: factor of the error by a sweep of Gauss-Seidel",
       .x = "rows m",
       .error = "factor of the error by a sweep, distance from its formula",
       .lines = {
@@ -123,8 +124,8 @@ Experiment chains() {
                           .statement = "Sweeps for a given accuracy grow with the square of the "
                                        "length of the chain.",
                           .law = Algebraic{-2.0, 0.15},
-                          .reason = "log cos^2(pi/(m + 1)) is about -pi^2/(m + 1)^2: news of a "
-                                    "push diffuses",
+                          .reason = "log cos^2(pi/(m + 1)) is about -pi^2/(m + 1)^2: the effect of "
+                                    "a push diffuses",
                           .api = {"stokesbook::projected_gauss_seidel"}},
            .control = Control{"every row tied to a wall by 3 on the diagonal",
                               counts(sweeps_of_tied_chain)}},

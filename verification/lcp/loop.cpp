@@ -1,4 +1,4 @@
-// The nonlinear loop: a point and a disk, points in a row, a rod on a floor.
+// Tests the nonlinear contact loop (11.9): a point and a disk, points in a row, a rod on a floor.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,8 @@ using namespace test;
 namespace {
 
 const VectorXd start = vector2(1.2, -0.5);
-constexpr double closed = 1e-11;  // an open gap, in units of the separation 0.01
+constexpr double closed =
+    1e-11;  // largest accepted gap across which a force acts, relative to the separation 0.01
 
 MatrixXd slanted_mobility() {
   return matrix2(1.0, 0.6, 0.6, 1.0);
@@ -28,7 +29,8 @@ VectorXd free_end(double p) {
   return (1.0 - p) * on_the_disk(0.6);
 }
 
-// The free motion ends at the depth p in the disk; a force also moves the point sideways.
+// The free motion of the point ends at the depth p in the disk; a contact force also moves the
+// point sideways.
 ContactStep into_the_disk(double p) {
   ContactStep step = point_and_disk(start, free_end(p) - start, 1.0);
   step.tolerance = 1e-15;
@@ -38,7 +40,7 @@ ContactStep into_the_disk(double p) {
   return step;
 }
 
-// By bisection: the end is where the way from the free end has the direction of B n.
+// Exact solution by bisection: at the end, the path from the free end has the direction of B n.
 VectorXd resting(double p) {
   const auto turn = [&](double angle) {
     const VectorXd way = on_the_disk(angle) - free_end(p),
@@ -53,7 +55,7 @@ VectorXd resting(double p) {
   return on_the_disk(low) - start;
 }
 
-// The same when the force keeps the direction that it has at the start.
+// Exact solution if the force keeps its direction of the start.
 VectorXd resting_directed(double p) {
   const VectorXd way = slanted_mobility() * start.normalized();
   const double half = free_end(p).dot(way), depth = 1.0 - free_end(p).squaredNorm();
@@ -61,7 +63,7 @@ VectorXd resting_directed(double p) {
   return free_end(p) + force * way - start;
 }
 
-// After so many linear problems, when no open gap is put up with.
+// Result after so many linear problems, with open gaps accepted only at the end.
 ContactResult after(int iterations, const ContactStep& step) {
   return resolve_contact(
       step, {.max_iterations = iterations, .open_gap_after = iterations, .open_gap = closed});
@@ -69,7 +71,7 @@ ContactResult after(int iterations, const ContactStep& step) {
 
 using Change = void (*)(ContactRows& rows);
 
-// A step whose rows are changed.
+// A step with a change of its rows.
 ContactStep changed(ContactStep step, Change change) {
   step.rows = [rows = step.rows, change](const VectorXd& velocity) {
     ContactRows result = rows(velocity);
@@ -83,17 +85,17 @@ GapGradient normal_at_start() {
   return MatrixXd(start.normalized().transpose()).sparseView();
 }
 
-// The gap's gradient as it is at the start, not at the end.
+// A step that uses the gap's gradient of the start instead of the end.
 ContactStep frozen(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) { rows.gradient = normal_at_start(); });
 }
 
-// Forces keep the direction that they have at the start; the gap's gradient is that at the end.
+// A step whose forces keep their direction of the start; the gap's gradient is that of the end.
 ContactStep directed(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) { rows.force_gradient = normal_at_start(); });
 }
 
-// The same, the gap's gradient at the start too.
+// A step whose forces and gap's gradient are both those of the start.
 ContactStep directed_and_frozen(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) {
     rows.force_gradient = normal_at_start();
@@ -101,7 +103,7 @@ ContactStep directed_and_frozen(const ContactStep& step) {
   });
 }
 
-// Errors of the velocity after k linear problems.
+// Error of the velocity after k linear problems.
 double error(int k, double p) {
   return largest(after(k, into_the_disk(p)).velocity - resting(p));
 }
@@ -145,7 +147,7 @@ Measure over_iterations(double (*residual)(int iterations)) {
 
 constexpr double deep = 0.4;
 
-// Points in a row: worst of some random scenes with n points.
+// Points in a row: the worst result of twenty random scenes of n points.
 Measure over_rows(double (*error)(Index n, unsigned seed)) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -171,7 +173,7 @@ double power_given(Index n, unsigned seed) {
   return std::max(0.0, result.power) / (1.0 + result.force.norm() * result.velocity.norm());
 }
 
-// Neighbours are held at their distance by forces of either sign.
+// Power of the forces, of either sign, that keep the neighbours at a fixed distance.
 double power_of_rods(Index n, unsigned seed) {
   MatrixXd gradient = MatrixXd::Zero(n - 1, n);
   for (Index i = 0; i + 1 < n; ++i) gradient.row(i).segment(i, 2) << -1.0, 1.0;
@@ -184,7 +186,7 @@ double power_of_rods(Index n, unsigned seed) {
   return std::max(0.0, force.dot(velocity)) / (1.0 + force.norm() * velocity.norm());
 }
 
-// How far two solvers are from each other in the velocities, or in the multipliers.
+// Largest difference between two solvers in the velocities or the multipliers.
 double disagreement(Index n, unsigned seed, bool in_multipliers) {
   const ContactStep step = random_row(n, seed);
   const ContactResult pivoted = resolve_contact(step),
@@ -207,8 +209,8 @@ Measure over_rotations(int cuts_after) {
   };
 }
 
-// One gap wants U <= 1; the other, 0.1 - 3 U + 1.2 U^2, linearised at U*, something above 1. At
-// U = 0 both are open.
+// Two gaps in conflict: one requires U <= 1; the other, 0.1 - 3 U + 1.2 U^2, linearised at U*,
+// requires U > 1. At U = 0 both gaps are open.
 ContactStep at_odds(double free) {
   ContactStep step = step_of(
       VectorXd::Constant(1, free), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
@@ -241,7 +243,7 @@ Measure over_free_velocities(const LcpSolver& solver) {
   };
 }
 
-// A claim about an order in the depth, and the same with a wrong gradient.
+// A claim about an order in the depth; the control has a wrong gradient.
 Line order_line(const std::string& key, const std::string& label, double (*residual)(double p),
                 Claim claim, double (*defective)(double p)) {
   claim.window = {.to = 0.15, .floor = 1e-15};
@@ -259,7 +261,7 @@ Line order_line(const std::string& key, const std::string& label, double (*resid
 Experiment depths() {
   return {
       .key = "depths",
-      .title = "A point driven into a disk: what one and two linear problems leave",
+      .title = "A point driven into a disk: errors after one and two linear problems",
       .x = "depth of the free end p",
       .error = "error of the velocity",
       .lines = {order_line(
@@ -304,8 +306,8 @@ Experiment totals() {
                           .statement = "Solved for its total, the force closes the gap to "
                                        "rounding.",
                           .law = Identity{1e-13},
-                          .reason = "eight iterations, each of which gains an order; an open gap "
-                                    "of 1e-13 was asked for",
+                          .reason = "eight iterations, each of which gains an order; the tolerance "
+                                    "of an open gap is 1e-13",
                           .api = {"stokesbook::resolve_contact"}},
            .control = Control{"increments that are not negative", over_depths([](double p) {
                                 return increments(into_the_disk(p), 8).residual;
@@ -380,22 +382,21 @@ Experiment crowds() {
 Experiment turns() {
   constexpr int never = 100;
   return {.key = "turns",
-          .title = "A rod laid on a floor: ends that take turns at being the deeper one",
+          .title = "A rod on a floor, whose ends are the deeper one in turn",
           .x = "rotation of the free motion r",
           .error = "largest velocity left",
-          .lines = {{.key = "kept",
-                     .label = "earlier rows come back",
-                     .measure = over_rotations(ContactLoopOptions{}.cuts_after),
-                     .claim = Claim{.id = "11_19",
-                                    .statement = "With rows that come back the rod is at rest.",
-                                    .law = Identity{1e-12},
-                                    .reason = "both ends together leave U = 0 alone, and gaps are "
-                                              "linear here",
-                                    .api = {"stokesbook::resolve_contact"}},
-                     .control = Control{"the deeper end alone, always", over_rotations(never)}},
-                    {.key = "alone",
-                     .label = "the deeper end alone",
-                     .measure = over_rotations(never)}},
+          .lines =
+              {{.key = "kept",
+                .label = "earlier rows come back",
+                .measure = over_rotations(ContactLoopOptions{}.cuts_after),
+                .claim = Claim{.id = "11_19",
+                               .statement = "With rows that come back the rod is at rest.",
+                               .law = Identity{1e-12},
+                               .reason =
+                                   "both ends together permit only U = 0, and gaps are linear here",
+                               .api = {"stokesbook::resolve_contact"}},
+                .control = Control{"the deeper end alone, always", over_rotations(never)}},
+               {.key = "alone", .label = "the deeper end alone", .measure = over_rotations(never)}},
           .operation = "linear problems"};
 }
 

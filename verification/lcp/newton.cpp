@@ -1,4 +1,4 @@
-// One step of Newton's method from a guess near the solution.
+// Measures the error of one Newton step from a guess near the solution.
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -14,7 +14,8 @@ namespace {
 
 constexpr Index pair_count = 20;
 
-// Half of the pairs in contact; of the others all open, or half of them with z = w = 0.
+// Half of the pairs are in contact (z > 0). The others are all open (w > 0), or half of them have z
+// = w = 0.
 PlantedLcp pairs(bool degenerate) {
   const MatrixXd matrix = definite_matrix(pair_count, 8);
   VectorXd z = VectorXd::Zero(pair_count), w = z;

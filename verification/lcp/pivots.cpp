@@ -1,4 +1,5 @@
-// Pivots that can be counted beforehand, and rays that are proofs.
+// Counts Lemke's pivots on problems for which the number is known, and tests that rays prove that
+// there is no solution (11.5).
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +25,7 @@ LcpProblem random_definite(Index m) {
   return planted("definite", definite_matrix(m, static_cast<unsigned>(m)), 1, true).problem;
 }
 
-// How far Lemke's pivots are from a count.
+// Difference of the number of Lemke's pivots from a known count.
 Measure miscount(ProblemOfSize make, double (*count)(double m)) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -48,7 +49,7 @@ double one_more(double m) {
 
 enum class Proof { ray, end_of_path };
 
-// By how much M^T v <= 0 is missed by the ray v; 1 where q . v < 0 is, or where there is no ray.
+// Largest violation of M^T v <= 0 by the ray v; 1 if q . v < 0 is violated, or if there is no ray.
 double flaw(const LcpProblem& problem, Proof proof) {
   const LcpResult result = lemke(problem);
   if (result.status != LcpStatus::ray) return 1.0;
@@ -58,8 +59,8 @@ double flaw(const LcpProblem& problem, Proof proof) {
          (largest(v) * problem.matrix.cwiseAbs().maxCoeff());
 }
 
-// Each contact twice, but for 1e-6. All forces together balance, so that they move nothing, and q
-// asks for movement: there is no solution.
+// A problem without solution: each contact occurs twice, up to 1e-6. All forces together balance
+// and cause no motion, but q requires a motion.
 LcpProblem pinched(Index m, unsigned seed) {
   MatrixXd factor = normal_matrix(m, m / 4, seed);
   factor.row(m - 1) -= factor.colwise().sum();
@@ -89,7 +90,7 @@ Experiment pivots() {
       .key = "pivots",
       .title = "Counts of Lemke's pivots",
       .x = "rows m",
-      .error = "how far the pivots are from their number",
+      .error = "difference of the number of pivots from the prediction",
       .axes = Axes::semi_log,
       .lines =
           {{.key = "murty",

@@ -1,4 +1,5 @@
-// Study of the complementarity solvers and of the loop around them: counts, orders and verdicts.
+// Study of the complementarity solvers and of the contact loop: iteration counts, orders, and
+// proofs that there is no solution.
 #include "experiments.hpp"
 #include "studies.hpp"
 

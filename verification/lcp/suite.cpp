@@ -1,4 +1,4 @@
-// Twenty problems and all solvers: what is solved, at what cost.
+// Runs all solvers on twenty problems: residuals, and costs.
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +13,8 @@ using namespace test;
 
 namespace {
 
-// A solver, and its cost in products of an m x m matrix and a vector, 2 m^2 operations each. A
-// factorisation is m/3 of them.
+// A solver, and its cost in products of an m x m matrix and a vector (2 m^2 operations each). A
+// factorisation costs m/3 products.
 struct Method {
   std::string key, label;
   LcpSolver solve;
@@ -38,7 +38,7 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-// Residuals below are zero, or might be: drawn there.
+// The figure shows residuals below this number at this number, because it cannot show 0.
 constexpr double invisible = 1e-17;
 
 struct Run {
@@ -57,7 +57,7 @@ std::vector<Run> run_suite(const Method& method) {
   return runs;
 }
 
-// Once for the figures of residuals and of costs.
+// Runs once for the figures of residuals and of costs.
 const std::vector<Run>& runs_of(const Method& method) {
   static Once<std::string, std::vector<Run>> runs;
   return runs(method.key, [&] { return run_suite(method); });
@@ -104,7 +104,7 @@ Measure unsolved(const Method& method) {
   };
 }
 
-// Residuals of a problem when the solver may take 1, 2, 4, ... iterations.
+// Residuals of a problem if the solver may take 1, 2, 4, ... iterations.
 Measure history(const Method& method, const std::function<LcpProblem()>& make) {
   return [&method, make](Size size) {
     const LcpProblem problem = make();
@@ -134,7 +134,7 @@ Experiment work(const std::string& key, const std::string& title,
                         .work_precision = true,
                         .operation = "products with the matrix"};
   for (const Method& method : methods()) {
-    if (method.key == "all_sets") continue;  // has one result
+    if (method.key == "all_sets") continue;  // this solver has one result only
     experiment.lines.push_back(
         {.key = method.key, .label = method.label, .measure = history(method, make)});
   }
@@ -145,7 +145,7 @@ Experiment work(const std::string& key, const std::string& title,
 
 Experiment suite_residuals() {
   Experiment experiment{.key = "suite",
-                        .title = "Twenty problems: what residual is left",
+                        .title = "Twenty problems: residuals",
                         .x = "problem p",
                         .error = "residual, at least 1e-17",
                         .axes = Axes::nominal,
@@ -163,8 +163,8 @@ Experiment suite_residuals() {
                 "all have solutions, and semidefinite or Murty's matrices; the last solve "
                 "leaves the rounding of 400 terms at most",
             .api = {"stokesbook::lemke"}};
-  experiment.lines[0].control =
-      Control{"the equation M z = -q, and what pulls dropped", residuals_of(clipped_equation)};
+  experiment.lines[0].control = Control{"the equation M z = -q, negative entries of z dropped",
+                                        residuals_of(clipped_equation)};
   experiment.lines[1].claim =
       Claim{.id = "11_11",
             .statement = "Fischer-Newton solves all twenty problems to its tolerance.",
@@ -180,7 +180,7 @@ Experiment suite_residuals() {
 
 Experiment profile() {
   Experiment experiment{.key = "profile",
-                        .title = "Twenty problems: how many are not solved at a cost",
+                        .title = "Twenty problems: number of those not solved at a cost",
                         .x = "products with the matrix P",
                         .error = "problems not solved, of twenty",
                         .lines = {}};

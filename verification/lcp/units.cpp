@@ -1,4 +1,4 @@
-// The same problem with its rows in other and other units.
+// Solves one problem with its rows in more and more different units.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -15,7 +15,7 @@ constexpr Index row_count = 20;
 
 using Attempt = VectorXd (*)(const LcpProblem& problem);
 
-// Error of z, back in the units of the start.
+// Error of z, converted back to the units of the first problem.
 Measure errors(Attempt attempt) {
   return [=](Size size) {
     const PlantedLcp here = planted("", definite_matrix(row_count, 5), 5, true);
@@ -40,7 +40,8 @@ VectorXd without_diagonal(const LcpProblem& problem) {
   return matrix_free_barzilai_borwein({apply, problem.offset}).z;
 }
 
-// Stops when Fischer's functions are small, units or no units.
+// Newton's method that stops when Fischer's functions are small; the criterion depends on the
+// units.
 VectorXd without_units(const LcpProblem& problem) {
   VectorXd z = VectorXd::Zero(row_count);
   for (int step = 0; step < 100; ++step) {
@@ -66,12 +67,13 @@ Experiment units() {
            .label = "Lemke",
            .measure = errors(solution<lemke>),
            .claim = Claim{.id = "11_12",
-                          .statement = "Units of single rows do not touch Lemke's accuracy.",
+                          .statement = "The accuracy of Lemke's method does not depend on the "
+                                       "units of single rows.",
                           .law = Identity{1e-13},
                           .reason = "the scaled problem is the same up to rounding; its "
                                     "condition is below 50",
                           .api = {"stokesbook::lemke", "stokesbook::lcp_residual"}},
-           .control = Control{"Barzilai-Borwein, not told the diagonal", errors(without_diagonal)}},
+           .control = Control{"Barzilai-Borwein without the diagonal", errors(without_diagonal)}},
           {.key = "fischer",
            .label = "Fischer-Newton",
            .measure = errors(solution<fischer_newton>)},
@@ -79,8 +81,8 @@ Experiment units() {
            .label = "Barzilai-Borwein",
            .measure = errors(solution<barzilai_borwein>),
            .claim = Claim{.id = "11_21",
-                          .statement = "Told the diagonal, Barzilai-Borwein does not mind "
-                                       "the units of rows.",
+                          .statement = "With the diagonal, the accuracy of Barzilai-Borwein does "
+                                       "not depend on the units of rows.",
                           .law = Identity{5e-9},
                           .reason = "its tolerance of 1e-10, times the condition, which is "
                                     "below 50",

@@ -4,7 +4,7 @@
 
 #include "support/contact_scenes.hpp"
 
-/// What is compared with the library: naive and published methods, some of them wrong.
+/// Naive and published methods for comparison with the library; some are wrong.
 namespace stokesbook::verification::lcp {
 
 using Eigen::Index;
@@ -12,34 +12,38 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Tries all 2^m sets of contacts, the empty one first.
-/// @return  iterations are sets; stalled for more than 12 rows, or when none fits
+/// @return  `iterations` counts the sets; the status is stalled for more than 12 rows, or if no set
+///          fits
 LcpResult try_all_sets(const LcpProblem& problem);
 
-/// Solves M z = -q, and drops what pulls.
+/// Solves M z = -q, and sets negative entries to zero.
 VectorXd clipped_equation(const LcpProblem& problem);
 
-/// z after sweeps from zero that set z_i to max(0, z_i - w_i / M_ii), w_i with the new z of the
-/// rows before (`in_turn`), or with the old z of all rows.
+/// Returns z after sweeps from zero that set z_i to max(0, z_i - w_i / M_ii). If `in_turn`, w_i
+/// uses the new z of the earlier rows (Gauss-Seidel), otherwise the old z of all rows (Jacobi).
 VectorXd swept(const LcpProblem& problem, int sweeps, bool in_turn);
 
-/// r of a pair (z_i, w_i) in Fischer's Jacobian, whose entries are z_i/r - 1 and w_i/r - 1.
+/// The radius r of a pair (z_i, w_i) in Fischer's Jacobian, with entries z_i/r - 1 and w_i/r - 1
+/// (11.8).
 using Radius = std::function<double(double z, double w)>;
 double true_radius(double z, double w);       ///< sqrt(z^2 + w^2)
 double published_radius(double z, double w);  ///< sqrt(z + w), a misprint
 
-/// z after steps of Newton's method for Fischer's functions: no units, no search, nothing added.
+/// Returns z after steps of Newton's method for Fischer's functions, without scaling, line search
+/// or regularisation.
 VectorXd bare_fischer(const LcpProblem& problem, VectorXd z, const Radius& radius, int steps);
 
-/// z after a step that takes rows for contacts wherever z > 0.
+/// Returns z after a step that takes the rows with z > 0 for contacts.
 VectorXd step_by_sign_of_z(const LcpProblem& problem, const VectorXd& z);
 
-/// What the loop in increments leaves.
+/// Result of the loop in increments.
 struct Increments {
   VectorXd velocity;
-  double residual = 0.0;  ///< largest violation, or gap across which a force acts
+  double residual = 0.0;  ///< largest violation of a gap, or largest gap across which a force acts
 };
 
-/// The nonlinear loop in increments of the multipliers, each of them >= 0: none is taken back.
+/// The nonlinear loop in increments of the multipliers. Each increment is >= 0, so that the loop
+/// never reduces a multiplier.
 Increments increments(const ContactStep& step, int iterations);
 
 }  // namespace stokesbook::verification::lcp

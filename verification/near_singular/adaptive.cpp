@@ -1,3 +1,5 @@
+// Evaluates the double layer at a point by GSL's adaptive Gauss-Kronrod rule, as an independent
+// reference.
 #include "adaptive.hpp"
 
 #include <memory>
@@ -14,7 +16,7 @@ namespace stokesbook::verification::near_singular {
 
 namespace {
 
-/// One component of the integrand of a target.
+/// One component of the integrand for one target.
 struct Integrand {
   const TrigonometricPolynomial &shape, &density;
   double sign;
@@ -42,7 +44,8 @@ AdaptiveResult adaptive_velocity(const Curve& curve, const ComplexVector& densit
   constexpr std::size_t most_intervals = 1000;
   const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
       gsl_integration_workspace_alloc(most_intervals), gsl_integration_workspace_free);
-  gsl_error_handler_t* const handler = gsl_set_error_handler_off();  // status is looked at
+  gsl_error_handler_t* const handler =
+      gsl_set_error_handler_off();  // the status is checked instead
   const TrigonometricPolynomial shape(curve.x), of_density(density);
   const Eigen::Index node = nearest_node(curve, target);
   const double closest =

@@ -4,15 +4,16 @@
 
 namespace stokesbook::verification::near_singular {
 
-/// What an adaptive quadrature found.
+/// Result of an adaptive quadrature.
 struct AdaptiveResult {
   Complex velocity;
-  Eigen::Index evaluations;  ///< of the kernel
-  bool content;              ///< it reports that its tolerance is met
+  Eigen::Index evaluations;  ///< kernel evaluations
+  bool content;              ///< whether the quadrature reports that its tolerance is met
 };
 
-/// The double layer at a point by GSL's adaptive Gauss-Kronrod rule, of the interpolants of curve
-/// and density, on both sides of the closest node: independent of every method of the book.
+/// Evaluates the double layer at a point by GSL's adaptive Gauss-Kronrod rule. The integrand
+/// consists of the interpolants of curve and density; the interval is divided at the closest point.
+/// The function is independent of every method of the book.
 ///
 /// @param  tolerance  absolute and relative, of each component
 AdaptiveResult adaptive_velocity(const Curve& curve, const ComplexVector& density, Complex target,

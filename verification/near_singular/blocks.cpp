@@ -1,4 +1,4 @@
-// Near corrections inside a sum over the nodes of two bodies, at gaps down to 1e-8.
+// Tests near corrections inside a sum over the nodes of two bodies, at gaps down to 1e-8.
 #include <memory>
 
 #include "double_layer/double_layer.hpp"
@@ -14,8 +14,8 @@ using Eigen::Index;
 
 namespace {
 
-/// Two circles whose nodes face each other across a gap, in an arbitrary place and direction. Each
-/// has the density of a flow of its own, singular inside it.
+/// Two circles with nodes that face each other across a gap, at an arbitrary place and angle. Each
+/// circle has the density of a flow that is singular inside it.
 class Pair {
  public:
   explicit Pair(double gap) {
@@ -49,8 +49,8 @@ class Pair {
     return result;
   }
 
-  /// Largest error of a sum at the nodes, principal values on the bodies themselves left out,
-  /// relative to the flow.
+  /// Largest error of a sum at the nodes, relative to the flow. `sum` excludes the principal values
+  /// on the bodies themselves.
   double error(const ComplexVector& sum) const {
     const ComplexVector exact = flow_.velocity(nodes());
     ComplexVector velocity = sum - 0.5 * density_;
@@ -103,10 +103,10 @@ ComplexVector by_interpolation(const Pair& pair) {
   return corrected(pair, true, NearStorage::explicit_rows);
 }
 
-/// A planted defect: the same with a kernel that is not bounded. Sum and subtraction round their
-/// distances in different frames.
+/// A planted defect: a kernel without the bound on small distances. The sum and the subtraction
+/// round their distances in different frames.
 ComplexVector unbounded(const Pair& pair) {
-  ComplexVector velocity = plain(pair);  // of each body on itself; the other is replaced
+  ComplexVector velocity = plain(pair);  // sum of each body on itself; the other part is replaced
   for (std::size_t source : {0, 1}) {
     const std::size_t target = 1 - source;
     const ComplexVector& x = pair.curves()[target].x;

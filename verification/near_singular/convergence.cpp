@@ -1,4 +1,4 @@
-// At a fixed small distance the Cauchy scheme converges as the density does.
+// Shows that the Cauchy scheme at a fixed small distance converges as fast as the density.
 #include "double_layer/stresslet_sum.hpp"
 #include "experiments.hpp"
 #include "near_singular/interpolation.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double fixed_distance = 1e-3;
 
-/// A pole in the ellipse (1, 1/2), whose preimage has the distance `height` from the real axis.
+/// A pole in the ellipse (1, 1/2) whose preimage has the imaginary part `height`.
 SetUp pole_at(double height, Index n) {
   const Complex t{0.7, height};
   const Complex pole = std::cos(t) + 0.5 * imaginary * std::sin(t);
@@ -45,7 +45,7 @@ ComplexVector cauchy_velocity(const Solved& solved, const ComplexVector& points)
   return curve.velocity(curve.data(solved.density), 0, points);
 }
 
-/// A planted defect: weights that are not divided by their sum.
+/// A planted defect: the weights are not divided by their sum.
 ComplexVector uncompensated_velocity(const Solved& solved, const ComplexVector& points) {
   return divided_by([](Complex) { return Complex{1.0}; }, solved.curve,
                     CauchyCurve(solved.curve).data(solved.density), points);

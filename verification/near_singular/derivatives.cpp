@@ -1,4 +1,4 @@
-// Pressure, vorticity and strain at the same distances.
+// Measures errors of pressure, vorticity and strain by the distance from the curve (chapter 07).
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -17,11 +17,11 @@ using Defect = void (*)(const Solved&, Data&);
 
 void none(const Solved&, Data&) {}
 
-/// A planted defect: the stress of a straight curve.
+/// A planted defect: the stress of a straight curve, without phi''.
 void no_second_derivative(const Solved&, Data& data) {
   data.ddphi.setZero();
 }
-/// A planted defect: d chi/dt in place of psi' + conj(t) phi''.
+/// A planted defect: d chi/dt instead of psi' + conj(t) phi''.
 void no_tangent(const Solved& solved, Data& data) {
   const ComplexVector turn = solved.curve.dx.conjugate().cwiseQuotient(solved.curve.dx);
   data.stress += data.dphi.cwiseProduct(turn);
@@ -30,7 +30,7 @@ void no_tangent(const Solved& solved, Data& data) {
 void by_the_parameter(const Solved& solved, Data& data) {
   data.dphi = data.dphi.cwiseProduct(solved.curve.dx);
 }
-/// A planted defect: the sign of another convention.
+/// A planted defect: the sign of the opposite orientation.
 void other_sign(const Solved&, Data& data) {
   data.dphi = -data.dphi;
 }

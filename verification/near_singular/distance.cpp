@@ -1,4 +1,4 @@
-// Velocity at distances from three spacings down to rounding.
+// Measures the errors of velocities at distances from three spacings down to rounding.
 #include <algorithm>
 
 #include "adaptive.hpp"
@@ -24,7 +24,8 @@ std::vector<double> distances_in_spacings(Size size) {
   return distances;
 }
 
-/// Errors over the distance of a method, which makes velocities at points out of a solved set-up.
+/// Errors of a method by the distance. For a solved set-up, `method` returns a function that
+/// evaluates velocities at points.
 template <class Method>
 Measure errors_over_distance(const SetUp& set_up, const Method& method) {
   return [=](Size size) {
@@ -52,7 +53,7 @@ auto by_cauchy(const Solved& solved) {
   };
 }
 
-/// A planted defect: another divisor of the weights.
+/// A planted defect: another divisor of the weights (06.14).
 auto cauchy_divided_by(Divisor divisor) {
   return [divisor](const Solved& solved) {
     return [&solved, divisor,
@@ -62,15 +63,15 @@ auto cauchy_divided_by(Divisor divisor) {
   };
 }
 
-/// As for an enclosing wall, where the sum of the weights is 1 and not 0.
+/// The divisor of an enclosing wall; on a body the sum of the weights is 0, not 1.
 Complex without_one(Complex sum) {
   return sum;
 }
-/// As if the rule for the constant 1 had no error.
+/// The divisor 1, as if the rule for the constant 1 had no error.
 Complex uncompensated(Complex) {
   return 1.0;
 }
-/// As for a body.
+/// The divisor of a body.
 Complex with_one(Complex sum) {
   return 1.0 + sum;
 }
@@ -84,7 +85,7 @@ auto interpolation(const InterpolationSettings& settings) {
   };
 }
 
-/// A planted defect: the values on the curve without their jump.
+/// A planted defect: the values on the curve lack the jump.
 auto published_without_jump(const Solved& solved) {
   const InterpolationCurve curve(solved.curve, InterpolationSettings::published(solved.set_up.n));
   InterpolationData data = curve.data(solved.density);
@@ -93,7 +94,7 @@ auto published_without_jump(const Solved& solved) {
   return [curve, data](const ComplexVector& points) { return curve.velocity(data, 0, points); };
 }
 
-/// Four of the points at a distance: each takes thousands of evaluations.
+/// Four of the points at a distance, because each takes thousands of evaluations.
 ComplexVector few_points(const Solved& solved, double spacings) {
   return solved.points_at(spacings)(Eigen::seqN(3, 4, 31));
 }
@@ -101,7 +102,7 @@ ComplexVector few_points(const Solved& solved, double spacings) {
 ComplexVector right_density(ComplexVector density) {
   return density;
 }
-/// A planted defect: densities of the next node.
+/// A planted defect: each node has the density of the next node.
 ComplexVector shifted(ComplexVector density) {
   std::rotate(density.begin(), density.begin() + 1, density.end());
   return density;
@@ -122,7 +123,7 @@ Measure adaptive(ComplexVector (*density_of)(ComplexVector)) {
   };
 }
 
-/// Share of points at which the quadrature reports success and errs by more than a per cent.
+/// Share of points at which the quadrature reports success although its error exceeds one per cent.
 Measure false_successes(double tolerance) {
   return [=](Size size) {
     const Solved& solved = solved_ellipse();
@@ -213,32 +214,34 @@ Experiment distances() {
                                              "spacings.",
                                 .law = Identity{1e-9},
                                 .window = {.from = 1e-4},
-                                .reason = "1e-10 is asked for; the distance itself is rounded to "
-                                          "1e-16/d, d = 5e-6",
+                                .reason = "the tolerance is 1e-10; the distance itself is rounded "
+                                          "to 1e-16/d, d = 5e-6",
                                 .api = {"stokesbook::stresslet"}},
                  .control = Control{"densities of the next node", adaptive(shifted)}}}};
 }
 
 Experiment false_successes() {
-  return {.key = "silent",
-          .title = "Adaptive quadrature that reports success and is wrong",
-          .x = "distance in local spacings d",
-          .error = "share of targets: success reported, error above a per cent",
-          .lines = {{.key = "six",
-                     .label = "1e-6 asked for",
-                     .measure = false_successes(1e-6),
-                     .claim = Claim{.id = "06_4",
-                                    .statement = "A billionth of a spacing from the curve and "
-                                                 "closer, adaptive quadrature for 1e-6 never "
-                                                 "sees the kernel's peak, and reports success.",
-                                    .law = Floor{1.0, 1.1},
-                                    .window = {.to = 2e-9},
-                                    .reason = "the nearest of the first 21 points of half the "
-                                              "curve is a seventh of a spacing from its end, "
-                                              "where the kernel is smooth and small",
-                                    .api = {"stokesbook::stresslet"}},
-                     .control = Control{"1e-10 asked for", false_successes(1e-10)}},
-                    {.key = "ten", .label = "1e-10 asked for", .measure = false_successes(1e-10)}}};
+  return {
+      .key = "silent",
+      .title = "Adaptive quadrature that reports success and is wrong",
+      .x = "distance in local spacings d",
+      .error = "share of targets: success reported, error above a per cent",
+      .lines = {
+          {.key = "six",
+           .label = "tolerance 1e-6",
+           .measure = false_successes(1e-6),
+           .claim = Claim{.id = "06_4",
+                          .statement =
+                              "A billionth of a spacing from the curve and closer, adaptive "
+                              "quadrature for 1e-6 misses the kernel's peak, and reports success.",
+                          .law = Floor{1.0, 1.1},
+                          .window = {.to = 2e-9},
+                          .reason = "the nearest of the first 21 points of half the "
+                                    "curve is a seventh of a spacing from its end, "
+                                    "where the kernel is smooth and small",
+                          .api = {"stokesbook::stresslet"}},
+           .control = Control{"tolerance 1e-10", false_successes(1e-10)}},
+          {.key = "ten", .label = "tolerance 1e-10", .measure = false_successes(1e-10)}}};
 }
 
 Experiment shapes() {

@@ -1,4 +1,5 @@
-// The two errors of the interpolation scheme: that of the fine rule, and that of the polynomial.
+// Measures the two errors of the interpolation scheme: that of the fine rule (06.6), and that of
+// the polynomial (06.7).
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 const SetUp elliptic_container{Ellipse{1.0, 0.5}, Side::fluid_inside, 128, outer_poles};
 
-/// Largest error over distances below a step of the polynomial.
+/// Largest error at distances below one step of the polynomial.
 double worst_error(const Solved& solved, const InterpolationSettings& settings) {
   const InterpolationCurve curve(solved.curve, settings);
   const InterpolationData data = curve.data(solved.density);
@@ -56,7 +57,8 @@ Line upsampling_line(const std::string& key, const std::string& id, double step,
           .control = Control{"a polynomial of degree 2", over_upsampling(step, 2)}};
 }
 
-/// The flow's poles are so deep that 60 nodes resolve it; the spacing is all that varies.
+/// Errors by the number of nodes. The flow's poles are so deep that 60 nodes resolve the density;
+/// only the spacing changes.
 Measure over_nodes(int degree, int upsampling) {
   return [=](Size size) {
     std::vector<Index> counts{128, 192, 256, 384, 512};
@@ -71,10 +73,11 @@ Measure over_nodes(int degree, int upsampling) {
   };
 }
 
-/// Order of the polynomial's error between the spacings of two numbers of nodes. Above a pole of
-/// the flow at the distance l, u ~ 1/(l + d) with the error prod_j (d - j h)/(l + j h)/(l + d).
+/// Order of the polynomial's error between the spacings of two numbers of nodes. For a pole of the
+/// flow at the distance l, u ~ 1/(l + d), the error is prod_j (d - j h)/(l + j h)/(l + d).
 double order_above_a_pole(int degree, double first, double last) {
-  constexpr double depth = 0.49, speed = 1.0;  // of the pole at 0.1 + 0.01 i, below the flat side
+  constexpr double depth = 0.49,
+                   speed = 1.0;  // depth of the pole at 0.1 + 0.01 i below the flat side
   double order = degree + 1.0;
   for (int j = 1; j <= degree; ++j) {
     const auto reach = [&](double n) { return depth + j * 2.0 * std::numbers::pi * speed / n; };
@@ -100,8 +103,8 @@ Line degree_line(const std::string& key, const std::string& id, int degree) {
           .control = Control{"one fine node a node", over_nodes(degree, 1)}};
 }
 
-/// Largest error at all distances below three spacings, over the tolerance that was asked for,
-/// relative to the density. 256 nodes resolve the flow in steps of their spacing.
+/// Largest error at all distances below three spacings, relative to the density and over the
+/// tolerance. With 256 nodes the flow is resolved in steps of their spacing.
 Measure over_tolerances(const SetUp& set_up, double share_of_fine_nodes) {
   return [=](Size) {
     const Solved solved = Solved(set_up).on_nodes(256);
@@ -139,7 +142,8 @@ Line tolerance_line(const std::string& key, const std::string& id, const std::st
           .control = Control{"half of the fine nodes", over_tolerances(set_up, 0.5)}};
 }
 
-/// Errors of the published parameters at half a spacing and less, over the specification's numbers.
+/// A distance, and the specification's error there, for comparison with the errors of the published
+/// parameters at half a spacing and less.
 struct TableEntry {
   double spacings, error;
 };
@@ -177,8 +181,9 @@ Line table_line(const std::string& key, const std::string& id, Index n,
           .control = Control{"half of the step", beside_table(n, entries, 0.55)}};
 }
 
-/// One entry of the specification's sweep of parameters, steps being a spacing. Inside, errors of
-/// the polynomial are another flow's; those of the fine rule are any flow's.
+/// An entry of the specification's sweep of parameters; the polynomial's step is one spacing. For
+/// fluid inside, the flow is not the specification's: the errors of the polynomial differ, those of
+/// the fine rule do not.
 struct SweepEntry {
   int degree, upsampling;
   double error;

@@ -1,4 +1,5 @@
-// Eight lobed bodies in shear: what the scheme between bodies does to their motions.
+// Solves for eight lobed bodies in shear, and measures the effect of the scheme between the bodies
+// on their motions.
 #include <algorithm>
 #include <memory>
 #include <tuple>
@@ -22,7 +23,7 @@ enum class Between {
   published,
   tolerance,
   cauchy,
-  twice  ///< a planted defect: Cauchy corrections, added twice
+  twice  ///< a planted defect: the Cauchy corrections are added twice
 };
 
 CloseScheme scheme_of(const Curve& curve, Between between) {
@@ -38,11 +39,11 @@ CloseScheme scheme_of(const Curve& curve, Between between) {
   }
 }
 
-/// Velocity at the centroid, and the turn at the mean radius, of each body.
+/// Velocity at the centroid, and angular velocity, of each body.
 using Motions = ComplexVector;
 
-/// Free bodies r = (1 + cos(k t)/5)/2, k = 2, 3, 4, 5, 5, 4, 3, 2, in a row with equal spacings,
-/// in the shear flow (y, 0). At 5/4 the gaps are 0.05 and 0.25.
+/// Free bodies r = (1 + cos(k t)/5)/2, k = 2, 3, 4, 5, 5, 4, 3, 2, in a row with equal spacings, in
+/// the shear flow (y, 0). At the spacing 5/4 the gaps are 0.05 and 0.25.
 class Row {
  public:
   Row(Index n, double spacing, Between between) : n_(n) {
@@ -61,7 +62,7 @@ class Row {
                                              NearSettings{1e-8});
   }
 
-  /// Solves (-1/2 + D - P) eta = -u, P eta the mean rigid motion: the velocity on a body is P eta.
+  /// Solves (-1/2 + D - P) eta = -u. The mean rigid motion P eta is the velocity on a body.
   Motions motions() const {
     const ComplexVector flow = all_nodes(curves_).imag().cast<Complex>();
     const auto map = [this](const Eigen::VectorXd& v) -> Eigen::VectorXd {
@@ -110,13 +111,14 @@ class Row {
   double factor_ = 1.0;
 };
 
-/// Solved once for all lines.
+/// Solves once for all lines.
 const Motions& motions_of(Index n, double spacing, Between between) {
   static test::Once<std::tuple<Index, double, Between>, Motions> solved;
   return solved({n, spacing, between}, [&] { return Row(n, spacing, between).motions(); });
 }
 
-/// Largest error of a motion, beside twice as many nodes with Cauchy integrals between bodies.
+/// Largest error of a motion, against a solution on twice as many nodes with Cauchy integrals
+/// between the bodies.
 double error_of(Index n, double spacing, Between between) {
   return test::largest(motions_of(n, spacing, between) -
                        motions_of(2 * n, spacing, Between::cauchy));
@@ -134,7 +136,8 @@ Measure over_nodes(Between between) {
   };
 }
 
-/// 64 nodes a body, spacings from nearly touching bodies to such as are far from each other.
+/// Errors on 64 nodes for each body; the spacings range from bodies that nearly touch to distant
+/// ones.
 Measure over_plain_error(Between between) {
   return [=](Size size) {
     std::vector<double> spacings{2.0, 1.4, 1.3, 1.25, 1.22};

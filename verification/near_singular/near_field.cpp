@@ -1,4 +1,4 @@
-// The near test against what the rule does at random targets.
+// Compares the near test (06.5) with the error of the rule at random targets.
 #include "near_singular/near_field.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 const SetUp slender{Ellipse{1.5, 0.3}, Side::fluid_outside, 200, inner_poles};
 const SetUp coarse_star{Star{1.0, 0.2, 5}, Side::fluid_outside, 256, inner_poles};
 
-/// A target, and how far it is from its foot on the curve, in local spacings.
+/// A target, and its distance from its foot on the curve in local spacings.
 struct Target {
   Complex z;
   double spacings;
@@ -52,12 +52,13 @@ double by_preimage(const Curve& curve, const Target& target) {
   return static_cast<double>(curve.size()) * std::abs(s.imag());
 }
 
-/// What a straight curve would give: 2 pi d/h.
+/// A planted defect: the exponent of a straight curve, 2 pi d/h.
 double by_distance(const Curve&, const Target& target) {
   return 2.0 * std::numbers::pi * target.spacings;
 }
 
-/// In every interval of the exponent, the target at which error and exponential are farthest apart.
+/// For each interval of the exponent: the target for which the quotient of error and exponential is
+/// largest.
 Measure worst_of_intervals(const SetUp& set_up, Exponent exponent) {
   return [=](Size size) {
     const Solved solved(set_up);

@@ -17,7 +17,7 @@ namespace stokesbook::verification::near_singular {
 using test::inner_poles;
 using test::outer_poles;
 
-/// A curve, and an exact flow whose density on it n nodes resolve to rounding.
+/// A curve, and an exact flow whose density on the curve n nodes resolve to rounding.
 struct SetUp {
   Shape shape;
   Side side;
@@ -30,7 +30,7 @@ inline const SetUp star{Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles
 inline const SetUp slender_container{Ellipse{1.0, 0.1}, Side::fluid_inside, 512, outer_poles};
 inline const SetUp round_container{Circle{1.0}, Side::fluid_inside, 96, outer_poles};
 
-/// Nodes and density of a set-up, and points of the fluid.
+/// Nodes and density of a set-up, and points of the fluid near the curve.
 struct Solved {
   explicit Solved(const SetUp& of)
       : set_up(of),
@@ -38,7 +38,7 @@ struct Solved {
         density(test::density_of(curve, of.flow.velocity(curve.x))),
         scale(test::largest(of.flow.velocity(curve.x))) {}
 
-  /// The same density on other numbers of nodes, where it is resolved too.
+  /// Returns the same density on another number of nodes, which must resolve it too.
   Solved on_nodes(Eigen::Index n) const {
     Solved other = *this;
     other.set_up.n = n;
@@ -47,17 +47,17 @@ struct Solved {
     return other;
   }
 
-  /// 122 points at a distance in spacings of the nodes next to them, two of them over nodes.
+  /// Returns 122 points at a distance in local spacings; two of the points lie over nodes.
   ComplexVector points_at(double spacings) const {
     const double step = 2.0 * std::numbers::pi * spacings / static_cast<double>(curve.size());
     return points_off(step * places().dx.cwiseAbs());
   }
-  /// The same at a distance.
+  /// Returns 122 points at a distance.
   ComplexVector points_off(double distance) const {
     return points_off(Eigen::VectorXd::Constant(places().size(), distance));
   }
 
-  /// Largest error at points, relative to the largest velocity on the curve.
+  /// Returns the largest error at points, relative to the largest velocity on the curve.
   double error(const ComplexVector& velocity, const ComplexVector& points) const {
     return test::largest(velocity - set_up.flow.velocity(points)) / scale;
   }
@@ -80,10 +80,10 @@ inline const Solved& solved_ellipse() {
   return solved;
 }
 
-/// What the sum W of the barycentric weights is divided by.
+/// Returns the divisor of the Cauchy sums for a sum W of the barycentric weights (06.14).
 using Divisor = Complex (*)(Complex sum);
 
-/// The Cauchy scheme with another divisor: the mistakes in it that are easily made.
+/// Evaluates the Cauchy scheme with another divisor, in order to plant likely mistakes.
 inline ComplexVector divided_by(Divisor divisor, const Curve& curve, const CauchyData& data,
                                 const ComplexVector& targets) {
   const Complex factor = curve.sign() / (imaginary * static_cast<double>(curve.size()));

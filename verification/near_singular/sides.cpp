@@ -1,4 +1,5 @@
-// The side test: right wherever the curve is resolved, and how far its border is from the curve.
+// Tests the side test: counts wrong answers on resolved curves, and measures the distance of its
+// boundary from the curve.
 #include <algorithm>
 #include <random>
 
@@ -14,26 +15,26 @@ using Eigen::Index;
 
 namespace {
 
-/// Re Delta of a point.
+/// Returns Re Delta at a point (06.14).
 using SideValue = double (*)(const Barycentric&, Complex);
 
 double right_value(const Barycentric& curve, Complex z) {
   return curve.side(z);
 }
-/// A planted defect: a body's sum without its 1.
+/// A planted defect: the sum of a body lacks the 1.
 double without_one(const Barycentric& curve, Complex z) {
   return curve.side(z) - 1.0;
 }
-/// A planted defect: the other orientation.
+/// A planted defect: the opposite orientation.
 double reversed(const Barycentric& curve, Complex z) {
   return 1.0 - curve.side(z);
 }
-/// A planted defect: a border that is not in the middle.
+/// A planted defect: a threshold that is not 1/2.
 double low_border(const Barycentric& curve, Complex z) {
   return curve.side(z) + 0.1;
 }
 
-/// Wrong answers of 400 random points, half of them on either side.
+/// Number of wrong answers at 400 random points, half of them on either side.
 int wrong_answers(const Curve& curve, const Shape& shape, double spacings, SideValue value) {
   const Barycentric sums(curve);
   const Curve points = sample(shape, 10000, curve.side);
@@ -88,7 +89,7 @@ Line resolved_line(const std::string& key, const std::string& id, const std::str
           .control = control};
 }
 
-/// Largest distance, in local spacings, of the place where Re Delta is 1/2 from the curve.
+/// Largest distance between the curve and the line Re Delta = 1/2, in local spacings.
 double border_displacement(const Ellipse& shape, Index n, SideValue value) {
   const Curve curve = sample(shape, n, Side::fluid_outside);
   const Barycentric sums(curve);

@@ -1,4 +1,4 @@
-// Study of near-singular evaluation: what every scheme is worth at any distance from a curve.
+// Study of near-singular evaluation: the errors of every scheme at any distance from a curve.
 #include "study/study.hpp"
 
 #include "experiments.hpp"

@@ -1,4 +1,4 @@
-// What a target costs, and what it gets.
+// Compares error and work of the schemes at targets near a curve.
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -30,7 +30,8 @@ ComplexVector close_points(const Solved& solved) {
   return points;
 }
 
-/// A row: the least time of a few repeats, of a function that makes velocities at the points.
+/// A row of the table: error and least time of three runs of a function that evaluates velocities
+/// at points.
 template <class Evaluate>
 Measurement row(const Solved& solved, const ComplexVector& points, double evaluations_a_target,
                 const Evaluate& evaluate) {
@@ -48,7 +49,7 @@ Measurement row(const Solved& solved, const ComplexVector& points, double evalua
           .seconds = seconds / static_cast<double>(points.size())};
 }
 
-/// The flow's density at n nodes; beyond 128, which resolve it, interpolated.
+/// The flow's density on n nodes; interpolated from 128 nodes, which resolve it, if n is larger.
 Solved solved_on(Index n) {
   if (n > 128) return solved_ellipse().on_nodes(n);
   SetUp set_up = ellipse;
@@ -93,7 +94,7 @@ Measurement interpolation(const Solved& solved, const InterpolationSettings& set
 Measurement published(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::published(solved.curve.size()));
 }
-/// A planted defect: the upsampling of 128 nodes for all.
+/// A planted defect: the upsampling for 128 nodes at all n.
 Measurement fixed_upsampling(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::published(128));
 }
@@ -104,7 +105,7 @@ Measurement for_ten_digits(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::for_tolerance(1e-10));
 }
 
-/// Two points at each distance: each takes thousands of evaluations.
+/// Two points at each distance, because each takes thousands of evaluations.
 Measurement adaptive_row(const Solved& solved) {
   const ComplexVector points = close_points(solved)(Eigen::seqN(3, 14, 30)).eval();
   Index evaluations = 0;

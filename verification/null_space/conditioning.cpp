@@ -1,5 +1,5 @@
-// Condition numbers of a circular wall in any unit of length, with N_0 scaled, as the draft has it,
-// and without; and what a factor in front of N_0 does to the results.
+// Computes condition numbers of a circular wall in various units of length, with the scaled N_0,
+// with that of the draft, and without N_0; measures the effect of a factor of N_0 on the results.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -27,7 +27,8 @@ Measure conditions(Factor factor) {
   });
 }
 
-/// Error of the load in an annulus with c N_0 on the wall; N_0 as the difference of two matrices.
+/// Error of the load in an annulus with c N_0 on the wall. N_0 is obtained as the difference of two
+/// matrices.
 Measure load_errors(double sign, AnnulusMatrix with_n0) {
   std::vector<double> factors;
   for (int k = -12; k <= 12; k += 2) factors.push_back(std::pow(10.0, k));
@@ -90,8 +91,8 @@ Experiment scale() {
                                        "condition number grows beyond 1e12.",
                           .law = Identity{1e-13},
                           .window = {.to = 2.0},
-                          .reason = "compatible data leave nothing for N_0 to do; rounding in the "
-                                    "direction that it deflates makes no flow",
+                          .reason = "for compatible data N_0 eta vanishes; rounding in the "
+                                    "direction that N_0 deflates makes no flow",
                           .api = {"stokesbook::null_space_matrix"}},
            .control =
                Control{"the integral of N_0 forgotten", load_errors(1.0, matrix_with_local_n0)}},
@@ -99,8 +100,8 @@ Experiment scale() {
            .label = "-c N_0",
            .measure = load_errors(-1.0, right_matrix),
            .claim = Claim{.id = "04_12",
-                          .statement = "Either sign will do; large factors cost digits: rounding "
-                                       "times c.",
+                          .statement = "Either sign gives the same loads; large factors cost "
+                                       "digits: rounding times c.",
                           .law = Algebraic{-1.0, 0.1},
                           .window = {.from = 1e3, .to = 1e11},
                           .reason = "entries of the size c round off those of -1/2 + D",

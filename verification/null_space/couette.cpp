@@ -1,4 +1,5 @@
-// Flow between concentric circles: the aliases of the rule are powers of the ratio of the radii.
+// Computes the flow between concentric circles; the errors of the rule are powers of the ratio of
+// the radii.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr Complex shared_centre{0.3, -0.2};
 
-/// Circles of radii 1 and R that turn; u = A r + B / r.
+/// Turning circles of radii 1 and R. The speed is u = A r + B / r.
 struct CouetteCell {
   double radius, inner_omega, outer_omega, viscosity;
 
@@ -49,7 +50,7 @@ ErrorOfNodes profile_error(const CouetteCell& cell, bool rotlet) {
     const StokesProblem problem = cell.problem(n);
     AnnulusSolution solution = solve_annulus(problem, right_matrix(problem));
     if (!rotlet) solution.load = {};
-    // Directions that fall between the nodes in various ways.
+    // directions at various places between the nodes
     ComplexVector directions(5);
     for (Index k = 0; k < 5; ++k)
       directions[k] = std::polar(1.0, 0.3 + 1.1 * static_cast<double>(k));
@@ -89,13 +90,14 @@ Experiment couette() {
           {.key = "narrow",
            .label = "torque, radii 1 and 1.25, viscosity 0.02",
            .measure = over_nodes(narrow_rate, 5.0, 34.0, torque_error(narrow, right_matrix)),
-           .claim = Claim{.id = "04_2",
-                          .statement = "The same holds in a narrow gap and at any viscosity: four "
-                                       "times as many nodes for a rate four times as small.",
-                          .law = Geometric{narrow_rate, 0.02, 1.0},
-                          .window = {.from = 7.0 / narrow_rate, .floor = 1e-15},
-                          .reason = "log(R_2 / R_1), and the matrix does not know the viscosity",
-                          .api = {"stokesbook::complete_dense"}},
+           .claim =
+               Claim{.id = "04_2",
+                     .statement = "The same holds in a narrow gap and at any viscosity: four "
+                                  "times as many nodes for a rate four times as small.",
+                     .law = Geometric{narrow_rate, 0.02, 1.0},
+                     .window = {.from = 7.0 / narrow_rate, .floor = 1e-15},
+                     .reason = "log(R_2 / R_1), and the matrix does not depend on the viscosity",
+                     .api = {"stokesbook::complete_dense"}},
            .control = Control{"a torque without its factor viscosity",
                               over_nodes(narrow_rate, 5.0, 34.0,
                                          torque_error(narrow, right_matrix, 1.0 / 0.02))}},

@@ -1,5 +1,5 @@
-// Eccentric circles against their closed form: from wide gaps to gaps that no affordable number of
-// nodes resolves, and why their density would be resolved by far fewer.
+// Compares eccentric circles with their closed form (04.10), from wide gaps to gaps that no
+// affordable number of nodes resolves, and shows that far fewer nodes would resolve the density.
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +19,8 @@ namespace {
 
 using test::EccentricAnnulus;
 
-/// Loads (F_1, F_2, L), column by column, of an inner circle of radius 1 that moves along 1, along
-/// 2 and turns; the outer one is at rest.
+/// Resistance matrix: the columns are the loads (F_1, F_2, L) of an inner circle of radius 1 that
+/// moves along axis 1, moves along axis 2, and turns. The outer circle is at rest.
 template <class LoadOf>
 Matrix3d resistance(EccentricAnnulus annulus, const LoadOf& load_of) {
   annulus.outer = {};
@@ -34,8 +34,8 @@ Matrix3d resistance(EccentricAnnulus annulus, const LoadOf& load_of) {
   return result;
 }
 
-/// Over numbers N of nodes on either circle: all motions at once, since single loads may be right
-/// by accident.
+/// Errors by the number N of nodes on each circle. All motions are compared at once, because a
+/// single load may be accurate by accident.
 Measure resistance_errors(double relative_gap, AnnulusMatrix matrix) {
   const EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const Matrix3d exact =
@@ -74,7 +74,7 @@ Line eccentric_line(const std::string& key, const std::string& id, double relati
           .control = Control{defect.name, resistance_errors(relative_gap, defect.matrix)}};
 }
 
-/// Coefficients of the wall's density, relative to the largest, from N nodes.
+/// Fourier coefficients of the wall's density from N nodes, relative to the largest coefficient.
 Measure density_coefficients(double relative_gap, Index n) {
   return [=](Size) {
     const StokesProblem problem = annulus_problem(eccentric_annulus(relative_gap), 1.0, n, n);
@@ -94,7 +94,7 @@ Line density_line(const std::string& key, const std::string& id, double relative
   const EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const double e = std::abs(annulus.outer_centre - annulus.inner_centre);
   const double r1 = annulus.inner_radius, r2 = annulus.outer_radius;
-  // Bipolar coordinate of the outer circle: its foci have the distance R_2 e^{+-alpha} from its
+  // Bipolar coordinate of the outer circle: the foci are at the distances R_2 e^{+-alpha} from its
   // centre, cosh(alpha) = (R_2^2 - R_1^2 + e^2) / (2 e R_2).
   const double alpha = std::acosh((r2 * r2 - r1 * r1 + e * e) / (2.0 * e * r2));
   const double distance = wall_distance(annulus), nodes = static_cast<double>(n);
@@ -123,7 +123,7 @@ Measure gap_errors(Index n) {
   });
 }
 
-/// A planted defect: trust in the residual of the linear system.
+/// A planted defect: the residual of the linear system in place of the error.
 Measure gap_residuals(Index n) {
   return over(gaps, [=](double gap) {
     const StokesProblem problem = annulus_problem(eccentric_annulus(gap), 1.0, n, n);
@@ -134,8 +134,9 @@ Measure gap_residuals(Index n) {
   });
 }
 
-/// Torque of the outer circle about its centre when only the inner one turns, against the closed
-/// form of the inner one's when only the outer one turns: they are equal (reciprocity).
+/// Compares the torque of the outer circle about its centre if only the inner circle turns with the
+/// closed form of the inner circle's torque if only the outer circle turns. Both are equal by
+/// reciprocity.
 Measure torque_differences(bool with_arm) {
   return over({0.4, 0.5, 0.6, 0.7}, [=](double gap) {
     EccentricAnnulus annulus = eccentric_annulus(gap);
@@ -176,10 +177,10 @@ Experiment choices() {
   Line other_sign = line("sign", "plus n <n . eta>", matrix_with_other_sign);
   other_sign.claim =
       Claim{.id = "04_28",
-            .statement = "N_0 of the other sign has the same loads, at the same rate.",
+            .statement = "N_0 of the other sign gives the same loads, at the same rate.",
             .law = Geometric{rate, 0.03, 1.5},
             .window = {.from = 13.0 / rate, .floor = 1e-15},
-            .reason = "compatible data leave nothing for N_0 to do",
+            .reason = "for compatible data N_0 eta vanishes",
             .api = {"stokesbook::null_space_matrix"}};
   other_sign.control =
       Control{"the wall's normal into the fluid", resistance_errors(gap, matrix_with_turned_wall)};
@@ -243,9 +244,8 @@ Experiment balance() {
                  .label = "96 nodes a circle",
                  .measure = torque_differences(true),
                  .claim = Claim{.id = "04_25",
-                                .statement = "The wall takes what the inner circle gives: its "
-                                             "torque is the other problem's of the reciprocal "
-                                             "theorem.",
+                                .statement = "The torque on the wall is that on the inner circle "
+                                             "in the other problem of the reciprocal theorem.",
                                 .law = Identity{1e-13},
                                 .reason = "stress is free of divergence; the resistance matrix "
                                           "of both circles is symmetric",

@@ -28,54 +28,55 @@ study::Experiment choices();
 study::Experiment work();
 /// @}
 
-/// Circles of radii 1 and 2, away from the origin, their centres on a slanted line, both moving.
-/// @param  relative_gap  the least gap as a part of the gap between concentric ones
+/// Circles of radii 1 and 2 away from the origin, with centres on an oblique line. Both circles
+/// move.
+/// @param  relative_gap  the least gap relative to the gap of concentric circles
 test::EccentricAnnulus eccentric_annulus(double relative_gap);
 
-/// delta = log(R_2 / (R_1 + e)): the distance from the real axis at which the parameter of the
-/// outer circle, made complex, finds the nearest point of the inner one.
+/// Returns d = log(R_2 / (R_1 + e)) (04.11): the imaginary part of the outer circle's parameter at
+/// the nearest point of the inner circle.
 double wall_distance(const test::EccentricAnnulus& annulus);
 
-/// Error with N nodes on a circle.
+/// Returns the error for N nodes on each circle.
 using ErrorOfNodes = std::function<double(Eigen::Index)>;
 
-/// Measures over even N with rate N from first to last, equidistant as far as they can be.
-/// @param  curves  of N nodes each
+/// Measures over even N from first / rate to last / rate, as equidistant as possible.
+/// @param  curves  number of curves with N nodes each
 study::Measure over_nodes(double rate, double first, double last, const ErrorOfNodes& error,
                           int curves = 2);
 
-/// Measures over given N.
+/// Measures at given N.
 study::Measure over_nodes(const std::vector<Eigen::Index>& counts, const ErrorOfNodes& error,
                           int curves = 2);
 
-/// Measures over given numbers, the same in a quick study and a full one.
+/// Measures at given points, the same in a quick study and in a full one.
 study::Measure over(const std::vector<double>& points, const std::function<double(double)>& error);
 
-/// The matrix of the reduced system of an annulus, with N_0; or with a defect.
+/// Returns the matrix of an annulus' reduced system with N_0, or with a defect.
 using AnnulusMatrix = Eigen::MatrixXd (*)(const StokesProblem&);
 
-/// @name Matrices of an annulus: the right one, and planted defects
+/// @name Matrices of an annulus: the correct matrix, and planted defects
 /// @{
 Eigen::MatrixXd right_matrix(const StokesProblem& problem);
-/// N_0 of the other sign.
+/// N_0 has the opposite sign.
 Eigen::MatrixXd matrix_with_other_sign(const StokesProblem& problem);
-/// No N_0.
+/// N_0 is missing.
 Eigen::MatrixXd matrix_without_n0(const StokesProblem& problem);
-/// The integral forgotten: -n (n . eta) at every node.
+/// N_0 lacks the integral: -n (n . eta) at every node.
 Eigen::MatrixXd matrix_with_local_n0(const StokesProblem& problem);
 /// The mean of the density instead of its normal part: -<eta>.
 Eigen::MatrixXd matrix_with_mean(const StokesProblem& problem);
-/// The wall's normal into the fluid.
+/// The wall's normal points into the fluid.
 Eigen::MatrixXd matrix_with_turned_wall(const StokesProblem& problem);
 /// @}
 
-/// Factor in front of N_0 on a wall of that length.
+/// Factor of N_0 on a wall of the given length.
 using Factor = double (*)(double length);
 
-/// @name Factors that ought not to be
+/// @name Factors of N_0 that differ from 1
 /// @{
 double zero_factor(double length);
-/// + \int n(x) n(y) . eta ds of the draft.
+/// Factor of the draft's term + \int n(x) n(y) . eta ds.
 double draft_factor(double length);
 /// @}
 
@@ -88,14 +89,15 @@ struct AnnulusSolution {
 /// Solves for the problem's data with a matrix.
 AnnulusSolution solve_annulus(const StokesProblem& problem, const Eigen::MatrixXd& matrix);
 
-/// The velocity of a solved annulus away from the boundary.
+/// Returns the velocity of a solved annulus away from the boundary.
 ComplexVector velocity_at(const StokesProblem& problem, const AnnulusSolution& solution,
                           const ComplexVector& points);
 
-/// Flux of velocities or densities through a curve, \int n . v ds.
+/// Returns the flux of velocities or densities through a curve, \int n . v ds.
 double flux_through(const Curve& curve, const ComplexVector& v);
 
-/// Distance of two loads relative to the second, torques as forces at the distance 1.
+/// Returns the difference of two loads relative to the second; torques count as forces at the
+/// distance 1.
 double relative_difference(const Load& load, const Load& exact);
 
 }  // namespace stokesbook::verification::null_space

@@ -1,4 +1,5 @@
-// Net flux: how it is found, what the system with N_0 makes of it, and flow through inner walls.
+// Tests the treatment of a net flux (04.2): its detection, the solution of the system with N_0
+// (04.7), and flow through inner walls.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -15,14 +16,14 @@ namespace {
 /// @name Data with a net flux
 /// @{
 
-/// An annulus whose inner circle blows fluid in and whose wall lets it out, and a part q of
-/// flux_scale() more, unevenly.
+/// An annulus with flow through both circles. Fluid enters through the inner circle and leaves
+/// through the wall, where additionally the net flux q flux_scale() leaves, unevenly distributed.
 struct LeakingCell {
   StokesProblem tight = annulus_problem(eccentric_annulus(0.5), 1.0, 96, 96);
   double flux = 0.0;
 
   explicit LeakingCell(double q) {
-    const double blown = 0.3;  // through the inner circle, of radius 1
+    const double blown = 0.3;  // flux through the inner circle of radius 1
     tight.components[0].velocity -=
         blown / (2.0 * std::numbers::pi) * normals(tight.components[0].curve);
     let_out(tight, blown);
@@ -35,7 +36,7 @@ struct LeakingCell {
     return leaking;
   }
 
-  /// g - n Q / |Gamma| on one of the circles.
+  /// Returns the data with g - n Q / |Gamma| on one of the circles.
   StokesProblem repaired(std::size_t component) const {
     StokesProblem result = problem();
     Component& wall = result.components[component];
@@ -44,7 +45,8 @@ struct LeakingCell {
   }
 
  private:
-  /// Adds a flow of the given flux through the outer circle; parts cos and sin carry none.
+  /// Adds a flow of the given flux through the outer circle. The cosine and sine parts of its
+  /// profile carry no flux.
   static void let_out(StokesProblem& problem, double through) {
     Component& wall = problem.components[1];
     const ComplexVector normal = normals(wall.curve);
@@ -71,7 +73,7 @@ double flux_error(const LeakingCell& cell) {
   return std::abs(net_flux(cell.problem()) - cell.flux) / flux_scale(cell.problem());
 }
 
-/// A planted defect: only the enclosing wall counts.
+/// A planted defect: the flux of the enclosing wall only.
 double flux_error_without_inner(const LeakingCell& cell) {
   const StokesProblem problem = cell.problem();
   const Component& wall = problem.components[1];
@@ -84,7 +86,7 @@ double repair_error(const LeakingCell& cell) {
                     flow_of(cell.repaired(repaired_component), right_matrix));
 }
 
-/// Distance from the flow of the data before they leaked.
+/// Difference from the flow for the data without net flux.
 double silent_error(const LeakingCell& cell) {
   return difference(flow_of(cell.problem(), right_matrix), flow_of(cell.tight, right_matrix));
 }
@@ -93,7 +95,7 @@ double error_without_n0(const LeakingCell& cell) {
   return difference(flow_of(cell.problem(), matrix_without_n0), flow_of(cell.tight, right_matrix));
 }
 
-/// Whether the density's flux tells Q: with c N_0 on the wall it is -Q / c.
+/// Compares the density's flux with -Q / c, its value for c N_0 on the wall.
 template <int wall_lengths>
 double density_error(const LeakingCell& cell) {
   const StokesProblem problem = cell.problem();
@@ -113,8 +115,8 @@ constexpr double inner_radius = 1.0, outer_radius = 4.0, source_distance = 0.75;
 constexpr Complex inner_centre{0.4, -0.3}, outer_centre{0.8, 0.0};
 const test::ExactFlow source_flow{{{inner_centre + std::polar(source_distance, 2.1), 0.0, 1.0}}};
 
-/// The flux of every component on its own taken off its data, as the draft's condition asks; or all
-/// of it kept.
+/// Error of the flow of a source. Either the flux of every component is subtracted from its data,
+/// as the draft's condition requires, or all fluxes are kept.
 template <bool each_without_flux>
 double source_error(Index n) {
   StokesProblem problem{{test::held_body(Circle{inner_radius}, n, {inner_centre}, {}),
@@ -129,7 +131,7 @@ double source_error(Index n) {
     component.velocity -=
         flux_through(curve, component.velocity) / perimeter(curve) * normals(curve);
   }
-  // Twice as far from both circles as the source is from the inner one.
+  // The points are more than twice as far from both circles as the source is from the inner one.
   const ComplexVector points =
       inner_centre + ComplexVector{{{2.0, 0.0}, {-1.2, 1.4}, {0.6, -1.9}}}.array();
   const ComplexVector exact = source_flow.velocity(points);
@@ -164,8 +166,8 @@ Experiment leak() {
            .measure = over_leaks(repair_error<1>),
            .claim =
                Claim{.id = "04_16",
-                     .statement = "With a net flux Q the system has the flow of the data "
-                                  "g - n Q / |Gamma_0|, without a sign of trouble.",
+                     .statement = "With a net flux Q the system gives the flow of the data g - n Q "
+                                  "/ |Gamma_0|, without a warning.",
                      .law = Identity{1e-13},
                      .reason = "n from the left: integral of n . eta = -Q, and N_0 eta = n Q / "
                                "|Gamma_0| goes to the right-hand side",
@@ -175,14 +177,15 @@ Experiment leak() {
            .label = "flux of the wall's density, against -Q",
            .measure = over_leaks(density_error<0>),
            .claim = Claim{.id = "04_17",
-                          .statement = "Only the density tells: its flux through the wall is -Q.",
+                          .statement =
+                              "Only the density shows a net flux: its flux through the wall is -Q.",
                           .law = Identity{1e-13},
                           .reason = "n from the left, as before",
                           .api = {"stokesbook::null_space_velocity"}},
            .control =
                Control{"N_0 not divided by the wall's length", over_leaks(density_error<1>)}},
           {.key = "silent",
-           .label = "flow, against that of the data before they leaked",
+           .label = "flow, against that of the data without net flux",
            .measure = over_leaks(silent_error)},
           {.key = "without",
            .label = "the same without N_0",

@@ -1,4 +1,4 @@
-// GMRES and N_0: what the iteration sees of a null space, for data with and without a net flux.
+// Measures the effect of the null space and of N_0 on GMRES, for data with and without a net flux.
 #include "krylov/gmres.hpp"
 
 #include <cmath>
@@ -14,8 +14,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The eccentric annulus in a unit of length, with c N_0 on the wall of length |Gamma_0| and a net
-/// flux, a part of flux_scale(), that leaves where the wall is farthest from the inner circle.
+/// The eccentric annulus in a unit of length, with c N_0 on the wall of length |Gamma_0|. A net
+/// flux of `leak` times flux_scale() leaves mainly where the wall is farthest from the inner
+/// circle.
 struct Cell {
   double unit = 1.0;
   double leak = 0.0;
@@ -44,7 +45,8 @@ struct Cell {
                  {tolerance, most});
   }
 
-  /// n Q / |Gamma_0| on the wall relative to the right-hand side, as vectors of node values.
+  /// Returns n Q / |Gamma_0| on the wall relative to the right-hand side, in the norm of vectors of
+  /// node values (04.8).
   double left_over() const {
     const StokesProblem data = problem();
     const Curve& wall = data.components[1].curve;
@@ -72,7 +74,7 @@ Measure counts(Factor factor) {
     constexpr int most = 100;
     try {
       return Cell{.unit = unit, .factor = factor}.solve(1e-10, most).iterations;
-    } catch (const std::domain_error&) {  // its residual is not that of its solution
+    } catch (const std::domain_error&) {  // GMRES: the recursive residual differs from the true one
       return most;
     }
   });
@@ -82,29 +84,30 @@ Measure counts(Factor factor) {
 
 Experiment residuals() {
   const Cell right, bare{.factor = zero_factor}, leaking{.leak = 1e-4, .factor = zero_factor};
-  return {.key = "residuals",
-          .title = "Residuals of GMRES in an eccentric annulus",
-          .x = "iterations k",
-          .error = "residual relative to the right-hand side",
-          .axes = Axes::semi_log,
-          .lines = {
-              {.key = "with", .label = "with N_0", .measure = history(right)},
-              {.key = "without", .label = "without", .measure = history(bare)},
-              {.key = "leaking",
-               .label = "without, net flux of a ten thousandth",
-               .measure = history(leaking),
-               .claim = Claim{.id = "04_13",
-                              .statement = "Without N_0 the residual stops at n Q / |Gamma_0|, and "
-                                           "at nothing below.",
-                              .law = Floor{leaking.left_over(), 1.1},
-                              .window = {.from = 25.0},
-                              .reason = "polynomials p(A) with p(0) = 1 leave the right null "
-                                        "vector as it is; on a circle it is n",
-                              .api = {"stokesbook::net_flux", "stokesbook::gmres"}},
-               .control = Control{"with N_0", history({.leak = 1e-4})}},
-              {.key = "leaking_with",
-               .label = "with N_0, net flux of a ten thousandth",
-               .measure = history({.leak = 1e-4})}}};
+  return {
+      .key = "residuals",
+      .title = "Residuals of GMRES in an eccentric annulus",
+      .x = "iterations k",
+      .error = "residual relative to the right-hand side",
+      .axes = Axes::semi_log,
+      .lines = {
+          {.key = "with", .label = "with N_0", .measure = history(right)},
+          {.key = "without", .label = "without", .measure = history(bare)},
+          {.key = "leaking",
+           .label = "without, net flux of a ten thousandth",
+           .measure = history(leaking),
+           .claim = Claim{.id = "04_13",
+                          .statement =
+                              "Without N_0 the residual falls to n Q / |Gamma_0|, and no further.",
+                          .law = Floor{leaking.left_over(), 1.1},
+                          .window = {.from = 25.0},
+                          .reason = "polynomials p(A) with p(0) = 1 leave the right null "
+                                    "vector as it is; on a circle it is n",
+                          .api = {"stokesbook::net_flux", "stokesbook::gmres"}},
+           .control = Control{"with N_0", history({.leak = 1e-4})}},
+          {.key = "leaking_with",
+           .label = "with N_0, net flux of a ten thousandth",
+           .measure = history({.leak = 1e-4})}}};
 }
 
 Experiment iterations() {

@@ -1,5 +1,6 @@
-// The two null vectors of an enclosing wall, alone and with bodies in it: n on all of the boundary
-// on the left; on the right n |x'| on an elliptic wall and nothing on the bodies.
+// Tests the two null vectors of an enclosing wall, without and with bodies: the left null vector is
+// n on the whole boundary (04.3); the right null vector is n |x'| on an elliptic wall and zero on
+// the bodies (04.4).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,7 +46,7 @@ StokesProblem wall_with_bodies(Index n) {
 /// @name Vectors at all nodes of a problem
 /// @{
 
-/// Vectors of all curves, one after the other.
+/// Concatenates a vector of each curve.
 ComplexVector stacked(const StokesProblem& problem, ComplexVector (*of_curve)(const Curve&)) {
   ComplexVector result(node_offsets(problem).back());
   Index first = 0;
@@ -56,7 +57,7 @@ ComplexVector stacked(const StokesProblem& problem, ComplexVector (*of_curve)(co
   return result;
 }
 
-/// The wall is the last component.
+/// Sets the vector to zero on the bodies; the wall is the last component.
 ComplexVector without_bodies(const StokesProblem& problem, ComplexVector v) {
   v.head(v.size() - problem.components.back().curve.size()).setZero();
   return v;
@@ -70,8 +71,7 @@ ComplexVector normals_of_wall(const StokesProblem& problem) {
   return without_bodies(problem, normals_everywhere(problem));
 }
 
-/// n |x'|: the velocity at which ellipses grow when a pressure inside blows them up; they stay
-/// ellipses.
+/// Returns n |x'|, the velocity of ellipses that a pressure inside enlarges; they remain ellipses.
 ComplexVector all_blown_up(const StokesProblem& problem) {
   return stacked(problem, [](const Curve& curve) -> ComplexVector {
     return normals(curve).cwiseProduct(curve.dx.cwiseAbs());
@@ -90,7 +90,8 @@ Eigen::VectorXd all_weights(const StokesProblem& problem) {
 
 /// @}
 
-/// |v^T W A|, the largest entry over its weight, relative to v; A without N_0, W holds the weights.
+/// Returns the largest entry of v^T W A divided by its weight, relative to v. A is without N_0; W
+/// contains the weights.
 double left_residual(const StokesProblem& problem, const ComplexVector& v) {
   const Eigen::VectorXd w = all_weights(problem);
   const ComplexVector weighted = v.cwiseProduct(w);
@@ -98,7 +99,7 @@ double left_residual(const StokesProblem& problem, const ComplexVector& v) {
   return test::largest(deinterleaved(image).cwiseQuotient(w)) / test::largest(v);
 }
 
-/// |A v| relative to v.
+/// Returns |A v| relative to v.
 double right_residual(const StokesProblem& problem, const ComplexVector& v) {
   const Eigen::VectorXd image = matrix_without_n0(problem) * interleaved(v);
   return test::largest(deinterleaved(image)) / test::largest(v);
@@ -114,8 +115,9 @@ Measure alone(Residual residual, NodeVector vector) {
       counts, [=](Index n) { return residual(wall_alone(n), vector(wall_alone(n))); }, 1);
 }
 
-/// The distance from the real axis of the parameter, made complex, at which an ellipse finds a
-/// point of its frame: w = e^{it} solves (a + b) w^2 - 2 z w + a - b = 0.
+/// Returns the imaginary part of the parameter at which an ellipse, continued to complex
+/// parameters, passes through a point of its frame: w = e^{it} solves (a + b) w^2 - 2 z w + a - b =
+/// 0.
 double preimage_distance(const Ellipse& ellipse, Complex z) {
   const auto [a, b] = ellipse;
   const Complex root = std::sqrt(z * z - a * a + b * b);
@@ -123,7 +125,7 @@ double preimage_distance(const Ellipse& ellipse, Complex z) {
                   std::abs(std::log(std::abs((z - root) / (a + b)))));
 }
 
-/// Of the point of the swimmer that is the nearest to the wall.
+/// Rate for the swimmer's point nearest to the wall.
 double rate_with_bodies() {
   const ComplexVector points = sample(swimmer, 720, Side::fluid_outside).x;
   double least = std::numeric_limits<double>::infinity();
@@ -210,7 +212,7 @@ Experiment bodies_in_wall() {
                                        "and nothing on them.",
                           .law = Geometric{rate, 0.03, 1.0},
                           .window = {.from = 10.0 / rate, .floor = 1e-15},
-                          .reason = "it makes no flow inside the wall for bodies to notice",
+                          .reason = "it makes no flow inside the wall, where the bodies are",
                           .api = {"stokesbook::assemble", "stokesbook::null_space_matrix"}},
            .control =
                Control{"n |x'| on the bodies too", with_bodies(right_residual, all_blown_up)}},

@@ -1,4 +1,5 @@
-// What the experiments share: annuli, their matrices with and without defects, and their flow.
+// Implements the shared parts of the experiments: annuli, their matrices with and without defects,
+// and their flow.
 #include <cmath>
 
 #include "double_layer/stresslet_sum.hpp"

@@ -1,5 +1,5 @@
-// Study of the null space of an enclosing wall: identities of the fix, and rates between circles,
-// whose distance is known in closed form.
+// Study of the null space of an enclosing wall: identities of the null vectors and of N_0, and
+// rates of convergence between circles.
 #include "experiments.hpp"
 #include "studies.hpp"
 

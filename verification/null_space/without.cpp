@@ -1,5 +1,5 @@
-// What a dense solver makes of the system without N_0: digits that look fine, of a density that has
-// an arbitrary part, and of a flow that is wrong as soon as the data have a net flux.
+// Solves the system without N_0 densely: the digits of the load look right, the density has an
+// arbitrary part, and the flow is wrong if the data have a net flux.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -25,7 +25,8 @@ Measure at_counts(const std::function<double(const StokesProblem&)>& error) {
 
 Measure least_singular_value(AnnulusMatrix matrix) {
   return at_counts([=](const StokesProblem& problem) {
-    // Of the inverse the largest one: as rounding makes it, where the matrix is singular.
+    // The least singular value is computed as the reciprocal of the inverse's largest one; for a
+    // singular matrix the result is at the level of rounding.
     return 1.0 / test::singular_values(test::inverse(matrix(problem)))[0];
   });
 }
@@ -38,8 +39,8 @@ Measure density_flux(AnnulusMatrix matrix) {
   });
 }
 
-/// Error of the load when the data of the wall leak a part of flux_scale(), against the solution of
-/// the data without that leak.
+/// Error of the load if the data of the wall have a net flux of `leak` times flux_scale(), against
+/// the exact load without net flux.
 Measure load_error(AnnulusMatrix matrix, double leak) {
   return at_counts([=](const StokesProblem& problem) {
     StokesProblem leaking = problem;

@@ -1,5 +1,5 @@
-// Work and precision: dense systems and GMRES, wide and narrow gaps, equal numbers of nodes and
-// equal spacings.
+// Compares error and work of dense systems and GMRES, for wide and narrow gaps, with equal numbers
+// of nodes on both circles or with equal spacings.
 #include <chrono>
 #include <cmath>
 
@@ -26,7 +26,7 @@ Solved by_dense(const StokesProblem& problem, AnnulusMatrix matrix) {
   return {solve_annulus(problem, matrix(problem)).load, nodes * nodes};
 }
 
-/// With operators composed as values: double layer, closure, N_0.
+/// Solves by GMRES; the operator is the sum of double layer, closure and N_0, applied to values.
 Solved by_gmres(const StokesProblem& problem) {
   const Closure closure(problem);
   const Curve &inner = problem.components[0].curve, &wall = problem.components[1].curve;
@@ -53,7 +53,8 @@ const Solve dense_without = [](const StokesProblem& problem) {
   return by_dense(problem, matrix_without_n0);
 };
 
-/// Over the mean number N of nodes a circle; the outer one has `ratio` times as many as the inner.
+/// Errors by the mean number N of nodes of a circle. The outer circle has `ratio` times as many
+/// nodes as the inner one.
 Measure measure(double relative_gap, Index ratio, const Solve& solve) {
   const test::EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const Load exact = inner_load(annulus, 1.0);

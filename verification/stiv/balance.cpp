@@ -1,4 +1,5 @@
-// Newton's third law for a row, and what a moving observer sees.
+// Tests Newton's third law for the forces of a row, and the invariance of volumes and forces under
+// a change of the observer.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,8 @@ using namespace study;
 
 namespace {
 
-// |F_a + F_b| and the sum of the torques about the origin, the components at the start of the step.
+// Larger of |F_a + F_b| and the sum of the torques about the origin, for the positions at the start
+// of the step (10.10).
 double imbalance(const PairWrench& wrench, const PathPair& paths) {
   const auto& [on_a, on_b] = wrench;
   const double torque = cross(paths.path_a.start.position, on_a.force) + on_a.torque +
@@ -24,7 +26,7 @@ Measure imbalances(PairWrench ContactRow::*form) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (int k = -8; k <= (size == Size::full ? 3 : -3); ++k) {
-      // At the start of the step the bodies are just apart: the shortest step meets, too.
+      // At the start of the step the gap is so small that even the shortest step leads to contact.
       const double length = 0.1 * std::pow(2.0, k);
       Step step = slanting_impact(1.0, 400);
       const double contact = first_time(violations(step, {{0.1}, 1e-8, RowChoice::every}));
@@ -45,8 +47,9 @@ Measure imbalances(PairWrench ContactRow::*form) {
   };
 }
 
-// Two circles, a little aside, that come nearer by .4 for an observer who moves to the left: from a
-// velocity of .2 on the right one rests, then is chased by the left one.
+// Two circles with a small offset that approach each other by .4, for an observer who moves to the
+// left. At the observer's velocity .2 the right circle rests; at higher velocities the left circle
+// chases it.
 PathPair seen_by(double observer) {
   return {0,
           1,

@@ -1,4 +1,4 @@
-// What a search takes, counted.
+// Counts the queries and vertices of a search.
 #include <cmath>
 #include <random>
 
@@ -28,7 +28,7 @@ Measure queries_a_vertex(double travel) {
   };
 }
 
-// Each vertex against each edge, once.
+// Number of comparisons of each vertex with each edge.
 std::vector<Measurement> all_edges(Size size) {
   std::vector<Measurement> measurements;
   for (double m = 64; m <= (size == Size::full ? 65536.0 : 4096.0); m *= 4) {
@@ -42,7 +42,7 @@ std::vector<int> sides(Size size) {
                             : std::vector<int>{8, 12, 16, 24};
 }
 
-// A lattice of circles, each a little out of its place.
+// A lattice of circles, each slightly displaced.
 SearchCost cost_of_lattice(int side) {
   static const auto circle = body(Circle{0.4}, 64);
   std::mt19937 generator(3);

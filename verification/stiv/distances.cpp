@@ -1,4 +1,4 @@
-// Closest points and gaps at rest, against a look at all edges.
+// Compares closest points and gaps at rest with a search over all edges.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The distance of a point from a polygon, whatever its side.
+// Returns the unsigned distance of a point from a polygon.
 double by_all_edges(const ComplexVector& vertices, Complex z) {
   double least = infinity;
   for (Index i = 0; i < vertices.size(); ++i) {
@@ -61,7 +61,7 @@ Measure point_errors(double (*distance)(const Polygon& polygon, Complex z)) {
   };
 }
 
-// Two ellipses side by side, which are apart for any orientation.
+// Two ellipses side by side, which are separate for all orientations.
 struct Pair {
   ContactShapes shapes;
   std::vector<Pose> poses;
@@ -110,7 +110,7 @@ Measure gap_errors(double (*gap)(const Pair& pair)) {
 
 Experiment distances() {
   return {.key = "distances",
-          .title = "Distances from polygons against a look at all edges",
+          .title = "Distances from polygons against a search over all edges",
           .x = "vertices M",
           .error = "largest error of a distance, bodies of radius about 1",
           .lines = {{.key = "points",

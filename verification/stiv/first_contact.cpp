@@ -1,5 +1,5 @@
-// First contact times against closed forms for circles, how closely they are found, and how many
-// vertices a separation needs.
+// Compares first contact times with closed forms for circles, tests the tolerance of the search,
+// and counts the vertices that a separation requires.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double approach_separation = 0.1;
 
-// A step of two components, and how far they have travelled in it when circles are at the
+// A step of two components, and the distance that they have travelled when circles are at the
 // separation.
 struct Approach {
   double exact;
@@ -48,7 +48,7 @@ Approach enclosed() {
   return {std::sqrt(touching * touching - 0.3 * 0.3) - 0.2, approach_travel, enclosed_step};
 }
 
-// The largest error of what a method finds, over many orientations of the polygons.
+// Largest error of a method over many orientations of the polygons.
 Measure errors(const Approach& approach,
                double (*time)(const Approach& approach, double phase_a, double phase_b, Index m)) {
   return [=](Size size) {
@@ -74,7 +74,8 @@ double by_advancement(const Approach& approach, double phase_a, double phase_b, 
   return first_time(violations(approach.step(phase_a, phase_b, m), rules));
 }
 
-// The first of M instants at which fine polygons are too near; phases shift the instants.
+// Returns the first of M instants at which fine polygons are closer than the separation. The phases
+// shift the instants.
 double by_instants(const Approach& approach, double phase_a, double phase_b, Index m) {
   const Step step = approach.step(0.0, 0.0, 256);
   const double spacing = 1.0 / static_cast<double>(m);
@@ -98,7 +99,7 @@ Line line(const std::string& key, const std::string& label, const Approach& appr
                              errors(approach, by_instants)}};
 }
 
-// An ellipse and a star that meet as they turn, from many orientations.
+// An ellipse and a star that turn and meet, at one of many orientations.
 Step turning_step(int scene) {
   Step step = slanting_impact(2.0, 200);
   step.paths[0].start.orientation = 0.4 + 0.02 * scene;
@@ -107,7 +108,8 @@ Step turning_step(int scene) {
 
 constexpr int scenes = 12;
 
-// The first vertex of the ellipse that a method finds in contact, and how far from the separation.
+// The first contact of a vertex of the ellipse by some method, and its difference from the
+// separation.
 struct Found {
   double time = 1.0, error = 0.0, queries = 0.0;
 };
@@ -122,7 +124,7 @@ Measurement over_scenes(double x, const std::function<Found(const Step& step)>& 
   return measurement;
 }
 
-// Signed where the polygons overlap.
+// Returns the distance minus the separation; the distance is negative if the polygons overlap.
 double excess(const Step& step, Index vertex, double tau) {
   const Complex z =
       RelativePath(step.paths[0], step.paths[1]).at(tau)(step.shapes[0]->polygon.vertex(vertex));
@@ -138,7 +140,7 @@ Found by_events(const Step& step, double tolerance) {
           static_cast<double>(found.cost.queries) / static_cast<double>(found.cost.vertices)};
 }
 
-// A march of our own over the path of each vertex, tau += next_step(excess, bound of the speed).
+// An independent march along the path of each vertex, tau += next_step(excess, bound of the speed).
 template <class NextStep>
 Found by_march(const Step& step, double tolerance, const NextStep& next_step) {
   const Polygon& a = step.shapes[0]->polygon;
@@ -227,7 +229,7 @@ Experiment first_contact() {
 Experiment advancement() {
   return {
       .key = "advancement",
-      .title = "How closely contact is found, and at what cost",
+      .title = "Accuracy with which contact is found, and its cost",
       .x = "tolerance t, or part of the step",
       .error = "distance from the separation where contact is found",
       .lines = {{.key = "conservative",

@@ -1,4 +1,4 @@
-// Derivatives of the gap against central differences of the whole search.
+// Compares derivatives of the gap (10.9) with central differences of the whole search.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ using Eigen::Index;
 
 namespace {
 
-// A change of the one component's displacement or rotation.
+// A change of one component's displacement or rotation.
 struct Change {
   Complex shift;
   double turn;
@@ -38,8 +38,8 @@ bool touches_a_corner(const Polygon& polygon, const VertexEvent& event) {
          event.point == polygon.vertex((event.edge + 1) % polygon.size());
 }
 
-// The largest difference over all vertices that touch one edge throughout: from edge to edge there
-// is no derivative.
+// Largest difference over all vertices that touch the same edge at all three states. If the edge
+// changes, the gap has no derivative.
 double worst_difference(const Step& step, double h, PairWrench ContactRow::*form) {
   const PathPair paths{0, 1, step.paths[0], step.paths[1]};
   const Polygon &a = step.shapes[0]->polygon, &b = step.shapes[1]->polygon;

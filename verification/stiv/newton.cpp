@@ -1,4 +1,4 @@
-// Newton's method with one row for a contact: the deepest vertex, or the volume.
+// Measures Newton's method with one row for each contact: the deepest vertex, or the volume (10.8).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double landing_separation = 0.01;
 
-// An ellipse comes down on another one, which is held, with displacements and turns that obey
-// 0 <= g perpendicular to lambda >= 0, u = u* + W J' lambda.
+// An ellipse that moves onto a held ellipse. The displacement and rotation u satisfy 0 <= g
+// perpendicular to lambda >= 0, u = u* + W J' lambda.
 class Landing {
  public:
-  /// @param depth  at which it would end without contact, roughly
+  /// @param depth  depth, approximately, at which the ellipse would end without contact
   explicit Landing(double depth) : step_(approach()) {
     const Step deep = step_to(free_);
     const double time =
@@ -32,10 +32,10 @@ class Landing {
 
   Vector3d free_motion() const { return free_; }
 
-  /// The distance of the gap from 0, whether it is too deep or open.
+  /// Returns the absolute value of the least gap.
   double error(const Vector3d& u) const { return std::abs(deepest(u, RowChoice::deepest).gap); }
 
-  /// One step of Newton's method, in the total multiplier.
+  /// Takes one step of Newton's method in the total multiplier.
   Vector3d newton(const Vector3d& u, RowChoice rows) const {
     const ContactRow row = deepest(u, rows);
     const Wrench& on_a = row.derivative.on_a;
@@ -45,7 +45,7 @@ class Landing {
   }
 
  private:
-  // The row with the least gap, of contacts that are violated or near.
+  // Returns the row with the least gap, of contacts that are violated or near.
   ContactRow deepest(const Vector3d& u, RowChoice rows) const {
     const Step step = step_to(u);
     ContactRow least{};
@@ -74,7 +74,7 @@ class Landing {
 
   Step step_;
   Vector3d free_{0.6, -0.9, 0.3};
-  // Of a body that moves more easily along one direction than across it.
+  // mobility of a body that moves more easily along one direction than across it
   Matrix3d mobility_{{0.625, 0.375, 0.0}, {0.375, 0.625, 0.0}, {0.0, 0.0, 1.0}};
 };
 
@@ -110,7 +110,7 @@ Measure iterations(RowChoice rows) {
 Experiment one_newton_step() {
   return {
       .key = "newton_step",
-      .title = "What one step of Newton's method leaves of a depth",
+      .title = "Distance of the gap from zero after one step of Newton's method",
       .x = "depth p",
       .error = "distance of the gap from zero after the step",
       .lines = {

@@ -1,3 +1,4 @@
+// Builds the steps of the study, and evaluates their contacts.
 #include "set_ups.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Steps of a few components, and what is asked of their contacts.
+// Steps of a few components, and quantities of their contacts.
 #pragma once
 
 #include <memory>
@@ -23,17 +23,18 @@ std::shared_ptr<const ContactShape> container(const Shape& shape, Eigen::Index m
 /// Returns the contacts of a step that are violated.
 std::vector<Contact> violations(const Step& step, const ContactRules& rules);
 
-/// Returns the earliest first contact; infinite without any.
+/// Returns the earliest first contact; infinite if there is no contact.
 double first_time(const std::vector<Contact>& contacts);
 
-/// Returns the least gap of any row; 0 without any.
+/// Returns the least gap of all rows; 0 if there is no row.
 double least_gap(const std::vector<Contact>& contacts);
 
-/// Returns the signed distance of two polygons at a time of a step, as far as it is below a reach.
+/// Returns the signed distance of two polygons at a time of a step; distances above the reach are
+/// not computed.
 double distance_at(const Step& step, double tau, double reach);
 
-/// An ellipse and a star that hit each other at a slant, both turning.
-/// @param size  of displacements and turns: 1 is a step as long as the bodies
+/// An ellipse and a star that collide at an angle; both turn.
+/// @param size  scale of displacements and rotations; for 1 the step is as long as the bodies
 /// @param m     vertices of the ellipse; the star has half as many more
 Step slanting_impact(double size, Eigen::Index m);
 

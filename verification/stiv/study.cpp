@@ -1,4 +1,4 @@
-// Study of the space-time interference: what is found however fast, to what accuracy, at what cost.
+// Study of the space-time interference: detection at any speed, accuracy, and cost.
 #include "experiments.hpp"
 #include "studies.hpp"
 

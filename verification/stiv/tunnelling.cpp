@@ -1,5 +1,5 @@
-// Two circles that come together however fast: what the end of the step, or
-// some instants of it, tell.
+// Compares detection of two circles that approach at any speed: by the swept search, and by
+// distances at the end of the step or at some instants.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double crossing_separation = 0.1, start_gap = 2.0, reach = 1e9;
 
-// The gaps to the separation that a method finds at the end of a step, each circle going half the
-// way.
+// Returns the gap minus the separation that a method finds at the end of a step. Each circle
+// travels half of the way.
 using Gap = double (*)(const Step& step);
 
 Measure errors(Gap gap) {
@@ -39,7 +39,7 @@ double swept(const Step& step) {
   return least_gap(violations(step, {{crossing_separation}, 1e-4}));
 }
 
-// What does not overlap is taken to have a gap of 0.
+// Returns the least gap at some instants; 0 if the circles do not overlap at any of them.
 double seen_at(const Step& step, int instants) {
   double least = 0.0;
   for (int k = 1; k <= instants; ++k) {
@@ -72,8 +72,8 @@ Experiment tunnelling() {
            .label = "swept",
            .measure = errors(swept),
            .claim = Claim{.id = "10_1",
-                          .statement = "However far two circles travel in a step, the gap "
-                                       "is what is left of their distance.",
+                          .statement = "However far two circles travel in a step, the gap found is "
+                                       "their first gap less the travel.",
                           .law = Identity{1e-14},
                           .reason = "conservative steps cannot pass the first contact, "
                                     "and on the axis the gap falls by the travel; a few "

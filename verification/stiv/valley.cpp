@@ -1,4 +1,4 @@
-// A disk in the valley of a star: what one mean normal for two flanks is worth.
+// Moves a disk into the valley of a star, and measures the mean normal of two flanks.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double disk_radius = 0.45, valley_separation = 0.09;
 
-// How far from the star's centre the disk meets both flanks, down an axis through it.
+// Returns the distance from the star's centre at which the disk on the axis meets both flanks.
 double meeting_place(const ContactShape& star, Complex axis) {
   double inside = 0.5, outside = 2.0;
   for (int bisection = 0; bisection < 50; ++bisection) {
@@ -25,7 +25,7 @@ double meeting_place(const ContactShape& star, Complex axis) {
   return outside;
 }
 
-// The least length of a row's force on the disk, as it goes down the axis of the valley.
+// Least length of a row's force on the disk as the disk moves down the axis of the valley.
 Measure lengths(RowChoice rows) {
   return [=](Size size) {
     const Complex axis = std::polar(1.0, std::numbers::pi / 3.0);

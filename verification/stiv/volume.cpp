@@ -1,4 +1,4 @@
-// The volume of two circles against the integral of their gaps.
+// Compares the volume of two circles with the integral of their gaps (10.6).
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +18,7 @@ struct Impact {
   double separation, depth;
 };
 
-// Two circles from well apart to a depth, along the x axis.
+// Two circles that approach along the x axis from a wide gap to a depth.
 std::vector<Contact> contacts(const Impact& impact, Index m, double phase) {
   constexpr double travel = 0.2;
   const double distance = 2.0 * radius + impact.separation + travel - impact.depth;
@@ -35,14 +35,15 @@ double volume(const Impact& impact, Index m, double phase) {
   return sum;
 }
 
-// The gap of the point at an angle phi from the axis: depths are below half the separation, where
-// the distance at the end counts.
+// Returns the gap of the point at an angle phi from the axis. The depths are below half of the
+// separation, for which the gap is the distance at the end of the step minus the separation.
 double gap(const Impact& impact, double phi) {
   const double distance = 2.0 * radius + impact.separation - impact.depth;
   return std::abs(distance - std::polar(radius, phi)) - radius - impact.separation;
 }
 
-// Both sides; the integrand vanishes at the ends of the contact, and Simpson's rule is of order 4.
+// Integrates the gaps of both circles by Simpson's rule. The rule has order 4 because the integrand
+// vanishes at the ends of the contact.
 double exact_volume(const Impact& impact) {
   double inside = 0.0, outside = 1.0;
   for (int bisection = 0; bisection < 60; ++bisection) {
@@ -89,7 +90,7 @@ double deepest_gap(const Impact& impact) {
   return -least_gap(contacts(impact, 8192, 1e-4));
 }
 
-// Root of the mean square over orientations of the polygons.
+// Root mean square of the errors over orientations of the polygons.
 Measure over_vertices(double (*reference)(const Impact& impact)) {
   return [=](Size size) {
     const Impact impact{wide, 1e-2};
@@ -136,21 +137,21 @@ Experiment volume_of_vertices() {
       .title = "The volume of two circles, by polygons",
       .x = "vertices M",
       .error = "relative error of V, root mean square",
-      .lines = {{.key = "volume",
-                 .label = "volume",
-                 .measure = over_vertices(exact_volume),
-                 .claim = Claim{.id = "10_7",
-                                .statement = "The volume is of order 2 in the vertices.",
-                                .law = Algebraic{2.0, 0.2},
-                                .reason = "the trapezoid rule for an integrand with kinks at the "
-                                          "ends of the contact, and edges for arcs",
-                                .api = {"stokesbook::Contact"}},
-                 .control = Control{"held against the formula without the separation's own "
-                                    "curvature",
-                                    over_vertices(published)}},
-                {.key = "published",
-                 .label = "against (8/3) a^(1/2) p^(3/2)",
-                 .measure = over_vertices(published)}}};
+      .lines = {
+          {.key = "volume",
+           .label = "volume",
+           .measure = over_vertices(exact_volume),
+           .claim = Claim{.id = "10_7",
+                          .statement = "The volume is of order 2 in the vertices.",
+                          .law = Algebraic{2.0, 0.2},
+                          .reason = "the trapezoid rule for an integrand with kinks at the "
+                                    "ends of the contact, and edges for arcs",
+                          .api = {"stokesbook::Contact"}},
+           .control = Control{"compared with the formula without the separation's own curvature",
+                              over_vertices(published)}},
+          {.key = "published",
+           .label = "against (8/3) a^(1/2) p^(3/2)",
+           .measure = over_vertices(published)}}};
 }
 
 }  // namespace stokesbook::verification::stiv

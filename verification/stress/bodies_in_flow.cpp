@@ -1,4 +1,4 @@
-// Stresslets of free ellipses, and their mean over a Jeffery orbit.
+// Computes stresslets of free ellipses (07.14), (07.15) and their mean over a Jeffery orbit.
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -17,14 +17,14 @@ const FlowDerivatives shear = flow_derivatives({.du1_dx2 = 1.0});
 
 using StressletOf = Complex (*)(const Curve&, const ComplexVector&, double);
 
-/// A free ellipse alone, whose system is solved once for all linear flows.
+/// A free ellipse alone, whose system is factorised once for all linear flows.
 class FreeEllipse {
  public:
   FreeEllipse(double ratio, Index n)
       : problem_{{test::free_body(Ellipse{ratio, 1.0}, n, {})}, viscosity, {}, {}},
         inverse_(test::inverse(assemble(problem_, ClosureForm::reduced).matrix)) {}
 
-  /// The stresslet at an angle of the long axis in the shear flow.
+  /// Returns the stresslet at an angle of the long axis in the shear flow.
   Complex stresslet(double angle, StressletOf stresslet_of = body_stresslet) const {
     const Complex turn = std::polar(1.0, 2.0 * angle);
     StokesProblem problem = problem_;
@@ -49,14 +49,14 @@ class FreeEllipse {
   Eigen::MatrixXd inverse_;
 };
 
-/// S' = (pi mu / 2) (a + b)^2 (Re q' + 2 i a b / (a^2 + b^2) Im q') in the ellipse's frame.
+/// Returns S' = (pi mu / 2) (a + b)^2 (Re q' + 2 i a b / (a^2 + b^2) Im q') in the ellipse's frame.
 Complex exact_stresslet(double ratio, double angle) {
   const Complex turn = std::polar(1.0, 2.0 * angle), strain = shear.strain / turn;
   const double size = 0.5 * pi * viscosity * (ratio + 1.0) * (ratio + 1.0);
   return turn * size * Complex{strain.real(), 2.0 * ratio / (ratio * ratio + 1.0) * strain.imag()};
 }
 
-/// A planted defect: the normal into the fluid.
+/// A planted defect: the normal points into the fluid.
 Complex with_inward_normal(const Curve& curve, const ComplexVector& density, double mu) {
   return -body_stresslet(curve, density, mu);
 }
@@ -66,7 +66,7 @@ Complex with_scalar_product(const Curve& curve, const ComplexVector& density, do
   return -mu * normals(curve).conjugate().cwiseProduct(weights(curve)).cwiseProduct(density).sum();
 }
 
-/// m = (a - b) / (a + b), of which everything about an ellipse is a power.
+/// Returns log(1 / m), m = (a - b) / (a + b). All errors of an ellipse decay as powers of m.
 double rate_of(double ratio) {
   return std::log((ratio + 1.0) / (ratio - 1.0));
 }
@@ -101,19 +101,20 @@ Line stresslet_line(const std::string& key, const std::string& id, double ratio,
           .control = Control{defect, stresslet_errors(ratio, defective)}};
 }
 
-/// Angle of the long axis at a phase of the Jeffery orbit, in proportion to time.
+/// Returns the angle of the long axis at a phase of the Jeffery orbit; the phase is proportional to
+/// time.
 double orbit_angle(double ratio, double phase) {
   return std::atan2(-std::sin(phase), ratio * std::cos(phase));
 }
 
-/// Equal angles instead of equal times.
+/// A planted defect: equal angles instead of equal times.
 double equal_angle(double, double phase) {
   return phase;
 }
 
 using Angle = double (*)(double, double);
 
-/// The mean over half a turn, after which an ellipse looks the same.
+/// Mean over half a turn, after which the ellipse has the same shape.
 double mean_viscosity(const FreeEllipse& ellipse, Index phases, Angle angle,
                       StressletOf stresslet_of = body_stresslet) {
   double sum = 0.0;
@@ -124,7 +125,7 @@ double mean_viscosity(const FreeEllipse& ellipse, Index phases, Angle angle,
   return sum / static_cast<double>(phases);
 }
 
-/// An ellipse with nodes that resolve it to rounding.
+/// Returns an ellipse with nodes that resolve its density to rounding.
 const FreeEllipse& resolved_ellipse(double ratio) {
   static Once<double, FreeEllipse> ellipses;
   return ellipses(ratio, [&] {
@@ -210,39 +211,40 @@ Experiment orbits() {
 }
 
 Experiment aspect_ratios() {
-  return {.key = "aspect",
-          .title = "Intrinsic viscosity of ellipses: instants, and the mean over an orbit",
-          .x = "aspect ratio r",
-          .error = "relative error",
-          .axes = Axes::log_log,
-          .lines = {
-              {.key = "instant",
-               .label = "at twelve angles",
-               .measure =
-                   over(ratios, [](double ratio) { return instant_error(ratio, body_stresslet); }),
-               .claim = Claim{.id = "07_28",
-                              .statement = "At every angle it is that of the closed form.",
-                              .law = Identity{1e-12},
-                              .reason = "the nodes resolve the ellipse to rounding",
-                              .api = {"stokesbook::intrinsic_viscosity"}},
-               .control = Control{"the normal into the fluid", over(ratios,
-                                                                    [](double ratio) {
-                                                                      return instant_error(
-                                                                          ratio,
-                                                                          with_inward_normal);
-                                                                    })}},
-              {.key = "mean",
-               .label = "mean over an orbit, from 2",
-               .measure = over(ratios, [](double ratio) { return mean_error(ratio, orbit_angle); }),
-               .claim = Claim{.id = "07_29",
-                              .statement = "Over an orbit the mean is 2 for every aspect ratio.",
-                              .law = Identity{1e-12},
-                              .reason = "slender ellipses thicken most where they stay the "
-                                        "shortest, and both factors cancel",
-                              .api = {"stokesbook::intrinsic_viscosity"}},
-               .control = Control{"the mean over equal angles", over(ratios, [](double ratio) {
-                                    return mean_error(ratio, equal_angle);
-                                  })}}}};
+  return {
+      .key = "aspect",
+      .title = "Intrinsic viscosity of ellipses: instants, and the mean over an orbit",
+      .x = "aspect ratio r",
+      .error = "relative error",
+      .axes = Axes::log_log,
+      .lines = {
+          {.key = "instant",
+           .label = "at twelve angles",
+           .measure =
+               over(ratios, [](double ratio) { return instant_error(ratio, body_stresslet); }),
+           .claim = Claim{.id = "07_28",
+                          .statement =
+                              "At every angle the intrinsic viscosity is that of the closed form.",
+                          .law = Identity{1e-12},
+                          .reason = "the nodes resolve the ellipse to rounding",
+                          .api = {"stokesbook::intrinsic_viscosity"}},
+           .control = Control{"the normal into the fluid", over(ratios,
+                                                                [](double ratio) {
+                                                                  return instant_error(
+                                                                      ratio, with_inward_normal);
+                                                                })}},
+          {.key = "mean",
+           .label = "mean over an orbit, from 2",
+           .measure = over(ratios, [](double ratio) { return mean_error(ratio, orbit_angle); }),
+           .claim = Claim{.id = "07_29",
+                          .statement = "Over an orbit the mean is 2 for every aspect ratio.",
+                          .law = Identity{1e-12},
+                          .reason = "slender ellipses add most to the viscosity at the angles "
+                                    "where they stay the shortest, and both factors cancel",
+                          .api = {"stokesbook::intrinsic_viscosity"}},
+           .control = Control{"the mean over equal angles", over(ratios, [](double ratio) {
+                                return mean_error(ratio, equal_angle);
+                              })}}}};
 }
 
 }  // namespace stokesbook::verification::stress

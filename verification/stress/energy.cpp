@@ -1,4 +1,5 @@
-// Tractions integrate to loads, and the power of the boundary is what the fluid dissipates.
+// Tests that tractions integrate to loads, and that the power of the boundary equals the
+// dissipation in the fluid (07.11).
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using Traction = ComplexVector (*)(const StokesProblem&, const std::vector<FlowDerivatives>&);
 
-/// A planted defect: the viscous part of the traction alone.
+/// A planted defect: the traction lacks the pressure.
 ComplexVector without_pressure(const StokesProblem& problem,
                                const std::vector<FlowDerivatives>& at_nodes) {
   std::vector<FlowDerivatives> viscous = at_nodes;
@@ -29,7 +30,7 @@ ComplexVector traction_of(const SolvedFlow& flow, Traction traction = boundary_t
   return traction(flow.problem(), flow.derivatives(flow.nodes()));
 }
 
-/// An ellipse and a circle, one loaded, one free, so far from each other.
+/// An ellipse under a load and a circle under the opposite force, at a gap.
 StokesProblem loaded_pair(double gap) {
   return {
       {test::free_body(Ellipse{1.0, 0.6}, 192, {{-1.0 - 0.5 * gap, 0.0}, 0.0}, {{1.0, -2.0}, 0.5}),
@@ -39,7 +40,7 @@ StokesProblem loaded_pair(double gap) {
       {}};
 }
 
-/// The pair in an ellipse at rest.
+/// The pair inside an ellipse at rest.
 StokesProblem contained_pair(double gap) {
   StokesProblem problem = loaded_pair(gap);
   problem.components.push_back(test::enclosing_wall(Ellipse{4.0, 3.0}, 192, {{0.2, 0.1}, 0.3}));
@@ -48,7 +49,7 @@ StokesProblem contained_pair(double gap) {
 
 const std::vector<double> gaps{0.1, 0.2, 0.4, 0.8};
 
-/// Largest difference of integrated and given loads relative to the largest load.
+/// Largest difference of the integrated loads from the given loads, relative to the largest load.
 Measure load_errors(StokesProblem (*problem)(double), Traction traction) {
   return over(gaps, [=](double gap) {
     static Once<std::pair<StokesProblem (*)(double), double>, SolvedFlow> solved;
@@ -58,8 +59,8 @@ Measure load_errors(StokesProblem (*problem)(double), Traction traction) {
   });
 }
 
-/// Circles of radii 1 and 2 that move and turn. Where they are closest, all multiples of 8 have a
-/// node: errors over N are not scattered by where the nodes lie in the gap.
+/// Circles of radii 1 and 2 that move and turn. For multiples of 8 a node is at the closest point,
+/// so that the errors over N do not scatter with the place of the nodes in the gap.
 test::EccentricAnnulus annulus_of(double relative_gap) {
   return {1.0,
           2.0,
@@ -69,7 +70,7 @@ test::EccentricAnnulus annulus_of(double relative_gap) {
           {{0.1, 0.2}, -0.7}};
 }
 
-/// What the motions of both circles put in, by the closed form of the inner one's load.
+/// Power of the motions of both circles, by the closed form of the inner circle's load.
 double exact_power(const test::EccentricAnnulus& annulus) {
   const Load inner = test::inner_load(annulus, viscosity);
   const Complex arm = annulus.inner_centre - annulus.outer_centre;
@@ -85,7 +86,8 @@ const SolvedFlow& solved_annulus(double relative_gap, Index n) {
   });
 }
 
-/// The annulus of the experiment over N, and its bipolar coordinates, inner and outer.
+/// The annulus of the experiment over N; outer_coordinate() is the bipolar coordinate of its outer
+/// circle.
 constexpr double relative_gap = 0.05;
 
 double outer_coordinate() {
@@ -106,8 +108,8 @@ double force_error(Index n, Traction traction) {
          std::abs(exact.torque);
 }
 
-/// Tractions on the outer circle between the nodes, less the pressure of the first, whose datum
-/// means nothing. The viscous part alone is a planted defect.
+/// Tractions on the outer circle between the nodes, relative to the first point's pressure because
+/// the pressure has an arbitrary constant. The viscous part alone is a planted defect.
 ComplexVector traction_on_wall(Index n, bool with_pressure) {
   const SolvedFlow& flow = solved_annulus(relative_gap, n);
   const auto [inner_radius, radius, inner_centre, centre, inner, outer] = annulus_of(relative_gap);
@@ -130,7 +132,8 @@ double traction_error(Index n, Traction traction) {
          test::largest(exact);
 }
 
-/// Difference of the inner circle's traction, integrated, from its load in the same solution.
+/// Difference of the integrated traction on the inner circle from the circle's load in the same
+/// solution.
 double disagreement(Index n, Traction traction) {
   const SolvedFlow& flow = solved_annulus(relative_gap, n);
   const Load& load = flow.completion().loads[0];
@@ -151,7 +154,8 @@ Measure over_eights(ErrorOf error, Traction traction) {
 
 const std::vector<double> relative_gaps{0.3, 0.45, 0.7};
 
-/// The fluid's dissipation by one way relative to that of motions and loads.
+/// Returns the fluid's dissipation by one method; it is compared with the power of motions and
+/// loads.
 using Power = std::function<double(const SolvedFlow&)>;
 
 Measure power_differences(const Power& power) {
@@ -161,7 +165,7 @@ Measure power_differences(const Power& power) {
   });
 }
 
-/// A quadrature over the fluid and the flow's derivatives at its points.
+/// A quadrature of the fluid, and the flow's derivatives at its points.
 struct Sampled {
   FluidQuadrature rule;
   std::vector<FlowDerivatives> at;
@@ -197,7 +201,7 @@ Power by_boundary(Traction traction) {
   };
 }
 
-/// The Couette cell of reference C6, at some place of the grid.
+/// The Couette cell of reference C6, with its centre at some place relative to the grid.
 StokesProblem couette(Complex centre) {
   return {{test::held_body(Circle{1.0}, 64, {centre}, {0.0, 0.4}),
            test::enclosing_wall(Circle{2.5}, 64, {centre}, {0.0, -0.7})},
@@ -214,7 +218,8 @@ FluidQuadrature blended(const std::vector<Curve>& curves, double points) {
   return fluid_quadrature(curves, {.points_a_width = points});
 }
 
-/// What one would do first: a grid, of which the points in the fluid count.
+/// A planted defect, which is also the naive method: a grid whose points in the fluid have equal
+/// weights.
 FluidQuadrature masked(const std::vector<Curve>& curves, double points) {
   const double spacing = strip_width(curves) / points;
   const Complex centre = boundary_centroid(curves[0]);
@@ -232,7 +237,8 @@ FluidQuadrature masked(const std::vector<Curve>& curves, double points) {
           Eigen::VectorXd::Constant(m, spacing * spacing)};
 }
 
-/// Root mean square over five places of the cell: one place alone may be lucky.
+/// Root mean square over five places of the cell, because a single place may have a small error by
+/// accident.
 Measure quadrature_errors(Rule rule) {
   return over({9.0, 25.0, 49.0, 81.0, 121.0, 169.0, 225.0, 289.0}, [=](double square) {
     double sum = 0.0;
@@ -280,53 +286,56 @@ Experiment loads_of_tractions() {
 
 Experiment eccentric() {
   const double rate = outer_coordinate();
-  return {.key = "eccentric",
-          .title = "Eccentric cylinders: traction, force and dissipation",
-          .x = "nodes N",
-          .error = "relative error",
-          .axes = Axes::semi_log,
-          .lines = {{.key = "traction",
-                     .label = "traction on the outer circle",
-                     .measure = over_eights(traction_error, boundary_traction),
-                     .claim = Claim{.id = "07_16",
-                                    .statement = "With close evaluation between the circles the "
-                                                 "traction converges as its modes fall, at half "
-                                                 "the wall's bipolar coordinate.",
-                                    .law = Geometric{0.5 * rate, 0.05, 1.0},
-                                    .window = {.from = 60.0, .floor = 1e-13},
-                                    .reason = "the flow's only singularities are the foci of the "
-                                              "circles; N nodes hold modes below N/2",
-                                    .api = {"stokesbook::boundary_traction"}},
-                     .control = Control{"the traction without its pressure",
-                                        over_eights(traction_error, without_pressure)}},
-                    {.key = "load",
-                     .label = "load of the inner circle, integrated",
-                     .measure = over_eights(force_error, boundary_traction),
-                     .claim = Claim{.id = "07_17",
-                                    .statement = "What integrates over the boundary converges at "
-                                                 "twice that rate.",
-                                    .law = Geometric{rate, 0.05, 2.0},
-                                    .window = {.from = 40.0, .floor = 1e-12},
-                                    .reason = "aliases N - k of one factor meet modes k of the "
-                                              "other, N pairs e^{-a N}; a derivative has one more "
-                                              "N",
-                                    .api = {"stokesbook::integrated_loads"}},
-                     .control = Control{"the pseudo-traction -p n + mu du/dn",
-                                        over_eights(force_error, pseudo_traction)}},
-                    {.key = "dissipation",
-                     .label = "dissipation, by the boundary",
-                     .measure = over_eights(power_error, boundary_traction),
-                     .claim = Claim{.id = "07_18",
-                                    .statement = "The power of the boundary converges like loads.",
-                                    .law = Geometric{rate, 0.05, 2.0},
-                                    .window = {.from = 40.0, .floor = 1e-13},
-                                    .reason = "the motions are rigid: it is a sum of loads",
-                                    .api = {"stokesbook::boundary_power"}},
-                     .control = Control{"the pseudo-traction -p n + mu du/dn",
-                                        over_eights(power_error, pseudo_traction)}},
-                    {.key = "agreement",
-                     .label = "traction integrated against the load it came with",
-                     .measure = over_eights(disagreement, boundary_traction)}}};
+  return {
+      .key = "eccentric",
+      .title = "Eccentric cylinders: traction, force and dissipation",
+      .x = "nodes N",
+      .error = "relative error",
+      .axes = Axes::semi_log,
+      .lines = {
+          {.key = "traction",
+           .label = "traction on the outer circle",
+           .measure = over_eights(traction_error, boundary_traction),
+           .claim = Claim{.id = "07_16",
+                          .statement = "With close evaluation between the circles the "
+                                       "traction converges as its modes fall, at half "
+                                       "the wall's bipolar coordinate.",
+                          .law = Geometric{0.5 * rate, 0.05, 1.0},
+                          .window = {.from = 60.0, .floor = 1e-13},
+                          .reason = "the flow's only singularities are the foci of the "
+                                    "circles; N nodes hold modes below N/2",
+                          .api = {"stokesbook::boundary_traction"}},
+           .control = Control{"the traction without its pressure",
+                              over_eights(traction_error, without_pressure)}},
+          {.key = "load",
+           .label = "load of the inner circle, integrated",
+           .measure = over_eights(force_error, boundary_traction),
+           .claim =
+               Claim{.id = "07_17",
+                     .statement =
+                         "Integrals over the boundary converge at twice the rate of the traction.",
+                     .law = Geometric{rate, 0.05, 2.0},
+                     .window = {.from = 40.0, .floor = 1e-12},
+                     .reason = "aliases N - k of one factor meet modes k of the "
+                               "other, N pairs e^{-a N}; a derivative has one more "
+                               "N",
+                     .api = {"stokesbook::integrated_loads"}},
+           .control = Control{"the pseudo-traction -p n + mu du/dn",
+                              over_eights(force_error, pseudo_traction)}},
+          {.key = "dissipation",
+           .label = "dissipation, by the boundary",
+           .measure = over_eights(power_error, boundary_traction),
+           .claim = Claim{.id = "07_18",
+                          .statement = "The power of the boundary converges like loads.",
+                          .law = Geometric{rate, 0.05, 2.0},
+                          .window = {.from = 40.0, .floor = 1e-13},
+                          .reason = "the motions are rigid: it is a sum of loads",
+                          .api = {"stokesbook::boundary_power"}},
+           .control = Control{"the pseudo-traction -p n + mu du/dn",
+                              over_eights(power_error, pseudo_traction)}},
+          {.key = "agreement",
+           .label = "traction integrated against the load it came with",
+           .measure = over_eights(disagreement, boundary_traction)}}};
 }
 
 Experiment dissipation_of_gaps() {
@@ -353,7 +362,7 @@ Experiment dissipation_of_gaps() {
            .measure = power_differences(by_volume),
            .claim =
                Claim{.id = "07_20",
-                     .statement = "The fluid dissipates what its boundary puts in.",
+                     .statement = "The dissipation in the fluid is the power of its boundary.",
                      .law = Identity{1e-9},
                      .reason = "div (sigma u) = 2 mu e:e; the quadrature over the fluid errs "
                                "by 1e-11",
@@ -369,7 +378,7 @@ Experiment dissipation_of_gaps() {
                              return std::abs(exact_power(annulus_of(gap)) / computed - 1.0);
                            }),
            .claim = Claim{.id = "07_21",
-                          .statement = "Both are those of the closed form.",
+                          .statement = "The power of motions and loads is that of the closed form.",
                           .law = Identity{1e-11},
                           .reason = "160 nodes a circle resolve these gaps to rounding",
                           .api = {"stokesbook::power_of_loads"}},

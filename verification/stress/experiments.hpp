@@ -35,7 +35,7 @@ study::Experiment container();
 study::Experiment dilute();
 /// @}
 
-inline constexpr double viscosity = 1.3;  ///< of the fluid, wherever it matters
+inline constexpr double viscosity = 1.3;  ///< of the fluid, where it matters
 
 /// Measures a number at each of the points, the same in a quick study and a full one.
 template <class Number>
@@ -47,20 +47,20 @@ study::Measure over(const std::vector<double>& points, const Number& number) {
   };
 }
 
-/// The sum of what all components contribute.
+/// Returns the sum over all components.
 inline double total(const std::vector<double>& terms) {
   return std::accumulate(terms.begin(), terms.end(), 0.0);
 }
 
-/// Point of an ellipse's inside whose preimage under z = (a + b) / 2 (w + m / w), m = (a - b) /
-/// (a + b), lies at the depth d within the unit circle, |w| = e^{-d}.
+/// Returns the point inside an ellipse whose preimage under z = (a + b) / 2 (w + m / w), m = (a -
+/// b) / (a + b), is at the depth d inside the unit circle, |w| = e^{-d}.
 inline Complex point_at_depth(const Ellipse& ellipse, double depth, double angle) {
   const Complex w = std::polar(std::exp(-depth), angle);
   return 0.5 * ((ellipse.a + ellipse.b) * w + (ellipse.a - ellipse.b) / w);
 }
 
-/// A planted defect: the pseudo-traction -p n + mu du/dn, whose force is right and whose torque is
-/// not, in the place of the traction. In complex notation 2 du/dn = q conj(n) + i w n.
+/// A planted defect: the pseudo-traction -p n + mu du/dn instead of the traction. Its force is
+/// right, but its torque is wrong. In complex notation 2 du/dn = q conj(n) + i w n.
 inline ComplexVector pseudo_traction(const StokesProblem& problem,
                                      const std::vector<FlowDerivatives>& at_nodes) {
   ComplexVector result(node_offsets(problem).back());

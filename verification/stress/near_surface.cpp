@@ -1,5 +1,5 @@
-// Derivatives at any distance from the surface: by Cauchy integrals, by the trapezoid rule, and by
-// differences of velocities.
+// Measures errors of derivatives at any distance from the surface: by Cauchy integrals, by the
+// trapezoid rule, and by differences of velocities.
 #include <algorithm>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -74,8 +74,8 @@ std::vector<FlowDerivatives> by_differences(const Solved& solved, const ComplexV
   return result;
 }
 
-/// A planted defect: the strain without the share of the other Goursat function, which the
-/// derivative of the node values along the curve brings in.
+/// A planted defect: the strain lacks the part of the other Goursat function, which comes from the
+/// derivative of the node values along the curve.
 std::vector<FlowDerivatives> without_stress(const Solved& solved, const ComplexVector& targets,
                                             double) {
   CauchyDerivativeData data = solved.cauchy.derivative_data(solved.data);
@@ -83,8 +83,8 @@ std::vector<FlowDerivatives> without_stress(const Solved& solved, const ComplexV
   return solved.cauchy.derivatives(data, 0, targets);
 }
 
-/// Errors of the strain, and of pressure differences where the method has them, relative to the
-/// largest strain on the curve; at 22 points between the nodes.
+/// Returns the error of strain, vorticity and (if the method has it) pressure at 22 points between
+/// the nodes, relative to the largest strain. The first point is the pressure's datum.
 double error_at(const Case& c, const Solved& solved, double distance, DerivativesMethod method,
                 bool with_pressure) {
   const Curve between = sample(c.shape, 22, c.side);
@@ -123,8 +123,8 @@ Line distance_line(const std::string& key, const std::string& id, const std::str
           .label = label,
           .measure = over_distances(c, by_cauchy),
           .claim = Claim{.id = id,
-                         .statement = "Pressure, vorticity and strain by Cauchy integrals do not "
-                                      "know the distance.",
+                         .statement = "The errors of pressure, vorticity and strain by Cauchy "
+                                      "integrals are below 1e-10 at any distance.",
                          .law = Identity{1e-10},
                          .reason = "the weights of the barycentric formula add up to 1 whatever "
                                    "cancels in them; the rest is rounding times N, once a "
@@ -134,7 +134,7 @@ Line distance_line(const std::string& key, const std::string& id, const std::str
           .control = Control{defect, over_distances(c, defective)}};
 }
 
-/// Density that is an entire function of the parameter.
+/// A density that is an entire function of the parameter.
 ComplexVector smooth_densities(Index n) {
   return ComplexVector::NullaryExpr(n, [n](Index j) {
     const double t = 2.0 * pi * static_cast<double>(j) / static_cast<double>(n);
@@ -142,8 +142,8 @@ ComplexVector smooth_densities(Index n) {
   });
 }
 
-/// Errors of the trapezoid rule over the distance in spacings; the exact values are those of a rule
-/// for which no target is near.
+/// Errors of the trapezoid rule by the distance in spacings. The exact values are by a rule that is
+/// so fine that no target is near.
 Measure errors_over_spacings(const Shape& shape, Index n, Side side, double factor) {
   return [=](Size size) {
     const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);

@@ -1,5 +1,5 @@
-// Study of stress: derivatives on the boundary and next to it, loads and dissipation that follow
-// from them, and what bodies add to the viscosity of a suspension.
+// Study of stress: derivatives on the boundary and near it, loads and dissipation, and the
+// contribution of bodies to the viscosity of a suspension.
 #include "experiments.hpp"
 #include "studies.hpp"
 

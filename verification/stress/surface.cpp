@@ -1,4 +1,5 @@
-// The rate of strain on a body's surface: by Cauchy integrals, and by what one might try first.
+// Computes the rate of strain on a body's surface by Cauchy integrals and by simpler methods: sums
+// of the hypersingular kernel, extrapolation, differences.
 #include <algorithm>
 #include <chrono>
 
@@ -15,7 +16,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pole_depth = 0.4;  // of the nearest pole, in the parameter
+constexpr double pole_depth = 0.4;  // depth of the nearest pole, in the parameter
 const Ellipse body_ellipse{1.0, 0.5};
 const test::ExactFlow pole_flow{
     {{point_at_depth(body_ellipse, pole_depth, 0.8), {0.05, -0.03}, 0.04},
@@ -32,13 +33,13 @@ ComplexVector resolved_density(Index n) {
   return resample(density, n);
 }
 
-/// Strains at every (N / 16)-th node and the kernel evaluations they took.
+/// Strains at every (N / 16)-th node, and the number of kernel evaluations.
 struct Evaluation {
   ComplexVector strain;
   Index kernels;
 };
 
-/// The trapezoid sum of the hypersingular kernel without the target's own node.
+/// Evaluates the trapezoid sum of the hypersingular kernel without the target's own node.
 Evaluation sum_over_others(const Curve& body, const ComplexVector& density, bool subtracts) {
   const Index n = body.size(), step = n / target_count;
   const ComplexVector normal = normals(body);
@@ -59,12 +60,13 @@ Evaluation punctured(const Curve& body, const ComplexVector& density) {
   return sum_over_others(body, density, false);
 }
 
-/// A planted defect: the sum converges, but to the mean of the limits from both sides.
+/// A planted defect: the sum lacks the jump and converges to the mean of the limits from both
+/// sides.
 Evaluation without_jump(const Curve& body, const ComplexVector& density) {
   return sum_over_others(body, density, true);
 }
 
-/// With half the jump, -(t.eta_s) t^2.
+/// Adds half of the jump (07.9), -(t.eta_s) t^2, to the sum.
 Evaluation subtracted(const Curve& body, const ComplexVector& density) {
   Evaluation result = without_jump(body, density);
   const ComplexVector slope = differentiate(density);
@@ -76,7 +78,7 @@ Evaluation subtracted(const Curve& body, const ComplexVector& density) {
   return result;
 }
 
-/// Points at a multiple of the local spacing from the targets, in the fluid.
+/// Returns points in the fluid at a multiple of the local spacing from the targets.
 ComplexVector lifted(const Curve& body, double spacings) {
   const Index step = body.size() / target_count;
   const ComplexVector normal = normals(body);
@@ -86,7 +88,8 @@ ComplexVector lifted(const Curve& body, double spacings) {
   });
 }
 
-/// The parabola through the trapezoid rule's values at three distances, at distance 0.
+/// Extrapolates to the surface by the parabola through the trapezoid rule's values at three
+/// distances.
 Evaluation extrapolated_from(double first, const Curve& body, const ComplexVector& density) {
   const StressletSum sum({body});
   ComplexVector strain = ComplexVector::Zero(target_count);
@@ -107,13 +110,13 @@ Evaluation extrapolated(const Curve& body, const ComplexVector& density) {
   return extrapolated_from(6.0, body, density);
 }
 
-/// A planted defect: values so near to the surface that the trapezoid rule is wrong.
+/// A planted defect: the values are so near to the surface that the trapezoid rule is wrong.
 Evaluation extrapolated_too_near(const Curve& body, const ComplexVector& density) {
   return extrapolated_from(1.0, body, density);
 }
 
-/// One-sided differences of second order of velocities by the Cauchy scheme, along the normal and
-/// the tangent: q = 2 du/d(conj z).
+/// One-sided differences of second order of the Cauchy scheme's velocities along the normal and the
+/// tangent: q = 2 du/d(conj z) (07.4).
 Evaluation differences_of_step(double step, const Curve& body, const ComplexVector& density) {
   const CauchyCurve cauchy(body);
   const CauchyData data = cauchy.data(density);
@@ -135,12 +138,13 @@ Evaluation differences(const Curve& body, const ComplexVector& density) {
   return differences_of_step(2.0 * pi / static_cast<double>(body.size()), body, density);
 }
 
-/// A planted defect: a step that stays.
+/// A planted defect: a step that does not decrease with the spacing.
 Evaluation differences_of_fixed_step(const Curve& body, const ComplexVector& density) {
   return differences_of_step(0.05, body, density);
 }
 
-/// Beside N weights a target, three matrices of the curve on itself.
+/// The limit by Cauchy integrals takes N weights for each target, and three matrices of the curve
+/// on itself.
 Evaluation cauchy_limit(const Curve& body, const ComplexVector& density) {
   const CauchyCurve cauchy(body);
   const CauchyDerivativeData data = cauchy.derivative_data(cauchy.data(density));
@@ -186,7 +190,8 @@ const std::vector<Index> many{64, 128, 256, 512, 1024, 2048},
     very_many{256, 512, 1024, 2048, 4096, 8192, 16384}, moderate{32, 64, 128, 256, 512},
     few{32, 48, 64, 80, 96, 112, 128, 144, 160};
 
-/// Errors on the surface at points between the nodes, of a density that was solved for on them.
+/// Returns an error on the surface at points between the nodes; the density is solved for on the
+/// nodes.
 using Quantity = std::function<double(const CauchyCurve&, const CauchyData&, const ComplexVector&)>;
 
 Measure between_nodes(const Quantity& error, Side side = Side::fluid_outside) {
@@ -213,8 +218,8 @@ double velocity_error(const CauchyCurve& cauchy, const CauchyData& data,
   return test::largest(cauchy.velocity(data, 0, targets) - exact) / test::largest(exact);
 }
 
-/// Largest error of some number of the derivatives, relative to its largest value; a factor other
-/// than 1 is a planted defect.
+/// Largest error of a part of the derivatives, relative to its largest value. A factor other than 1
+/// is a planted defect.
 template <class Part>
 Quantity error_of(const Part& part, double factor = 1.0) {
   return [=](const CauchyCurve& cauchy, const CauchyData& data, const ComplexVector& targets) {

@@ -1,5 +1,5 @@
-// Bodies in a container whose wall moves by a pure strain: the smallest suspension with an exact
-// effective viscosity.
+// Solves for bodies in a container whose wall moves by a pure strain, which is the smallest
+// suspension with an exact effective viscosity (07.18).
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -17,7 +17,8 @@ namespace {
 
 const FlowDerivatives strained{0.0, 0.0, {1.0, -0.6}};
 
-/// Free bodies in a circular container of radius 1 whose wall moves as the linear flow.
+/// Returns the flow of free bodies in a circular container of radius 1 whose wall has the velocity
+/// of the linear flow.
 SolvedFlow in_container(std::vector<Component> bodies) {
   Component wall = test::enclosing_wall(Circle{1.0}, 128, {});
   wall.velocity = linear_velocity(strained, wall.curve.x);
@@ -32,12 +33,12 @@ const SolvedFlow& disk(double fraction) {
   });
 }
 
-/// Dissipation over that of the fluid alone, mu |q|^2 pi.
+/// Dissipation relative to that of the fluid alone, mu |q|^2 pi.
 double relative_power(const SolvedFlow& flow) {
   return total(power_of_loads(flow)) / (dissipation_density(strained, viscosity) * pi);
 }
 
-/// Stresslet of all free bodies.
+/// Sum of the stresslets of all free bodies.
 Complex stresslet_of_bodies(const SolvedFlow& flow) {
   Complex sum{};
   Index first = 0;
@@ -55,7 +56,7 @@ double excess_by_stresslets(const SolvedFlow& flow) {
   return intrinsic_viscosity(stresslet_of_bodies(flow), strained.strain, pi, viscosity);
 }
 
-/// 1 + 2 phi (1 + phi + phi^2) / (1 - phi)^3 of a disk in the middle.
+/// Exact viscosity with a disk in the middle: 1 + 2 phi (1 + phi + phi^2) / (1 - phi)^3.
 double exact_viscosity(double phi) {
   return 1.0 + 2.0 * phi * (1.0 + phi + phi * phi) / std::pow(1.0 - phi, 3);
 }
@@ -68,7 +69,7 @@ double excess_unbounded(double phi) {
                              viscosity);
 }
 
-/// Bodies of no symmetry, scaled by a factor.
+/// Two bodies without symmetry, scaled by a factor.
 std::vector<Component> odd_bodies(double factor) {
   return {test::free_body(Ellipse{factor, 0.5 * factor}, 192, {{-0.4, 0.2}, 0.7}),
           test::free_body(test::lopsided_curve(0.5 * factor), 192, {{0.35, -0.2}, 0.3})};
@@ -76,7 +77,8 @@ std::vector<Component> odd_bodies(double factor) {
 
 const std::vector<double> factors{0.05, 0.1, 0.2, 0.3};
 
-/// Excess of the dissipation by tractions on the wall, against the stresslets; relative.
+/// Relative difference between the excess of the dissipation by tractions on the wall and by the
+/// stresslets.
 Measure excess_differences(double factor_of_stresslets) {
   return over(factors, [=](double factor) {
     static Once<double, SolvedFlow> solved;
@@ -129,7 +131,7 @@ Experiment container() {
                                              1.0);
                            }),
            .claim = Claim{.id = "07_31",
-                          .statement = "By the mean stress it is the same.",
+                          .statement = "The effective viscosity by the mean stress is the same.",
                           .law = Identity{1e-12},
                           .reason = "the wall's velocity is linear: the mean strain is that of "
                                     "the wall, and the mean stress is 2 mu E + S/A",
@@ -152,8 +154,8 @@ Experiment excess() {
            .label = "stresslets against the wall's tractions",
            .measure = excess_differences(1.0),
            .claim = Claim{.id = "07_32",
-                          .statement = "What bodies add to the dissipation is the sum "
-                                       "of S:E, whatever their shapes and places.",
+                          .statement = "The excess of the dissipation due to bodies is the sum of "
+                                       "S:E, whatever their shapes and places.",
                           .law = Identity{1e-11},
                           .reason = "the reciprocal theorem between the flow with and "
                                     "without bodies",
@@ -194,7 +196,8 @@ Experiment dilute() {
                              return std::abs(coefficient(phi, relative_power(disk(phi))) - 8.0);
                            }),
            .claim = Claim{.id = "07_34",
-                          .statement = "The rest is of third order.",
+                          .statement =
+                              "The rest of the effective viscosity after 8 p^2 is of third order.",
                           .law = Algebraic{-1.0, 0.03},
                           .reason = "20 p^3",
                           .api = {"stokesbook::power_of_loads"}},

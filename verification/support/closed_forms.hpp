@@ -8,9 +8,9 @@
 
 namespace stokesbook::test {
 
-/// Motion of a loaded ellipse in a quiescent unbounded fluid. In the ellipse's frame
-/// U_1 = F_1 / (4 pi mu) [-log((a + b) / (2 ell)) + a / (a + b)], b / (a + b) for U_2,
-/// omega = L / (2 pi mu (a^2 + b^2)).
+/// Returns the motion of a loaded ellipse in an unbounded quiescent fluid, in closed form (03.13).
+/// In the ellipse's frame U_1 = F_1 / (4 pi mu) [-log((a + b) / (2 ell)) + a / (a + b)]; U_2 has b
+/// / (a + b) in place of a / (a + b); omega = L / (2 pi mu (a^2 + b^2)).
 inline RigidMotion loaded_ellipse(const Ellipse& ellipse, double orientation, const Load& load,
                                   double mu, double ell) {
   const auto [a, b] = ellipse;
@@ -22,8 +22,8 @@ inline RigidMotion loaded_ellipse(const Ellipse& ellipse, double orientation, co
   return {turn * velocity / (4.0 * pi * mu), load.torque / (2.0 * pi * mu * (a * a + b * b))};
 }
 
-/// Angular velocity of a free ellipse in a linear flow, e_11 = -e_22 and e_12 its strain rates
-/// (Jeffery).
+/// Returns the angular velocity of a free ellipse in a linear flow (Jeffery). The strain rates are
+/// e11 = -e22 and e12.
 inline double free_ellipse_omega(const Ellipse& ellipse, double orientation, double vorticity,
                                  double e11, double e12) {
   const double a2 = ellipse.a * ellipse.a, b2 = ellipse.b * ellipse.b;
@@ -31,7 +31,7 @@ inline double free_ellipse_omega(const Ellipse& ellipse, double orientation, dou
   return 0.5 * vorticity + (a2 - b2) / (a2 + b2) * strain;
 }
 
-/// Velocity around a circle of radius a about the origin under a force F:
+/// Returns the velocity around a circle of radius a about the origin on which a force F acts:
 /// [-log(rho / ell) F + r (r.F) / rho^2 + a^2 / (2 rho^2) (F - 2 r (r.F) / rho^2)] / (4 pi mu).
 inline Complex velocity_around_circle(Complex r, double a, Complex force, double mu, double ell) {
   const double rho2 = std::norm(r);
@@ -47,15 +47,17 @@ struct CirclePair {
 
   double alpha() const { return 2.0 * std::asinh(std::sqrt(gap / (4.0 * a))); }
 
-  /// Speed along the line of centres, away from each other, in u = e (x, -y) along that line.
+  /// Speed of either circle along the line of centres, positive if the circles separate, in the
+  /// flow u = e (x, -y) whose x axis is that line.
   double speed_in_extension(double e) const {
     return 2 * a * e * std::pow(std::sinh(alpha()), 3) / std::cosh(2 * alpha());
   }
-  /// Speed of either circle pulled apart by forces F.
+  /// Speed of either circle if opposite forces F pull the two circles apart.
   double speed_of_pull(double force, double mu) const {
     return force / (4 * std::numbers::pi * mu) * (alpha() - std::tanh(2 * alpha()) / 2);
   }
-  /// Turn of either circle when both feel F perpendicular to the line of centres.
+  /// Angular velocity of either circle if both are under a force F perpendicular to the line of
+  /// centres.
   double turn_of_settling(double force, double mu) const {
     return force * std::sinh(alpha()) / (4 * std::numbers::pi * mu * a * std::cosh(2 * alpha()));
   }

@@ -10,11 +10,12 @@
 
 namespace stokesbook::test {
 
-/// Net force and torque of what contact adds to the loads of free bodies, and of the reactions that
-/// the list of contacts gives walls and held bodies, over the largest force of contact and the
-/// largest distance; 0 without contact.
+/// Returns the net force and torque of contact in a frame: the loads that contact adds to free
+/// bodies, plus the reactions of walls and held bodies in the list of contacts. The force is
+/// relative to the largest contact force, the torque to that force times the largest distance from
+/// the origin. The result is the larger of the two, and 0 if there is no contact.
 ///
-/// @param  left_out  a body that is not counted, a planted defect
+/// @param  left_out  a body that the sum omits (a planted defect)
 inline double contact_imbalance(const Scene& scene, const Frame& frame,
                                 std::optional<std::size_t> left_out = {}) {
   if (frame.contacts.empty()) return 0.0;

@@ -7,7 +7,7 @@
 
 namespace stokesbook::test {
 
-/// Builds rows one by one.
+/// Collects constraint rows one by one.
 class RowBuilder {
  public:
   explicit RowBuilder(Index unknowns) : unknowns_{unknowns} {}
@@ -32,7 +32,8 @@ class RowBuilder {
   std::vector<VectorXd> gradients_;
 };
 
-/// A step with mobility B and separation 0.01, whose tolerance is a thousandth of it.
+/// A step with the mobility B and the separation 0.01. Its tolerance is a thousandth of the
+/// separation.
 inline ContactStep step_of(const VectorXd& free_velocity, double dt, const MatrixXd& mobility,
                            std::function<ContactRows(const VectorXd&)> rows) {
   ContactStep step{free_velocity, dt, 0.01, 1e-5, std::move(rows), {}};
@@ -42,7 +43,8 @@ inline ContactStep step_of(const VectorXd& free_velocity, double dt, const Matri
   return step;
 }
 
-/// A point at `start` that must end at least 1 away from the origin; B = 1.
+/// A point that starts at `start` and must end at a distance of at least 1 from the origin; the
+/// mobility B is the identity.
 inline ContactStep point_and_disk(const VectorXd& start, const VectorXd& free_velocity, double dt) {
   return step_of(free_velocity, dt, MatrixXd::Identity(2, 2), [=](const VectorXd& velocity) {
     const VectorXd end = start + dt * velocity;
@@ -52,8 +54,8 @@ inline ContactStep point_and_disk(const VectorXd& start, const VectorXd& free_ve
   });
 }
 
-/// Points in a row at 0, 1, 2, ..., a separation of 0.9 between neighbours; all pairs are rows, far
-/// more than there are unknowns.
+/// Points in a row at 0, 1, 2, ... that must keep a distance of 0.9. Every pair of points is a row,
+/// so that there are far more rows than unknowns.
 inline ContactStep row_of_points(const VectorXd& free_velocity, double dt,
                                  const MatrixXd& mobility) {
   return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {
@@ -69,8 +71,8 @@ inline ContactStep row_of_points(const VectorXd& free_velocity, double dt,
   });
 }
 
-/// A rod above a floor, unknowns its velocity upwards and its rotation; of its two ends at height 0
-/// only the deeper one is a row.
+/// A rod above a floor. The unknowns are its upward velocity and its angular velocity. Both ends
+/// are at height 0, and only the deeper end is a row.
 inline ContactStep rod(const VectorXd& free_velocity) {
   return step_of(free_velocity, 1.0, MatrixXd::Identity(2, 2), [](const VectorXd& velocity) {
     const VectorXd left = vector2(1.0, -1.0), right = vector2(1.0, 1.0);
@@ -82,8 +84,8 @@ inline ContactStep rod(const VectorXd& free_velocity) {
   });
 }
 
-/// A table above a floor, unknowns its velocity upwards and its rotations; of its three feet only
-/// the deepest one is a row.
+/// A table above a floor. The unknowns are its upward velocity and its two angular velocities. Only
+/// the deepest of its three feet is a row.
 inline ContactStep table(const VectorXd& free_velocity) {
   return step_of(free_velocity, 1.0, MatrixXd::Identity(3, 3), [](const VectorXd& velocity) {
     MatrixXd feet(3, 3);
@@ -96,8 +98,8 @@ inline ContactStep table(const VectorXd& free_velocity) {
   });
 }
 
-/// Disks of radius 1/2 in the plane at `centres` (x_0, y_0, x_1, ...): rows are pairs that end
-/// nearer than half a radius.
+/// Disks of radius 1/2 in the plane, with their centres at `centres` (x_0, y_0, x_1, ...). The rows
+/// are the pairs whose gap at the end of the step is at most 1/4.
 inline ContactStep disks(const VectorXd& centres, const VectorXd& free_velocity, double dt,
                          const MatrixXd& mobility) {
   return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {

@@ -4,17 +4,18 @@
 
 namespace stokesbook::test {
 
-// Dense systems. Eigen's decompositions take many seconds to compile: they are compiled here, once.
+// Dense linear algebra. Eigen's decompositions take many seconds to compile, so they are compiled
+// once, in dense.cpp.
 
-/// By LU with partial pivoting.
+/// Solves matrix x = rhs by LU factorisation with partial pivoting.
 Eigen::VectorXd solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
-/// Returns the x for which |matrix x - rhs| is least; if there are several, the shortest.
+/// Returns the x that minimises |matrix x - rhs|; if there are several, the one of least norm.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
-/// The orthogonal factor of matrix = Q R, with as many columns as the matrix.
+/// Returns the orthogonal factor Q of matrix = Q R, with as many columns as the matrix.
 Eigen::MatrixXd orthogonal_factor(const Eigen::MatrixXd& matrix);
 
 }  // namespace stokesbook::test

@@ -5,8 +5,8 @@
 
 namespace stokesbook::test {
 
-/// Completes -1/2 + D of one curve to a regular system: its null space, rigid motions on a body or
-/// one density of normal flux on an enclosing wall, gets the eigenvalue -1.
+/// Completes -1/2 + D of one curve to a regular matrix. The null space (the rigid motions on a
+/// body, one density of normal flux on an enclosing wall) gets the eigenvalue -1.
 ///
 /// @param  curve  nodes
 /// @param  layer  D, from double_layer_matrix(curve)
@@ -33,9 +33,9 @@ inline Eigen::MatrixXd completed_system(const Curve& curve, const Eigen::MatrixX
   return layer - 0.5 * Eigen::MatrixXd::Identity(2 * n, 2 * n) - projection;
 }
 
-/// Solves (-1/2 + D) eta = u densely on one curve, for the velocity limit u of a flow without force
-/// and torque (body) or net flux (enclosing wall). Of the many densities it is the one without
-/// rigid part (body) or with as much normal flux as makes the wall's system regular.
+/// Solves (-1/2 + D) eta = u densely on one curve. The velocity limit u belongs to a flow without
+/// force and torque (body) or without net flux (enclosing wall). The solution is not unique; the
+/// function returns the one of completed_system(): on a body, the density without rigid part.
 inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocity) {
   const Eigen::VectorXd density =
       solve(completed_system(curve, double_layer_matrix(curve)), interleaved(velocity));

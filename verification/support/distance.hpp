@@ -8,18 +8,17 @@
 
 namespace stokesbook::test {
 
-/// Largest difference of two motions, with turns taken at the distance `length` from the centre.
+/// Returns the largest difference of two motions; angular velocities are multiplied by `length`.
 inline double distance(const RigidMotion& p, const RigidMotion& q, double length = 1.0) {
   return std::max(std::abs(p.velocity - q.velocity), length * std::abs(p.omega - q.omega));
 }
 
-/// Largest difference of two loads, with torques as forces at the distance `length` from the
-/// centre.
+/// Returns the largest difference of two loads; torques are divided by `length`.
 inline double distance(const Load& p, const Load& q, double length = 1.0) {
   return std::max(std::abs(p.force - q.force), std::abs(p.torque - q.torque) / length);
 }
 
-/// Largest difference of loads, relative to the largest that is expected.
+/// Returns the largest difference of loads, relative to the largest expected load.
 inline double relative_distance(const std::vector<Load>& found, const std::vector<Load>& expected,
                                 double length = 1.0) {
   double error = 0.0, scale = 0.0;

@@ -7,21 +7,23 @@
 
 namespace stokesbook::test {
 
-/// Two circles, one inside the other, and how they move about their own centres.
+/// Two circles, one inside the other, with their motions about their own centres.
 struct EccentricAnnulus {
   double inner_radius, outer_radius;
   Complex inner_centre, outer_centre;  ///< must differ
   RigidMotion inner, outer;
 };
 
-/// Load of the inner circle on the fluid, about its own centre, in closed form (Jeffery, Wannier):
-/// with e the distance of the centres, y towards the outer one, W and V the relative velocity along
-/// x and y,
-///   tau = arccosh((R1^2 + R2^2 - e^2) / (2 R1 R2)), s = R1 R2 sinh(tau) / e, d1 = (R2^2 - R1^2 -
-///   e^2) / (2 e), f = [(R1^2 + R2^2) W - e (w1 R1^2 + w2 R2^2)] / [2 tau (R1^2 + R2^2) - 4 s e], E
-///   = (2 tau f - W) / (2 e), A = -coth(tau) [w2 R2^2 - w1 R1^2 + 2 (R2^2 - R1^2) E] / 4, F_x = 8
-///   pi mu f, F_y = 4 pi mu V / (tau - tanh tau), L = 8 pi mu (A + f d1).
-/// Its terms cancel when the gap is small, hence the long doubles.
+/// Returns the load of the inner circle on the fluid, about its own centre, in closed form
+/// (Jeffery, Wannier). The distance of the centres is e, the y axis points towards the outer
+/// centre, and W and V are the relative velocities along x and y:
+/// tau = arccosh((R1^2 + R2^2 - e^2) / (2 R1 R2)),
+/// s = R1 R2 sinh(tau) / e, d1 = (R2^2 - R1^2 - e^2) / (2 e),
+/// f = [(R1^2 + R2^2) W - e (w1 R1^2 + w2 R2^2)] / [2 tau (R1^2 + R2^2) - 4 s e],
+/// E = (2 tau f - W) / (2 e),
+/// A = -coth(tau) [w2 R2^2 - w1 R1^2 + 2 (R2^2 - R1^2) E] / 4,
+/// F_x = 8 pi mu f, F_y = 4 pi mu V / (tau - tanh tau), L = 8 pi mu (A + f d1).
+/// The terms cancel if the gap is small, so the formula is evaluated in long double.
 inline Load inner_load(const EccentricAnnulus& annulus, double mu) {
   using Real = long double;
   const Complex to_outer = annulus.outer_centre - annulus.inner_centre;
@@ -44,7 +46,7 @@ inline Load inner_load(const EccentricAnnulus& annulus, double mu) {
   return {fx * x + fy * y, static_cast<double>(scale * (a + f * d1))};
 }
 
-/// The bounded problem of such circles: components 0 and 1 are the inner and the outer one.
+/// The bounded problem of the two circles: component 0 is the inner circle, component 1 the outer.
 inline StokesProblem annulus_problem(const EccentricAnnulus& annulus, double mu,
                                      Eigen::Index inner_nodes, Eigen::Index outer_nodes) {
   const Circle inner{annulus.inner_radius}, outer{annulus.outer_radius};

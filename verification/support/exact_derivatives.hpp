@@ -9,19 +9,21 @@
 
 namespace stokesbook::test {
 
-/// Pressure over viscosity, vorticity and strain of an exact flow of viscosity 1.
+/// Pressure over viscosity, vorticity and strain of an exact flow; the flow's viscosity is 1.
 inline FlowDerivatives derivatives_of(const ExactFlow& flow, Complex z) {
   return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
 }
 
-/// The linear flow with vorticity w and strain q, at rest at the origin.
+/// Velocity of the linear flow with vorticity w and strain q that vanishes at the origin.
 inline ComplexVector linear_velocity(const FlowDerivatives& linear, const ComplexVector& z) {
   return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
 }
 
-/// Largest error of pressure, vorticity and strain at points, relative to the largest strain there.
+/// Returns the largest error of pressure, vorticity and strain at the points, relative to the
+/// largest strain at these points.
 ///
-/// The pressure inside an enclosing wall is known up to a constant: the first point's is the datum.
+/// Inside an enclosing wall the pressure is known up to a constant, so the pressure at the first
+/// point is the datum.
 inline double derivative_error(const std::vector<FlowDerivatives>& found, const ExactFlow& flow,
                                const ComplexVector& points, Side side) {
   const double datum =

@@ -6,17 +6,18 @@
 
 namespace stokesbook::test {
 
-/// A stresslet and a source of fluid at a point: it carries neither force nor torque.
+/// A stresslet and a source of fluid at one point. Their flow carries neither force nor torque.
 struct Pole {
   Complex at;
   Complex dipole;       ///< a of the Goursat function phi = a / r
   double source = 0.0;  ///< m of the radial flow m r / rho^2
 };
 
-/// An exact Stokes flow of viscosity 1: poles outside the fluid, and the extension e (x, -y).
+/// An exact Stokes flow of viscosity 1: poles outside the fluid, plus the extension e (x, -y).
 ///
-/// \f$ u = \sum [a/r + r\,\overline{a/r^2} + m/\bar r] + e\bar z,\ r = z - z_k \f$: u = phi - z
-/// conj(phi') - conj(psi) with p = -4 Re phi', independent of the kernels under test.
+/// \f$ u = \sum [a/r + r\,\overline{a/r^2} + m/\bar r] + e\bar z,\ r = z - z_k \f$, which is u =
+/// phi - z conj(phi') - conj(psi) with p = -4 Re phi'. The formula is independent of the kernels
+/// under test.
 struct ExactFlow {
   std::vector<Pole> poles;
   double extension = 0.0;
@@ -52,7 +53,7 @@ struct ExactFlow {
     return w;
   }
 
-  /// Rate of strain q = e_11 - e_22 + 2 i e_12 = 2 du/d(conj z).
+  /// Returns the rate of strain q = e_11 - e_22 + 2 i e_12 = 2 du/d(conj z).
   Complex strain(Complex z) const {
     Complex slope = extension;
     for (const Pole& pole : poles) {
@@ -62,13 +63,13 @@ struct ExactFlow {
     return 2.0 * slope;
   }
 
-  /// Traction sigma n; 2 e n = q conj(n).
+  /// Returns the traction sigma n, by 2 e n = q conj(n).
   Complex traction(Complex z, Complex n) const {
     return -pressure(z) * n + strain(z) * std::conj(n);
   }
 };
 
-/// Flows with poles in a body and outside a container, of sizes about 1.
+/// Flows with poles inside a body and outside a container, of sizes about 1.
 inline const ExactFlow inner_poles{
     {{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
 inline const ExactFlow outer_poles{

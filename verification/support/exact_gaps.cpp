@@ -1,3 +1,5 @@
+// Computes gaps of curves from their formulas alone, as an independent check of the solver's
+// geometry: samples both curves, then refines each close pair of samples by Newton's method.
 #include "support/exact_gaps.hpp"
 
 #include <algorithm>
@@ -39,7 +41,8 @@ Jet jet(const Star& star, double t) {
                -k * k * wave * std::cos(k * t));
 }
 
-// In polar coordinates r = g^{-1/p} with g = c^p + s^p.
+// Superellipse in polar coordinates: r = g^{-1/p} with g = c^p + s^p, c = cos(t) / a, s = sin(t) /
+// b.
 Jet jet(const Superellipse& shape, double t) {
   const int p = shape.power;
   const double c = std::cos(t) / shape.a, dc = -std::sin(t) / shape.a, s = std::sin(t) / shape.b,
@@ -79,8 +82,9 @@ double distance(const PlacedShape& a, const PlacedShape& b, double s, double t) 
   return std::abs(at(a, s).x - at(b, t).x);
 }
 
-// Minimises the distance from a pair of parameters: Newton's method, or Gauss's where the Hessian
-// is not positive, with steps halved until they go down.
+// Minimises the distance, starting at a pair of parameters, by Newton's method. Where the Hessian
+// is not positive definite, the step uses the Gauss-Newton matrix, its diagonal enlarged by a
+// tenth. Steps are halved until the distance decreases.
 double descended(const PlacedShape& a, const PlacedShape& b, double s, double t) {
   double found = distance(a, b, s, t);
   for (int iteration = 0; iteration < 50; ++iteration) {
@@ -107,7 +111,7 @@ double descended(const PlacedShape& a, const PlacedShape& b, double s, double t)
   return found;
 }
 
-// How often a polygon winds about a point.
+// Returns how many times a polygon winds about a point.
 int winding_number(const std::vector<Complex>& polygon, Complex point) {
   int winding = 0;
   Complex from = polygon.back() - point;
@@ -121,8 +125,8 @@ int winding_number(const std::vector<Complex>& polygon, Complex point) {
   return winding;
 }
 
-// Whether a curve that does not cross another one lies inside it; by some of its points, since one
-// alone may lie within rounding of the polygon.
+// Returns whether a curve that does not cross another curve lies inside it. Nine points vote,
+// because a single point may lie within rounding error of the polygon.
 bool lies_inside(const std::vector<Complex>& curve, const std::vector<Complex>& polygon) {
   int inside = 0;
   constexpr std::size_t asked = 9;
@@ -158,7 +162,7 @@ double exact_gap(const PlacedShape& a, const PlacedShape& b, int samples) {
     longest = std::max({longest, std::abs(on_a[i] - on_a[(i + 1) % on_a.size()]),
                         std::abs(on_b[i] - on_b[(i + 1) % on_b.size()])});
   }
-  // All local minima that may hide the global one between samples.
+  // Refines every local minimum of the samples behind which the global minimum may hide.
   double gap = std::sqrt(least2);
   const double bound = gap + longest;
   for (std::size_t i = 0; i < nearest.size(); ++i) {

@@ -4,8 +4,8 @@
 
 namespace stokesbook::test {
 
-/// Step of the differences: for fields that vary over lengths of 1, truncation and rounding are
-/// both near 1e-12.
+/// Step of the differences. For fields that vary over lengths of order 1, truncation and rounding
+/// errors are both near 1e-12.
 inline constexpr double difference_step = 0.01;
 
 /// Central difference of order 8 of a field along a direction of the plane.
@@ -36,7 +36,7 @@ double divergence(const Velocity& u, Complex z) {
   return derivative(u, z, 1.0).real() + derivative(u, z, imaginary).imag();
 }
 
-/// Stokes' equation's remainder, mu Lap u - grad p.
+/// Residual of the Stokes equation, mu Lap u - grad p.
 template <class Velocity, class Pressure>
 Complex momentum_residual(const Velocity& u, const Pressure& p, double mu, Complex z) {
   return mu * laplacian(u, z) - Complex{derivative(p, z, 1.0), derivative(p, z, imaginary)};

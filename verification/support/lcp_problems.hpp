@@ -14,12 +14,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A problem with a solution that is known.
+/// A problem whose solution is known.
 struct PlantedLcp {
   std::string name;
   LcpProblem problem;
   VectorXd z;           ///< a solution
-  bool unique = false;  ///< the only one
+  bool unique = false;  ///< whether z is the only solution
 };
 
 /// Independent normal deviates, the same in every run.
@@ -29,13 +29,13 @@ inline MatrixXd normal_matrix(Index rows, Index columns, unsigned seed) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
 }
 
-/// Symmetric, eigenvalues at least 0.1.
+/// Symmetric matrix with eigenvalues of at least 0.1.
 inline MatrixXd definite_matrix(Index m, unsigned seed) {
   const MatrixXd factor = normal_matrix(m, m, seed);
   return factor * factor.transpose() / static_cast<double>(m) + 0.1 * MatrixXd::Identity(m, m);
 }
 
-/// Symmetric, positive semidefinite, of a given rank.
+/// Symmetric positive semidefinite matrix of a given rank.
 inline MatrixXd semidefinite_matrix(Index m, Index rank, unsigned seed) {
   const MatrixXd factor = normal_matrix(m, rank, seed);
   return factor * factor.transpose() / static_cast<double>(rank);
@@ -46,7 +46,7 @@ inline MatrixXd hilbert_matrix(Index m) {
       m, m, [](Index i, Index j) { return 1.0 / static_cast<double>(i + j + 1); });
 }
 
-/// (-1, 2, -1): contacts of a chain of disks in a row.
+/// Tridiagonal matrix (-1, 2, -1): the contacts of a chain of disks in a row.
 inline MatrixXd chain_matrix(Index m) {
   MatrixXd matrix = 2.0 * MatrixXd::Identity(m, m);
   matrix.diagonal(1).setConstant(-1.0);
@@ -54,19 +54,19 @@ inline MatrixXd chain_matrix(Index m) {
   return matrix;
 }
 
-/// Pushed together at both ends: z = 1 everywhere.
+/// The chain pushed together at both ends; the solution is z = 1 in every contact.
 inline LcpProblem chain(Index m) {
   return {chain_matrix(m), -VectorXd::Unit(m, 0) - VectorXd::Unit(m, m - 1)};
 }
 
-/// Murty's: ones on the diagonal, twos below it, q = -1; z = e_1.
+/// Murty's problem: ones on the diagonal, twos below the diagonal, q = -1; the solution is z = e_1.
 inline LcpProblem murty(Index m) {
   MatrixXd matrix = MatrixXd::Identity(m, m);
   matrix.triangularView<Eigen::StrictlyLower>().setConstant(2.0);
   return {matrix, -VectorXd::Ones(m)};
 }
 
-/// Pairs of contacts that are the same up to 1e-6.
+/// Doubles the contacts: each pair of contacts is equal up to 1e-6.
 inline MatrixXd near_duplicates(const MatrixXd& matrix) {
   const Index m = matrix.rows();
   MatrixXd result(2 * m, 2 * m);
@@ -79,15 +79,15 @@ inline MatrixXd near_duplicates(const MatrixXd& matrix) {
   return result;
 }
 
-/// 10^U(-6,0).
+/// Random factors 10^u, u uniform in (-6, 0).
 inline VectorXd random_scale(Index m, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> power(-6.0, 0.0);
   return VectorXd::NullaryExpr(m, [&] { return std::pow(10.0, power(generator)); });
 }
 
-/// The problem of the matrix that a random z solves: 30 % of the pairs have z = w = 0, half of the
-/// others z > 0.
+/// Returns a problem with the given matrix that a random z solves. In 30 % of the pairs z = w = 0;
+/// half of the other pairs have z > 0, the other half w > 0.
 inline PlantedLcp planted(std::string name, const MatrixXd& matrix, unsigned seed, bool unique) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform;
@@ -100,7 +100,7 @@ inline PlantedLcp planted(std::string name, const MatrixXd& matrix, unsigned see
   return {std::move(name), {matrix, w - matrix * z}, z, unique};
 }
 
-/// The same in other units, row by row.
+/// Returns the same problem with every row in another unit.
 inline PlantedLcp in_other_units(const PlantedLcp& lcp, const VectorXd& scale) {
   return {lcp.name + " in mixed units",
           {scale.asDiagonal() * lcp.problem.matrix * scale.asDiagonal(),

@@ -44,7 +44,7 @@ inline double largest(const VectorXd& v) {
   return v.cwiseAbs().maxCoeff();
 }
 
-/// Tells whether v proves that a positive semidefinite problem has no solution:
+/// Returns whether v proves that a positive semidefinite problem has no solution (11.5):
 /// v >= 0, M^T v <= 0 and q . v < 0.
 inline bool proves_no_solution(const VectorXd& v, const LcpProblem& problem) {
   if (v.size() != problem.offset.size()) return false;

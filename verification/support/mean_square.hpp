@@ -7,8 +7,9 @@
 
 namespace stokesbook::test {
 
-/// The matrix of a problem's dense system between mean-square norms: values at a node count with
-/// the root of its share of the curve's length, the unknowns and rows of a border as they are.
+/// Returns the matrix of a problem's dense system between mean-square norms: node values are
+/// weighted by the square root of the node's share of the curve's length; the unknowns and rows of
+/// a border are not weighted.
 inline Eigen::MatrixXd between_mean_squares(Eigen::MatrixXd matrix, const StokesProblem& problem) {
   Eigen::Index row = 0;
   for (const Component& component : problem.components) {

@@ -4,8 +4,8 @@
 
 namespace stokesbook::test {
 
-/// Motions (U_1, U_2, omega of every body), column by column, of unit loads (F_1, F_2, L of every
-/// body); all bodies free.
+/// Returns the mobility matrix of free bodies. Each column holds the motions (U_1, U_2, omega of
+/// every body) under one unit load (F_1, F_2, L of every body).
 inline Eigen::MatrixXd mobility_matrix(StokesProblem problem, ClosureForm form) {
   const auto bodies = static_cast<Eigen::Index>(problem.components.size());
   Eigen::MatrixXd matrix(3 * bodies, 3 * bodies);

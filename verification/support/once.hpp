@@ -4,7 +4,7 @@
 
 namespace stokesbook::test {
 
-/// Makes a value once for each key: lines and controls share what is dear.
+/// Computes a value once for each key, so that lines and controls share expensive results.
 template <class Key, class Value>
 class Once {
  public:

@@ -9,7 +9,7 @@
 
 namespace stokesbook::test {
 
-/// Even numbers of nodes from first to last, equidistant as far as they can be; none below 4.
+/// Returns even numbers of nodes from first to last, as equidistant as possible; none is below 4.
 inline std::vector<Eigen::Index> even_counts(double first, double last, int steps) {
   std::vector<Eigen::Index> counts;
   for (int k = 0; k <= steps; ++k) {
@@ -31,8 +31,8 @@ std::vector<study::Measurement> errors_at(const std::vector<Eigen::Index>& count
   return measurements;
 }
 
-/// Measures an error, a function of the number of nodes, from first to last in so many steps; a
-/// quick study takes half of them.
+/// Measures an error, a function of the number of nodes, at `steps` numbers of nodes from first to
+/// last. A quick study takes half as many.
 template <class Error>
 study::Measure over_nodes(double first, double last, int steps, const Error& error,
                           double unknowns_a_node) {

@@ -5,8 +5,8 @@
 
 namespace stokesbook::test {
 
-/// The double layer by the trapezoid rule, without the bound on small distances that StressletSum
-/// has.
+/// Evaluates the double layer by the trapezoid rule. Unlike StressletSum, the function does not
+/// bound small distances from below.
 inline ComplexVector plain_rule(const Curve& curve, const ComplexVector& density,
                                 const ComplexVector& targets) {
   const Eigen::VectorXd w = weights(curve);

@@ -10,14 +10,15 @@
 
 namespace stokesbook::test {
 
-/// Points with random normals and one weight, as a curve is to a sum over its nodes.
+/// Points with random normals and equal weights, in the form of a curve: the sums use only the
+/// nodes.
 inline Curve cloud(const ComplexVector& points, double weight) {
   const double speed = weight * static_cast<double>(points.size()) / (2.0 * std::numbers::pi);
   const ComplexVector dx = speed * random_vector(points.size(), 99).cwiseSign();
   return {points, dx, dx, Side::fluid_outside};
 }
 
-/// Ellipses 2:1 in a square array, turned this way and that, n nodes each.
+/// Ellipses 2:1 in a square array, at various angles, n nodes each.
 inline std::vector<Curve> ellipses(int side, Eigen::Index n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
   const ComplexVector jitter = random_vector(side * side, 5);
@@ -32,7 +33,7 @@ inline std::vector<Curve> ellipses(int side, Eigen::Index n) {
   return curves;
 }
 
-/// @name Sets of n points, in a square of side 2 unless said
+/// @name Sets of n points, in a square of side 2 unless stated otherwise
 /// @{
 inline ComplexVector points_in_a_square(Eigen::Index n) {
   return random_vector(n, 1);
@@ -40,18 +41,18 @@ inline ComplexVector points_in_a_square(Eigen::Index n) {
 inline ComplexVector points_on_a_line(Eigen::Index n) {
   return random_vector(n, 1).real().cast<Complex>();
 }
-/// Two squares, ten thousand apart.
+/// Points in two squares, a distance of ten thousand apart.
 inline ComplexVector two_clusters(Eigen::Index n) {
   ComplexVector points = random_vector(n, 1);
   for (Eigen::Index i = 1; i < n; i += 2) points[i] += 1e4;
   return points;
 }
-/// Towards the origin, over eight decades.
+/// Points that accumulate at the origin, over eight decades.
 inline ComplexVector crowding_points(Eigen::Index n) {
   const Eigen::ArrayXd exponents = -9.0 * (1.0 + random_vector(n, 2).real().array());
   return (random_vector(n, 1).array() * exponents.exp()).matrix();
 }
-/// Three quarters of them at one place.
+/// Three quarters of the points at one place.
 inline ComplexVector coincident_points(Eigen::Index n) {
   ComplexVector points = random_vector(n, 1);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -61,7 +62,7 @@ inline ComplexVector coincident_points(Eigen::Index n) {
 }
 /// @}
 
-/// Sets of n points that a tree may find hard.
+/// A set of n points that may be difficult for a tree.
 struct PointSet {
   const char* name;
   ComplexVector points;
@@ -74,7 +75,7 @@ inline std::vector<PointSet> point_sets(Eigen::Index n) {
           {"coincident", coincident_points(n)}};
 }
 
-/// Relative error in the 2-norm.
+/// Returns the relative error in the 2-norm.
 inline double relative_error(const ComplexVector& found, const ComplexVector& exact) {
   return (found - exact).norm() / exact.norm();
 }

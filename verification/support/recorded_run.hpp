@@ -8,19 +8,20 @@
 
 namespace stokesbook::test {
 
-/// What a run has told, in memory.
+/// The frames, steps and totals of a run, kept in memory.
 struct RecordedRun {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
   RunTotals totals;
   RunResolution resolution;
-  std::string stopped;  ///< why it did not reach its end; empty where it did
+  std::string stopped;  ///< why the run did not reach its end; empty if it did
 };
 
-/// Where goes what ends a run early, errors of the program included.
+/// Treatment of an exception that ends a run early: throw it on, or record its message. Programming
+/// errors are treated alike.
 enum class Refusals { thrown, recorded };
 
-/// Runs a scene in memory.
+/// Runs a scene and keeps the results in memory.
 inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals::thrown) {
   RecordedRun run;
   Observer observer;
@@ -39,7 +40,8 @@ inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals
   return run;
 }
 
-/// Bodies in a flow that keep a separation, with automatic nodes, solved to contact's needs.
+/// Returns a scene of bodies in a flow that keep a separation, with automatic nodes and a solver
+/// tolerance of 1e-5.
 inline Scene in_contact(const BackgroundFlow& flow, const std::vector<Body>& bodies,
                         double separation) {
   Scene scene;
@@ -50,7 +52,7 @@ inline Scene in_contact(const BackgroundFlow& flow, const std::vector<Body>& bod
   return scene;
 }
 
-/// The same scene in time.
+/// Adds the settings of time stepping to a scene.
 inline Scene over(Scene scene, double t_final, double dt,
                   SteppingMethod method = SteppingMethod::euler) {
   scene.time = TimeSettings{t_final, dt, method};

@@ -7,8 +7,8 @@
 
 namespace stokesbook::test {
 
-/// Adds what the Cauchy scheme finds at the nodes near other components, minus the trapezoid rule,
-/// to the reduced system of a problem; curves are placed without turning.
+/// Corrects the reduced system of a problem near other components: adds, at the nodes there, the
+/// Cauchy scheme's velocity minus the trapezoid rule's. The curves are placed without rotation.
 inline void add_near_correction(DenseSystem& system, const StokesProblem& problem,
                                 const std::vector<PlacedCurve>& placed) {
   const std::vector<Eigen::Index> offsets = node_offsets(problem);
@@ -41,7 +41,7 @@ inline void add_near_correction(DenseSystem& system, const StokesProblem& proble
   }
 }
 
-/// Solves a problem densely, with close evaluation between its components.
+/// Solves a problem by a dense factorisation, with close evaluation between its components.
 inline SolvedFlow solve_flow(const StokesProblem& problem) {
   const std::vector<PlacedCurve> placed = cauchy_curves(problem);
   DenseSystem system = assemble_bounded(problem, ClosureForm::reduced);

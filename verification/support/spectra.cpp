@@ -1,3 +1,5 @@
+// Computes singular values, eigenvalues and condition numbers of dense matrices, and the spectrum
+// of the double layer of an ellipse in closed form (01.10).
 #include "support/spectra.hpp"
 
 #include <algorithm>
@@ -12,7 +14,8 @@
 namespace stokesbook::test {
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
-  // They are the eigenvalues >= 0 of (0 A; A^T 0). Eigen's BDCSVD takes 25 s to compile.
+  // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). Eigen's BDCSVD would take 25
+  // s to compile.
   const Eigen::Index rows = matrix.rows(), columns = matrix.cols();
   Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(rows + columns, rows + columns);
   augmented.bottomLeftCorner(columns, rows) = matrix.transpose();
@@ -65,7 +68,7 @@ Eigen::VectorXd ellipse_spectrum(const Ellipse& ellipse, Side side, Eigen::Index
       values.push_back(0.25 * sum);
     }
   }
-  values.resize(static_cast<std::size_t>(2 * nodes), 0.0);  // of the mode N / 2, below m^{N/2}
+  values.resize(static_cast<std::size_t>(2 * nodes), 0.0);  // modes from N / 2 on are below m^{N/2}
   std::ranges::sort(values);
   return Eigen::Map<Eigen::VectorXd>(values.data(), 2 * nodes);
 }

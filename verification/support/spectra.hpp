@@ -7,11 +7,13 @@
 
 namespace stokesbook::test {
 
-/// Largest first; each to a few hundred rounding units of the largest.
+/// Returns the singular values, largest first. Each has an error of a few hundred rounding units of
+/// the largest.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// |A| |A^-1| in the 2-norm, to a relative error of the condition number in rounding units: the
-/// least singular value itself would be worse.
+/// Returns the condition number |A| |A^-1| in the 2-norm. Its relative error is the condition
+/// number in rounding units; the quotient of the extreme singular values of A would be less
+/// accurate.
 double condition_number(const Eigen::MatrixXd& matrix);
 
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
@@ -24,24 +26,24 @@ struct Eigenpairs {
 
 Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix);
 
-/// Of a symmetric matrix, of which only the lower half is read; smallest first.
+/// Returns the eigenvalues of a symmetric matrix, smallest first. Only the lower triangle is read.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
-/// Compares the eigenvalues of a matrix with real numbers, each as often as it occurs: sorts both
-/// by their real parts, and takes the largest distance of two in the same place.
+/// Compares the eigenvalues of a matrix with real numbers, each listed with its multiplicity: sorts
+/// both by their real parts, and returns the largest distance between two values of equal rank.
 ///
 /// @param  values  n eigenvalues
 /// @param  known   n numbers
-/// @param  outer   how many at either end are compared, at most n
+/// @param  outer   how many values are compared at either end, at most n
 /// @return         distance
 double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known,
                          Eigen::Index outer);
 
-/// The same for all n of them.
+/// Compares all n eigenvalues.
 double spectrum_distance(const Eigen::VectorXcd& values, const Eigen::VectorXd& known);
 
-/// Eigenvalues of the double layer of an ellipse in closed form (01.10): of constants and of the
-/// modes that N nodes resolve.
+/// Returns the eigenvalues of the double layer of an ellipse in closed form (01.10): those of the
+/// constants and those of the modes that N nodes resolve.
 ///
 /// @param  ellipse  major axis first
 /// @param  side     where the fluid is

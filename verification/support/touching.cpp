@@ -1,3 +1,4 @@
+// Builds scenes of bodies that nearly touch, and discretises them at the solver's first resolution.
 #include "support/touching.hpp"
 
 #include <algorithm>

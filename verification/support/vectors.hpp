@@ -11,7 +11,7 @@ inline double largest(const ComplexVector& v) {
   return v.cwiseAbs().maxCoeff();
 }
 
-/// Complex numbers with real and imaginary parts uniform in [-1, 1], the same in every run.
+/// Returns complex numbers with real and imaginary parts uniform in [-1, 1], the same in every run.
 inline ComplexVector random_vector(Eigen::Index n, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);

@@ -13,7 +13,7 @@ inline Component enclosing_wall(const Shape& shape, Eigen::Index n, const Pose& 
   return {ComponentKind::enclosing_wall, curve, pose.position, {}, 0.0, velocity};
 }
 
-/// The system of a bounded problem with `scale` times N_0 on its enclosing wall.
+/// Assembles a bounded problem and adds `scale` times N_0 on its enclosing wall.
 inline DenseSystem assemble_bounded(const StokesProblem& problem, ClosureForm form,
                                     double scale = 1.0) {
   DenseSystem system = assemble(problem, form);

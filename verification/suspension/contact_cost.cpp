@@ -1,4 +1,5 @@
-// What contact costs: steps of dense clusters with and without it, in counts and seconds.
+// Measures the cost of contact: counts and seconds of a step of a dense cluster, with contact and
+// without.
 #include <iterator>
 #include <optional>
 #include <tuple>
@@ -15,7 +16,8 @@ using namespace test;
 
 namespace {
 
-// The first steps find out how exactly contact is to be solved.
+// Numbers of steps. The averages skip the first steps, in which the solver still determines the
+// accuracy that contact requires.
 struct Steps {
   int first, all;
 };
@@ -30,7 +32,7 @@ struct ClusterRun {
   RunTotals first, all;  // after the first steps, and at the end
 };
 
-/// A hexagon of disks that touch but for the separation, in shear.
+/// The run of a hexagon of disks in shear whose gaps equal the separation.
 const ClusterRun& hexagon(Size size, int rings, bool in_contact) {
   static Once<std::tuple<Size, int, bool>, ClusterRun> runs;
   return runs({size, rings, in_contact}, [&] {
@@ -52,7 +54,7 @@ const ClusterRun& hexagon(Size size, int rings, bool in_contact) {
   });
 }
 
-/// Of a step after the first ones, on average.
+/// Average of a quantity over the steps after the first ones.
 double in_a_step(const ClusterRun& run, double (*quantity)(const StepInfo& step)) {
   double sum = 0.0;
   for (int k = run.counts.first; k < run.counts.all; ++k) {
@@ -74,12 +76,12 @@ double seconds(const StepInfo& step) {
   return step.seconds;
 }
 
-/// Of a step after the first ones, on average.
+/// Average of a total's increase over the steps after the first ones.
 double in_a_step(const ClusterRun& run, double (*quantity)(const RunTotals& totals)) {
   return (quantity(run.all) - quantity(run.first)) / (run.counts.all - run.counts.first);
 }
 
-/// A cluster with contact and without.
+/// The runs of one cluster with contact and without.
 struct Cluster {
   const ClusterRun &with, &without;
 };
@@ -103,7 +105,7 @@ double solves_for_a_pair(const Cluster& cluster) {
   return in_a_step(cluster.with, solves) / in_a_step(cluster.with, contacts);
 }
 
-// A solve for each pair in each step: a planted defect.
+// A planted defect: one solve for each pair in each step.
 double a_solve(const Cluster&) {
   return 1.0;
 }
@@ -143,30 +145,31 @@ Line shown(const std::string& key, const std::string& label,
 }  // namespace
 
 Experiment cost_of_contact() {
-  return {.key = "cost_of_contact",
-          .title = "A step of a hexagon of disks in shear, with and without contact",
-          .x = "pairs in contact, p",
-          .error = "number",
-          .axes = Axes::nominal,
-          .lines = {
-              {.key = "solves",
-               .label = "solves for contact, for each pair in contact",
-               .measure = over_rings(solves_for_a_pair),
-               .claim = Claim{.id = "12_17",
-                              .statement = "Contact that lasts takes a few solves a step, not one "
-                                           "for each pair.",
-                              .law = AtMost{0.2},
-                              .reason = "responses are those of the step before, and their sum is "
-                                        "corrected; only new pairs ask for their own",
-                              .api = {"stokesbook::ContactMobility"}},
-               .control = Control{"a solve for each pair", over_rings(a_solve)}},
-              shown("with", "GMRES iterations with contact", with_contact),
-              shown("without", "GMRES iterations without", without_contact),
-              shown("iterations", "contact iterations", contact_iterations),
-              shown("seconds_with", "seconds with contact", seconds_with),
-              shown("seconds_without", "seconds without contact", seconds_without),
-              shown("first_seconds", "seconds of the first step, with contact", first_seconds),
-              shown("share_of_time", "part of the time that contact takes", share_of_time)}};
+  return {
+      .key = "cost_of_contact",
+      .title = "A step of a hexagon of disks in shear, with and without contact",
+      .x = "pairs in contact, p",
+      .error = "number",
+      .axes = Axes::nominal,
+      .lines = {
+          {.key = "solves",
+           .label = "solves for contact, for each pair in contact",
+           .measure = over_rings(solves_for_a_pair),
+           .claim = Claim{.id = "12_17",
+                          .statement =
+                              "Contacts that last need a few solves a step, not one for each pair.",
+                          .law = AtMost{0.2},
+                          .reason = "the responses of the step before are used again, and their "
+                                    "sum is corrected; only new pairs need solves of their own",
+                          .api = {"stokesbook::ContactMobility"}},
+           .control = Control{"a solve for each pair", over_rings(a_solve)}},
+          shown("with", "GMRES iterations with contact", with_contact),
+          shown("without", "GMRES iterations without", without_contact),
+          shown("iterations", "contact iterations", contact_iterations),
+          shown("seconds_with", "seconds with contact", seconds_with),
+          shown("seconds_without", "seconds without contact", seconds_without),
+          shown("first_seconds", "seconds of the first step, with contact", first_seconds),
+          shown("share_of_time", "part of the time that contact takes", share_of_time)}};
 }
 
 }  // namespace stokesbook::verification::suspension

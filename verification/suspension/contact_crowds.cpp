@@ -1,4 +1,5 @@
-// Random dense crowds in steps that are far too long: what contact must hold in every one of them.
+// Runs random dense crowds with steps that are far too long, and checks in every step the gap, the
+// balance of contact forces and the number of contact iterations.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,14 +19,14 @@ using namespace test;
 
 namespace {
 
-/// What the scenes of a family have shown.
+/// Results of the scenes of one family.
 struct Tally {
   double scenes = 0.0, stopped = 0.0, steps = 0.0, halved = 0.0;
-  double in_contact = 0.0;                    // steps
-  double iterations = 0.0, one_by_one = 0.0;  // of contact; if only one pair were seen to in each
-  double all_iterations = 0.0;                // with those of tries that were not taken
-  double most_iterations = 0.0, most_one_by_one = 0.0;  // in a step
-  double narrowest = 4.0;                               // gap of any written state, in separations
+  double in_contact = 0.0;                              // steps in contact
+  double iterations = 0.0, one_by_one = 0.0;            // of contact; if each treated only one pair
+  double all_iterations = 0.0;                          // including those of rejected attempts
+  double most_iterations = 0.0, most_one_by_one = 0.0;  // largest numbers in a step
+  double narrowest = 4.0;  // least gap of any written state, in separations
   double unbalanced = 0.0, unbalanced_but_one = 0.0;
   double seconds = 0.0, seconds_of_contact = 0.0;
 };
@@ -59,8 +60,8 @@ void add(Tally& tally, const Scene& scene, double separation) {
   }
 }
 
-// Without contact an overlap stops the run, at once where steps may not be halved: a planted
-// defect, on few scenes.
+// Without contact, an overlap stops the run. The planted defect leaves contact out; its steps may
+// not be halved, so that the run stops at once. Few scenes suffice for it.
 enum class Contact { resolved, left_out };
 
 using Tallies = std::map<int, Tally>;
@@ -127,8 +128,8 @@ double share_of_time(const Tally& tally) {
   return tally.seconds_of_contact / tally.seconds;
 }
 
-/// Families of one flow together, under the number of the last: steps in contact, and their
-/// iterations.
+/// Adds up the families of each flow (steps in contact, and their iterations); the sum has the
+/// number of the last family.
 Measure over_flows(double (*quantity)(const Tally&)) {
   return [=](Size size) {
     std::map<int, std::pair<int, Tally>> flows;
@@ -163,11 +164,11 @@ Experiment random_crowds() {
       .axes = Axes::nominal,
       .lines = {
           {.key = "lost",
-           .label = "part of the separation that the narrowest gap lacks",
+           .label = "shortfall of the narrowest gap, relative to the separation",
            .measure = over_families(lost),
            .claim = Claim{.id = "12_18",
-                          .statement = "No written state of a random crowd is closer than the "
-                                       "separation, less a thousandth.",
+                          .statement = "In every written state of a random crowd all gaps are at "
+                                       "least the separation, less a thousandth of it.",
                           .law = AtMost{1e-3},
                           .reason = "steps are accepted by the closest points of the curves; "
                                     "measured by formulas that share no code with them",
@@ -177,8 +178,8 @@ Experiment random_crowds() {
            .label = "net force or torque of contact, with the walls' reactions, over the largest",
            .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
            .claim = Claim{.id = "12_19",
-                          .statement = "Forces of contact balance, and so do their torques, with "
-                                       "what they exert on walls.",
+                          .statement = "The forces of contact balance, including those on walls, "
+                                       "and so do their torques.",
                           .law = Identity{1e-12},
                           .reason = "they act on both bodies at one point along one line",
                           .api = {"stokesbook::SuspensionContact"}},
@@ -200,31 +201,33 @@ Experiment random_crowds() {
           counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
           counted("in_contact", "steps in contact",
                   [](const Tally& tally) { return tally.in_contact; }),
-          counted("all_iterations", "contact iterations with all tries",
+          counted("all_iterations", "contact iterations, with those of rejected attempts",
                   [](const Tally& tally) { return tally.all_iterations; }),
           counted("iterations", "contact iterations in a step in contact, on average",
                   mean_iterations),
           {.key = "flows",
-           .label = "the same, all families of a flow together, beside its last",
+           .label = "the same for all families of a flow together, shown at its last family",
            .measure = over_flows(mean_iterations),
-           .claim = Claim{.id = "12_23",
-                          .statement = "A step in contact takes fewer than three linear problems "
-                                       "on average, in every flow.",
-                          .law = AtMost{3.0},
-                          .reason = "Newton's method for gaps that are nearly linear where the "
-                                    "step before ended; two stages of Heun's method count "
-                                    "both, tries that are not taken do not",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs seen to one by one", over_flows(mean_one_by_one)}},
+           .claim =
+               Claim{.id = "12_23",
+                     .statement = "A step in contact takes fewer than three linear problems "
+                                  "on average, in every flow.",
+                     .law = AtMost{3.0},
+                     .reason =
+                         "Newton's method for gaps that are nearly linear where the step before "
+                         "ended; both stages of Heun's method count, rejected attempts do not",
+                     .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"pairs resolved one by one", over_flows(mean_one_by_one)}},
           {.key = "most_iterations",
            .label = "most in a step",
            .measure = over_families(most_iterations),
-           .claim = Claim{.id = "12_24",
-                          .statement = "No step takes more than nine linear problems.",
-                          .law = AtMost{9.0},
-                          .reason = "one that needs more is halved; the published most is nine",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs seen to one by one", over_families(most_one_by_one)}},
+           .claim =
+               Claim{.id = "12_24",
+                     .statement = "No step takes more than nine linear problems.",
+                     .law = AtMost{9.0},
+                     .reason = "a step that needs more is halved; the published maximum is nine",
+                     .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"pairs resolved one by one", over_families(most_one_by_one)}},
           counted("share", "share of the time that contact takes", share_of_time)}};
 }
 

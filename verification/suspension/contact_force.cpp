@@ -1,4 +1,5 @@
-// The force that holds two disks apart in a flow that drives them together.
+// Computes the force that holds two disks apart in a flow that drives them together, over the gap
+// and over the time step.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -16,7 +17,8 @@ using namespace test;
 
 namespace {
 
-// Gaps, in node spacings, and the force by a prototype of plain rules with many nodes.
+// Gaps in node spacings, and the contact force by a prototype that uses plain rules with many
+// nodes.
 const std::array<std::pair<double, double>, 7> known{{{0.25, 9.4711},
                                                       {0.5, 9.5176},
                                                       {1.0, 9.6108},
@@ -26,12 +28,12 @@ const std::array<std::pair<double, double>, 7> known{{{0.25, 9.4711},
                                                       {4.0, 10.1758}}};
 
 struct Hold {
-  double force, widest, narrowest;  // gaps in separations, of all times
+  double force, widest, narrowest;  // least and largest gap of all times, in separations
 };
 
-/// Radius 1/2 on the axis of u = (-x, y), at a gap that is the separation.
+/// Two disks of radius 1/2 on the x axis of u = (-x, y); their initial gap is the separation.
 ///
-/// @param  nodes  on each disk; a few are a planted defect
+/// @param  nodes  nodes on each disk; a small number is a planted defect
 Hold hold(double gap, double dt, int nodes = automatic_nodes) {
   static Once<std::tuple<double, double, int>, Hold> holds;
   return holds({gap, dt, nodes}, [&] {
@@ -39,7 +41,7 @@ Hold hold(double gap, double dt, int nodes = automatic_nodes) {
     disks[0].position = -0.5 - 0.5 * gap;
     disks[1].position = 0.5 + 0.5 * gap;
     Scene scene = over(in_contact(ExtensionalFlow{-1.0}, disks, gap), 4.0 * dt, dt);
-    // What 32 nodes cannot resolve is to be seen, not refused.
+    // The experiment shows the error of 32 nodes; the solver must not reject such a solution.
     if (nodes != automatic_nodes) scene.solver.tolerance = 0.5;
     const RecordedRun run = recorded_run(scene);
     Hold found{run.frames.back().contacts.at(0).force, 0.0, 2.0};
@@ -64,7 +66,7 @@ Measure differences(int nodes) {
   };
 }
 
-// Distance from a limit, over gaps that vanish.
+// Relative distance of the force from its limit as the gap tends to 0.
 Measure beyond(double limit) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -94,7 +96,7 @@ double gap_drift(double dt) {
   return std::max(found.widest - 1.0, 1.0 - found.narrowest);
 }
 
-// One Euler step without contact, from the separation.
+// A planted defect: one Euler step without contact, from the separation.
 double free_drift(double dt) {
   std::vector<Body> disks(2, Body{.shape = Circle{0.5}});
   disks[0].position = -0.5 - node_spacing;
@@ -107,7 +109,7 @@ double free_drift(double dt) {
          (2.0 * node_spacing);
 }
 
-// The published normalisation of Stokeslets, without 1 / (4 pi).
+// A planted defect: the published normalisation of Stokeslets, without 1 / (4 pi).
 double published_unit(double dt) {
   return std::abs(hold(2.0 * node_spacing, dt).force / (4.0 * std::numbers::pi) / 9.7982 - 1.0);
 }
@@ -120,7 +122,7 @@ Experiment holding_force() {
           .x = "gap, in pi/32, g",
           .error = "relative difference of the force",
           .lines = {{.key = "known",
-                     .label = "from a prototype's",
+                     .label = "from the force of a prototype",
                      .measure = differences(automatic_nodes),
                      .claim = Claim{.id = "12_10",
                                     .statement = "The force that holds two disks apart is right to "
@@ -155,7 +157,7 @@ Experiment holding_force_limit() {
 Experiment holding_steps() {
   return {
       .key = "holding_steps",
-      .title = "The same by the time step, at a separation of pi/16",
+      .title = "The same force by the time step, at a separation of pi/16",
       .x = "step dt",
       .error = "relative difference",
       .lines = {{.key = "force",
@@ -175,7 +177,7 @@ Experiment holding_steps() {
                  .claim = Claim{.id = "12_13",
                                 .statement = "A gap that begins at the separation is kept.",
                                 .law = Identity{1e-5},
-                                .reason = "of gaps, 1e-5 of the separation is tolerated",
+                                .reason = "the tolerance of gaps is 1e-5 of the separation",
                                 .api = {"stokesbook::SuspensionContact"}},
                  .control = Control{"a step without contact", over_steps(free_drift)}}}};
 }

@@ -1,4 +1,5 @@
-// Orders of time stepping with contact: a pair in shear that is driven together, turns, and parts.
+// Measures the orders of Euler's and Heun's method with contact, for a pair in shear that meets,
+// turns and separates.
 #include <cmath>
 #include <tuple>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double pair_separation = 0.25;
 
-/// Where the one disk ends, seen from the other, after 6 units of time.
+/// Returns the position of disk 0 relative to disk 1 after 6 units of time.
 Complex end(double dt, SteppingMethod method, double kept) {
   static Once<std::tuple<double, SteppingMethod, double>, Complex> ends;
   return ends({dt, method, kept}, [&] {
@@ -29,9 +30,9 @@ Complex end(double dt, SteppingMethod method, double kept) {
   });
 }
 
-// A reference with another separation is a planted defect. Steps shorter than its own are
-// pointless: where contact acts the gap is anywhere from 1 to 1.002
-// separations, which such steps show.
+// A reference with another separation is a planted defect. Steps shorter than those of the
+// reference are not measured: contact keeps the gap only between 1 and 1.002 separations, and this
+// variation would dominate their error.
 Measure errors(SteppingMethod method, double kept_by_reference) {
   return [=](Size size) {
     const bool full = size == Size::full;
@@ -49,7 +50,7 @@ Measure errors(SteppingMethod method, double kept_by_reference) {
 
 Experiment contact_orders() {
   return {.key = "contact_orders",
-          .title = "Order in time with contact: two disks that meet in shear, turn and part",
+          .title = "Order in time with contact: two disks that meet in shear, turn and separate",
           .x = "steps a unit of time, 1/dt",
           .error = "error of where one ends as seen from the other, radius 1/2",
           .lines = {

@@ -1,4 +1,4 @@
-// A gap that is kept for thousands of steps.
+// Measures by how much a gap that contact holds changes over thousands of steps.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double floor_separation = 0.05;
 
-/// A heavy ellipse that lies on the floor of a container; written every so many steps.
+/// A heavy ellipse that lies on the floor of a container. A frame is written every `written` steps.
 Scene resting_scene(int steps, int written, bool with_contact) {
   Body heavy{.shape = Ellipse{0.5, 0.3}, .position = {0.1, -1.6}, .orientation = 0.1};
   heavy.force = {0.0, -20.0};
@@ -27,7 +27,7 @@ Scene resting_scene(int steps, int written, bool with_contact) {
   return scene;
 }
 
-// By how much the gap differs from that after a while.
+// Difference of the gap from the gap of the sixth frame (a quarter of the time), in separations.
 Measure drift(bool with_contact) {
   return [=](Size size) {
     const int steps = size == Size::full ? 10000 : 400, written = steps / 20;

@@ -1,4 +1,5 @@
-// Two disks that pass each other in shear and come back: the published table.
+// Compares with the published table: two disks that pass each other in shear, which is then
+// reversed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,10 +19,11 @@ using namespace test;
 
 namespace {
 
-// Rate times step; the table lists half of it.
+// Shear rate times step. The published table lists half of this product.
 const std::array<double, 5> published_steps{0.08, 0.04, 0.02, 0.01, 0.005};
 
-// What is printed for a separation, in node spacings, and these steps.
+// One row of the published table: a separation in node spacings, and the printed changes for these
+// steps.
 struct Row {
   double separation;
   std::array<double, 5> change;
@@ -44,7 +46,8 @@ std::size_t columns(Size size) {
   return size == Size::full ? published_steps.size() : 2;
 }
 
-/// Distance of both centres from where they began, over that of their start from the origin.
+/// Distance of both centres at the end from their start, relative to the distance of the start from
+/// the origin.
 double change(const Scene& scene) {
   const RecordedRun run = recorded_run(scene);
   double moved = 0.0, start = 0.0;
@@ -56,7 +59,7 @@ double change(const Scene& scene) {
   return std::sqrt(moved / start);
 }
 
-/// @param  separation  in node spacings; 0: no contact is asked for
+/// @param  separation  in node spacings; 0 means no contact
 double change(double separation, double dt) {
   static Once<std::pair<double, double>, double> changes;
   return changes({separation, dt}, [&] {
@@ -81,7 +84,8 @@ Measure changes(std::size_t column) {
   };
 }
 
-// By how much separations are taken too wide is a planted defect.
+// The separations are `wider` node spacings larger than those of the table; a value other than 0 is
+// a planted defect.
 Measure differences_from_table(double wider) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -110,15 +114,14 @@ Experiment reversal_table() {
           {.key = "difference",
            .label = "largest difference from the published table, relative",
            .measure = differences_from_table(0.0),
-           .claim =
-               Claim{.id = "12_9",
-                     .statement = "What contact leaves of a reversal agrees with the published "
-                                  "table, 35 entries, to 6 %.",
-                     .law = AtMost{0.06},
-                     .reason = "printed to three digits, of runs that are a step longer or "
-                               "shorter in places: at separation 0, which is none here, a step "
-                               "more forth than back explains what differs by 5 %",
-                     .api = {"stokesbook::Simulation"}},
+           .claim = Claim{.id = "12_9",
+                          .statement = "The distances from the start after a reversal with contact "
+                                       "agree with the published table, 35 entries, to 6 %.",
+                          .law = AtMost{0.06},
+                          .reason = "the table has three digits, and some of its runs are a step "
+                                    "longer or shorter: at separation 0 (no contact here) one step "
+                                    "more forth than back explains a difference of 5 %",
+                          .api = {"stokesbook::Simulation"}},
            .control = Control{"separations wider by pi/128", differences_from_table(0.25)}}}};
   for (std::size_t k = 0; k < published_steps.size(); ++k) {
     experiment.lines.push_back({.key = "column_" + std::to_string(k),

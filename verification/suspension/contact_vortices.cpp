@@ -1,5 +1,5 @@
-// The published run of 48 ellipses in Taylor-Green vortices, and what the lagged coupling makes of
-// contact.
+// Runs the published 48 ellipses in Taylor-Green vortices with contact, and measures the error of
+// the contact mobility under the lagged coupling.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,15 +17,16 @@ using namespace test;
 
 namespace {
 
-constexpr double published_separation = 0.00313;  // 0.05 of the published node spacing
+constexpr double published_separation = 0.00313;  // 0.05 times the published node spacing
 
-// The published steps in full; ten times longer ones, which meet contact early, in the quick size.
+// The full study takes the published steps. The quick study takes steps ten times as long, which
+// lead to contact early.
 struct Vortices {
   Scene scene;
   RecordedRun run;
 };
 
-/// @param  parts  into which the longest of the published steps is cut
+/// @param  parts  number of parts into which the longest published step is divided
 const Vortices& vortices(Size size, int parts) {
   static Once<std::pair<Size, int>, Vortices> runs;
   return runs({size, parts}, [&] {
@@ -37,7 +38,7 @@ const Vortices& vortices(Size size, int parts) {
   });
 }
 
-/// @param  kept  in separations; more than one is a planted defect
+/// @param  kept  separation to compare with, in separations; more than 1 is a planted defect
 Measure lost_in_vortices(double kept) {
   return [=](Size size) {
     const auto& [scene, run] = vortices(size, 1);
@@ -68,7 +69,7 @@ Measure iterations_so_far(int parts) {
   };
 }
 
-/// Two bodies of a scene that are pulled apart, by unit forces.
+/// Two bodies of a scene that a pair of unit forces pulls apart.
 struct Pull {
   Scene scene;
   std::size_t left, right;
@@ -82,7 +83,8 @@ Pull disks(double gap) {
   return pull;
 }
 
-// Two of the 48 ellipses, tip to tip: all columns moved together.
+// Two of the 48 ellipses, tip to tip. All columns move together, so that all gaps between columns
+// are equal.
 Pull tips(double gap) {
   Pull pull{ellipses_in_vortices(), 17, 29};
   for (Body& body : pull.scene.bodies) {
@@ -93,7 +95,7 @@ Pull tips(double gap) {
   return pull;
 }
 
-/// How fast the pull opens the gap.
+/// Speed at which the pull opens the gap, by each coupling.
 struct Response {
   double coupled, lagged;
 };
@@ -101,7 +103,7 @@ struct Response {
 Response solved_response(Pull pull) {
   Scene& scene = pull.scene;
   scene.flow = QuiescentFlow{};
-  scene.gauge_length = 30.0;  // nothing depends on it: forces balance
+  scene.gauge_length = 30.0;  // arbitrary: the forces balance
   scene.solver.tolerance = 1e-4;
   scene.solver.preconditioner = PreconditionerKind::block_diagonal;
   scene.solver.gmres_max_iterations = 2000;
@@ -112,7 +114,8 @@ Response solved_response(Pull pull) {
   const auto opening = [&](const Solution& solution) {
     return (solution.motions[pull.right].velocity - solution.motions[pull.left].velocity).real();
   };
-  // A lagged solve knows the others by their densities of before, when there was no contact.
+  // A lagged solve takes the densities of the other bodies from the time before the contact force
+  // acts. These densities are 0.
   const auto nothing = [](const Discretisation& discretisation) -> ComplexVector {
     Eigen::Index nodes = 0;
     for (const auto& shape : discretisation) nodes += shape->curve.size();
@@ -145,42 +148,45 @@ Measure ratios(MakePull pull, bool lagged = true) {
 }  // namespace
 
 Experiment taylor_green_in_contact() {
-  return {.key = "vortices_in_contact",
-          .title =
-              "48 ellipses in Taylor-Green vortices, kept 0.05 of the published spacing apart; "
-              "steps of 0.025 unless said, in the quick size ten times as long",
-          .x = "time t",
-          .error = "part of the separation, or number",
-          .axes = Axes::nominal,
-          .lines = {{.key = "lost",
-                     .label = "part of the separation that the narrowest gap lacks",
-                     .measure = lost_in_vortices(1.0),
-                     .claim = Claim{.id = "12_21",
-                                    .statement = "The published vortices run through with all gaps "
-                                                 "resolved, none below the separation.",
-                                    .law = Identity{1e-3},
-                                    .reason = "contact is resolved with the mobility of all bodies "
-                                              "together, and nodes crowd where gaps are narrow",
-                                    .api = {"stokesbook::SuspensionContact"}},
-                     .control = Control{"a separation 1 % wider than what is kept",
-                                        lost_in_vortices(1.01)}},
-                    {.key = "iterations",
-                     .label = "contact iterations so far; published 290 at t = 30",
-                     .measure = iterations_so_far(1)},
-                    {.key = "iterations_2",
-                     .label = "the same, steps half as long; published 559",
-                     .measure = iterations_so_far(2),
-                     .least = Size::full},
-                    {.key = "iterations_4",
-                     .label = "the same, steps a quarter as long; published 559",
-                     .measure = iterations_so_far(4),
-                     .least = Size::full}}};
+  return {
+      .key = "vortices_in_contact",
+      .title =
+          "48 ellipses in Taylor-Green vortices, kept 0.05 of the published spacing apart; "
+          "steps of 0.025 unless said, in the quick size ten times as long",
+      .x = "time t",
+      .error = "part of the separation, or number",
+      .axes = Axes::nominal,
+      .lines = {
+          {.key = "lost",
+           .label = "shortfall of the narrowest gap, relative to the separation",
+           .measure = lost_in_vortices(1.0),
+           .claim = Claim{.id = "12_21",
+                          .statement = "The published run in vortices reaches its end with all "
+                                       "gaps resolved, none below the separation.",
+                          .law = Identity{1e-3},
+                          .reason = "contact is resolved with the mobility of all bodies "
+                                    "together, and nodes crowd where gaps are narrow",
+                          .api = {"stokesbook::SuspensionContact"}},
+           .control = Control{"a separation 1 % wider than what is kept", lost_in_vortices(1.01)}},
+          {.key = "iterations",
+           .label = "contact iterations so far; published 290 at t = 30",
+           .measure = iterations_so_far(1)},
+          {.key = "iterations_2",
+           .label = "the same, steps half as long; published 559",
+           .measure = iterations_so_far(2),
+           .least = Size::full},
+          {.key = "iterations_4",
+           .label = "the same, steps a quarter as long; published 559",
+           .measure = iterations_so_far(4),
+           .least = Size::full}}};
 }
 
 Experiment lagged_contact() {
   return {
       .key = "lagged_contact",
-      .title = "How much too easily the lagged coupling lets contact forces open a gap",
+      .title =
+          "Speed at which contact forces open a gap, by the lagged coupling over the coupled "
+          "scheme",
       .x = "gap g",
       .error = "opening under a pair of forces, lagged over coupled",
       .lines = {
@@ -193,7 +199,7 @@ Experiment lagged_contact() {
                           .law = Algebraic{1.5, 0.05},
                           .window = {.to = 0.005},
                           .reason = "a body alone moves as if no fluid had to leave the gap; "
-                                    "together they part by g^(3/2), the law of lubrication. No "
+                                    "together they separate by g^(3/2), the law of lubrication. No "
                                     "time step enters, and forces are found from this response",
                           .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
            .control = Control{"the coupled response in both places", ratios(disks, false)}},

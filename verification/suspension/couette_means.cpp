@@ -1,5 +1,5 @@
-// The published Couette cells over two revolutions of the outer wall, from the published starts:
-// viscosity and order.
+// Runs the published Couette cells for two revolutions of the outer wall from the published starts,
+// and compares the mean viscosity and order parameter with print.
 #include <cmath>
 
 #include "couette_series.hpp"
@@ -13,7 +13,7 @@ using namespace study;
 
 namespace {
 
-/// A cell whose start has been published.
+/// A cell whose start is published.
 struct Cell {
   std::string scene;
   PrintedMeans printed;
@@ -35,7 +35,7 @@ const CouetteSeries& run_of(const Cell& cell, Size size) {
   });
 }
 
-/// Measures a function of a run and of a time in revolutions, at several.
+/// Measures a function of a run and a time (in revolutions) at several times.
 template <class Quantity>
 Measure at(const Cell& cell, const std::vector<double>& times, const Quantity& quantity) {
   return [=](Size size) {
@@ -64,10 +64,10 @@ Measure means(const Cell& cell, const CouetteProperty& property) {
   });
 }
 
-/// How a mean is taken; other values are planted defects.
+/// The definition of a mean. Values other than the defaults are planted defects.
 struct Averaging {
-  double from = 1.0;  ///< revolutions
-  double area = 1.0;  ///< to which a property is referred, of that of the cell
+  double from = 1.0;  ///< start of the mean, in revolutions
+  double area = 1.0;  ///< area to which a property refers, relative to the cell's area
 };
 
 Measure differences(const Cell& cell, const CouetteProperty& property,
@@ -85,8 +85,8 @@ Claim as_printed(const std::string& id, const std::string& what) {
                        "unit of its last digit.",
           .law = Identity{printed_unit},
           .reason =
-              "printed to two digits after the point, rounded or cut; the mean over many "
-              "bodies depends on the tolerance less than that",
+              "the print has two digits after the point, rounded or truncated; the mean over many "
+              "bodies depends less than that on the tolerance",
           .api = {"stokesbook::Rheometer"}};
 }
 

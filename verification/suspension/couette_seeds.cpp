@@ -1,5 +1,5 @@
-// Couette cells from random starts: means over the second revolution with what they leave open, of
-// a small cell and of the published ones, and what the runs took.
+// Runs Couette cells from random starts: means over the second revolution with confidence
+// intervals, for a small cell and the published cells, and the cost of the runs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,13 +23,14 @@ namespace {
 
 using Runs = std::vector<CouetteSeries>;
 
-/// How the small cell is run.
+/// Accuracy of a run of the small cell.
 enum class Care {
   usual,
   double_care  ///< half the tolerance, half the step
 };
 
-/// The small cell that ships over two revolutions, from one random start.
+/// Returns the run of the small cell (a scene of chapter 12) over two revolutions, from one random
+/// start.
 const CouetteSeries& small_run(unsigned seed, Care care) {
   static test::Once<std::pair<unsigned, Care>, CouetteSeries> runs;
   return runs({seed, care}, [&] {
@@ -47,7 +48,7 @@ const CouetteSeries& small_run(unsigned seed, Care care) {
   });
 }
 
-/// Consecutive starts.
+/// Consecutive seeds of random starts.
 struct Starts {
   unsigned first, count;
 };
@@ -60,7 +61,8 @@ Runs small_runs(const Starts& starts) {
   return runs;
 }
 
-/// Of all that the small cell has: a viscosity that is referred to it is a planted defect.
+/// Area of the fluid relative to the area of the small cell. A viscosity that refers to the fluid's
+/// area is a planted defect.
 constexpr double area_of_fluid = 0.95;
 
 Estimate estimate(const Runs& runs, const CouetteProperty& property, double area = 1.0) {
@@ -69,12 +71,12 @@ Estimate estimate(const Runs& runs, const CouetteProperty& property, double area
   return estimate_mean(values);
 }
 
-/// Difference of two estimates, over what it may be, 19 times in 20.
+/// Difference of two estimates, relative to the bound that it satisfies 19 times in 20.
 double apart(const Estimate& a, const Estimate& b) {
   return std::abs(a.mean - b.mean) / std::hypot(a.interval, b.interval);
 }
 
-/// Measures a function of a number of starts.
+/// Measures a function of the number of starts.
 template <class Quantity>
 Measure over_counts(const Quantity& quantity) {
   return [=](Size) {
@@ -96,7 +98,7 @@ Measure small_intervals(const CouetteProperty& property) {
   return over_counts([=](unsigned n) { return estimate(small_runs({1, n}), property).interval; });
 }
 
-/// Viscosity of the second half of the starts against that of the first.
+/// Difference of the viscosities of the two halves of the starts.
 Measure halves(double area_of_second = 1.0) {
   return over_counts([=](unsigned n) {
     const Runs first = small_runs({1, n / 2}), second = small_runs({1 + n / 2, n / 2});
@@ -104,7 +106,7 @@ Measure halves(double area_of_second = 1.0) {
   });
 }
 
-/// Measures a function of a start.
+/// Measures a function of the seed of a start.
 template <class Quantity>
 Measure of_starts(unsigned first, unsigned last, const Quantity& quantity) {
   return [=](Size) {
@@ -122,7 +124,8 @@ Measure second_revolutions(const CouetteProperty& property) {
   });
 }
 
-/// Change of a start's mean viscosity by double care, over what eight starts leave open.
+/// Change of a start's mean viscosity by double care, relative to the 95 % interval of eight
+/// starts.
 Measure changes(double area = 1.0) {
   return of_starts(2, 4, [=](unsigned seed) {
     const double usual = mean(small_run(seed, Care::usual), viscosity, 1.0, 2.0),
@@ -131,14 +134,14 @@ Measure changes(double area = 1.0) {
   });
 }
 
-/// @param  kept  in separations; more than one is a planted defect
+/// @param  kept  separation to compare with, in separations; more than 1 is a planted defect
 Measure lost_from_starts(double kept) {
   return of_starts(1, 8, [=](unsigned seed) {
     return std::max(0.0, kept - small_run(seed, Care::usual).least_gap);
   });
 }
 
-/// What is printed of the published cells, in the sweep's order. Disks have no order.
+/// Printed means of the published cells, in the order of the sweep. Disks have no order parameter.
 constexpr double unprinted = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
                                                         {1220.0, unprinted},
@@ -150,7 +153,8 @@ constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
                                                         {1180.0, 890.0},
                                                         {unprinted, unprinted}}};
 
-/// Cells with random starts: the small one, and the published ones, as the sweep has them.
+/// Runs from random starts: cell 0 is the small cell, the others are the published cells in the
+/// order of the sweep.
 const std::vector<Runs>& cells() {
   static test::Once<int, std::vector<Runs>> all;
   return all(0, [] {
@@ -165,7 +169,7 @@ const std::vector<Runs>& cells() {
   });
 }
 
-/// Measures a function of a cell's number and runs, where there is one.
+/// Measures a function of a cell's number and runs; skips cells for which the function returns NaN.
 template <class Quantity>
 Measure of_cells(const Quantity& quantity) {
   return [=](Size) {
@@ -192,14 +196,15 @@ Line interval(const std::string& key, const CouetteProperty& property) {
               [=](std::size_t, const Runs& runs) { return estimate(runs, property).interval; })};
 }
 
-/// By how much a further run may differ from the mean of others, 19 times in 20, and its print.
+/// Bound on the difference of a further run from the mean of the others, 19 times in 20, plus a
+/// unit of the last printed digit.
 double range_of_a_run(const Estimate& estimate, std::size_t runs) {
   return estimate.interval * std::sqrt(static_cast<double>(runs) + 1.0) + printed_unit;
 }
 
 Line off(const std::string& key, const CouetteProperty& property) {
   return {.key = key + "_off",
-          .label = "from print, over what a run may differ",
+          .label = "difference from print, over the bound for a further run",
           .measure = of_cells([=](std::size_t cell, const Runs& runs) {
             if (cell == 0) return unprinted;
             const Estimate found = estimate(runs, property);
@@ -208,7 +213,7 @@ Line off(const std::string& key, const CouetteProperty& property) {
           })};
 }
 
-/// Mean over a cell's runs of what they took.
+/// Mean of a value over the runs of a cell.
 template <class Value>
 Line taken(const std::string& key, const std::string& label, Value CouetteSeries::*value) {
   return {.key = key, .label = label, .measure = of_cells([=](std::size_t, const Runs& runs) {
@@ -226,7 +231,7 @@ Experiment couette_interval() {
       {.key = "couette_interval",
        .title = "A small Couette cell, 13 ellipses 2:1 at 5 %: means over the second revolution",
        .x = "random starts n",
-       .error = "in thousandths, or as said",
+       .error = "in thousandths, or as labelled",
        .axes = Axes::nominal,
        .lines = {
            {.key = "viscosity", .label = "added viscosity", .measure = small_means(viscosity)},
@@ -234,12 +239,11 @@ Experiment couette_interval() {
             .label = "half of its 95 % interval",
             .measure = small_intervals(viscosity)},
            {.key = "viscosity_halves",
-            .label = "difference of the viscosities of its halves, over what it may be",
+            .label = "difference of the viscosities of both halves, over its 95 % bound",
             .measure = halves(),
             .claim = Claim{.id = "12_49",
-                           .statement = "Two halves of random starts of a Couette cell have "
-                                        "the same mean viscosity, to what their 95 % "
-                                        "intervals leave open.",
+                           .statement = "Two halves of random starts of a Couette cell have the "
+                                        "same mean viscosity within their 95 % intervals.",
                            .law = AtMost{1.0},
                            .reason = "independent starts, and Student's intervals of both, "
                                      "added as independent errors are",
@@ -263,7 +267,7 @@ Experiment couette_seeds() {
                 "cell and eight of the small one",
        .x = "cell k: 0 the small one, 1 to 3 of disks, 4 to 6 of 3:1, 7 to 9 of 6:1, at 5, 10 "
             "and 15 %",
-       .error = "in thousandths, or as said",
+       .error = "in thousandths, or as labelled",
        .axes = Axes::nominal,
        .lines = {of_random_runs("viscosity", "added viscosity", viscosity),
                  interval("viscosity", viscosity), off("viscosity", viscosity),
@@ -274,10 +278,10 @@ Experiment couette_seeds() {
 Experiment couette_unattended() {
   return left_to_full(
       {.key = "couette_unattended",
-       .title = "What the same runs took, each in the mean over its cell: two revolutions with "
-                "contact, on one thread, unattended",
+       .title = "Cost of the same runs, in the mean over each cell: two revolutions with contact, "
+                "on one thread, unattended",
        .x = "cell k",
-       .error = "number, or as said",
+       .error = "number, or as labelled",
        .axes = Axes::nominal,
        .lines = {
            taken("seconds", "seconds", &CouetteSeries::seconds),
@@ -301,7 +305,7 @@ Experiment couette_small() {
       {.key = "couette_small",
        .title = "The same cell from each of its starts",
        .x = "random start k",
-       .error = "mean over the second revolution in thousandths, or as said",
+       .error = "mean over the second revolution in thousandths, or as labelled",
        .axes = Axes::nominal,
        .lines = {{.key = "viscosity",
                   .label = "added viscosity",
@@ -315,7 +319,7 @@ Experiment couette_small() {
 Experiment couette_care() {
   return left_to_full(
       {.key = "couette_care",
-       .title = "What errors do to these runs",
+       .title = "Effect of numerical errors on these runs",
        .x = "random start k",
        .error = "as said",
        .axes = Axes::nominal,
@@ -324,17 +328,18 @@ Experiment couette_care() {
             .label = "change of the viscosity by half the tolerance and half the step, over the "
                      "interval of the mean",
             .measure = changes(),
-            .claim = Claim{.id = "12_50",
-                           .statement = "Half the tolerance and half the step change a mean "
-                                        "viscosity by less than random starts leave open.",
-                           .law = AtMost{1.0},
-                           .reason = "tolerances are of the worst velocity, and means are over "
-                                     "many; starts differ by the distances of bodies",
-                           .api = {"stokesbook::Rheometer"}},
+            .claim =
+                Claim{.id = "12_50",
+                      .statement = "Half the tolerance and half the step change a mean viscosity "
+                                   "by less than the 95 % interval of the mean over random starts.",
+                      .law = AtMost{1.0},
+                      .reason = "tolerances are of the worst velocity, and means are over "
+                                "many; starts differ by the distances of bodies",
+                      .api = {"stokesbook::Rheometer"}},
             .control = Control{"torque over the area of the fluid instead of the cell's",
                                changes(area_of_fluid)}},
            {.key = "lost",
-            .label = "part of the separation that the narrowest gap lacks",
+            .label = "shortfall of the narrowest gap, relative to the separation",
             .measure = lost_from_starts(1.0),
             .claim = Claim{.id = "12_51",
                            .statement = "From any start, two revolutions of the small Couette cell "

@@ -1,4 +1,5 @@
-// Runs the published Couette cells, and keeps what their tables and claims ask for.
+// Runs the published Couette cells, and records viscosity, order parameter, gaps and costs for the
+// tables and claims of chapter 12.
 #include "couette_series.hpp"
 
 #include <chrono>
@@ -14,7 +15,7 @@ namespace stokesbook::verification::suspension {
 
 namespace {
 
-/// Rate of shear at a distance from the axis, without bodies.
+/// Shear rate at a distance from the axis, without bodies.
 double shear_rate(const Scene& scene, double r) {
   double outer = 0.0, inner = 0.0, omega = 0.0;
   for (const Wall& wall : scene.walls) {
@@ -26,8 +27,8 @@ double shear_rate(const Scene& scene, double r) {
   return 2.0 * omega * inner2 * outer2 / ((outer2 - inner2) * r * r);
 }
 
-/// cos 2 psi of an ellipse at the angle psi from the stream, as chapter 07 derives: its phase tau,
-/// tan psi = tan(tau) / lambda, grows evenly. The stream is slower inside, on its left.
+/// Returns cos 2 psi of an ellipse at the angle psi from the stream (chapter 07): the phase tau,
+/// tan psi = tan(tau) / lambda, grows linearly in time. The stream is slower inside, on its left.
 double alignment(double aspect, double rate, double psi, double t) {
   const double phase = std::atan2(aspect * std::sin(psi), std::cos(psi)) +
                        aspect * rate * t / (1.0 + aspect * aspect);

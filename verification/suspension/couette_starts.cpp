@@ -1,4 +1,5 @@
-// The published Couette cells at their first instant: the viscosity that the inner wall feels.
+// Computes the viscosity of the published Couette cells at their first instant, from the torque on
+// the inner wall, and compares with print.
 #include <cmath>
 #include <optional>
 #include <random>
@@ -14,8 +15,7 @@ using namespace study;
 
 namespace {
 
-/// A published cell: its scene, and what is printed that bodies add to the
-/// viscosity, in thousandths.
+/// A published cell: its scene, and the printed viscosity that bodies add, in thousandths.
 struct CellStart {
   const char* scene;
   double printed;
@@ -93,7 +93,8 @@ Line difference(const std::string& key, const std::string& id, const std::string
               Control{"one body in ten left out", differences_at_start(cell, Bodies::nine_of_ten)}};
 }
 
-// Those of the published run, and its near integrals; the tolerance is one that any nodes meet.
+// Discretises with the nodes of the published run and its near integrals. The solver's tolerance is
+// so loose that all nodes meet it.
 Scene on_published_nodes(Scene scene) {
   scene = with_nodes(std::move(scene), 32, 256);
   scene.solver.near_singular = NearSingular::interpolation;
@@ -107,11 +108,11 @@ Scene on_automatic_nodes(Scene scene) {
   return scene;
 }
 
-constexpr double half_digit = 5e-5;  // of the positions that are known
+constexpr double half_digit = 5e-5;  // half a unit of the last digit of the published positions
 
-/// What bodies of the dense cell add, each coordinate and angle changed at random.
+/// Viscosity that the bodies of the dense cell add if each coordinate and angle changes at random.
 ///
-/// @param  most  by how much; 0: the start as it is, whatever the seed
+/// @param  most  largest change; 0 returns the value of the start, for any seed
 double added_when_moved(Scene (*nodes)(Scene), unsigned seed, double most) {
   static test::Once<std::tuple<Scene (*)(Scene), unsigned, double>, double> found;
   return found({nodes, seed, most}, [&] {
@@ -126,7 +127,8 @@ double added_when_moved(Scene (*nodes)(Scene), unsigned seed, double most) {
   });
 }
 
-/// @param  expected  that bodies add, in thousandths; none: what they add without moves
+/// @param  expected  added viscosity to compare with, in thousandths; without a value: that of the
+///                   unchanged start
 Measure when_moved(Scene (*nodes)(Scene), std::optional<double> expected,
                    double most = half_digit) {
   return [=](Size) {
@@ -182,13 +184,13 @@ Experiment couette_digits() {
            {.key = "published_nodes",
             .label = "from 1.29694, on 32 nodes a body and 256 a wall",
             .measure = when_moved(on_published_nodes, recomputed),
-            .claim =
-                Claim{.id = "12_39",
-                      .statement = "On the published nodes, with the published near integrals, "
-                                   "the first instant is 1.29694, as was recomputed.",
-                      .law = Identity{1.0},
-                      .reason = "half a unit of its last digit, and as much for the positions",
-                      .api = {"stokesbook::Rheometer"}},
+            .claim = Claim{.id = "12_39",
+                           .statement =
+                               "On the published nodes, with the published near integrals, the "
+                               "viscosity at the first instant is 1.29694, the recomputed value.",
+                           .law = Identity{1.0},
+                           .reason = "half a unit of its last digit, and as much for the positions",
+                           .api = {"stokesbook::Rheometer"}},
             .control =
                 Control{"nodes chosen for 1e-4", when_moved(on_automatic_nodes, recomputed)}},
            {.key = "automatic_nodes",

@@ -1,3 +1,5 @@
+// Generates random dense scenes: places bodies at random in a container, then shrinks the container
+// while the bodies move at random (hard particles, by the formulas of the shapes).
 #include "crowds.hpp"
 
 #include <algorithm>
@@ -30,7 +32,7 @@ Shape random_shape(Crowd crowd, std::mt19937_64& random) {
   }
 }
 
-/// Bodies that are pushed together by a container that shrinks.
+/// Bodies that a shrinking container pushes together.
 class Press {
  public:
   Press(std::vector<PlacedShape> bodies, double stretch, double clearance)
@@ -55,7 +57,8 @@ class Press {
     }
   }
 
-  /// Moves each body at random if there is room, then the container inwards, and all with it.
+  /// Moves each body at random if there is room. Then shrinks the container, and moves all bodies
+  /// inwards with it.
   void shake(std::mt19937_64& random) {
     std::size_t moved_on = 0;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -74,7 +77,7 @@ class Press {
  private:
   static constexpr int samples = 64;
 
-  /// By a part of its radius, if there is room.
+  /// Shrinks the container by a part of its radius, if there is room.
   void shrink(double part) {
     const Press wide = *this;
     radius_ *= 1.0 - part;
@@ -101,7 +104,7 @@ class Press {
 
   std::vector<PlacedShape> bodies_;
   double stretch_, clearance_, radius_ = 0.0, filled_ = 0.0;
-  double stride_ = 0.3;  // so long that half of the moves find room
+  double stride_ = 0.3;  // length of a random move, adapted so that half of the moves find room
 };
 
 Press pressed(Crowd crowd, std::size_t count, double stretch, double clearance,

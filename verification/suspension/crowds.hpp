@@ -4,10 +4,10 @@
 
 namespace stokesbook::verification::suspension {
 
-/// What drives a crowd.
+/// The flow or force that drives a crowd.
 enum class Drive { rotating_container, shear, extension, vortices, settling };
 
-/// What a crowd is made of.
+/// The shapes of a crowd's bodies.
 enum class Crowd { circles, ellipses, stars };
 
 inline constexpr int drives = 5, crowds = 3;
@@ -18,9 +18,10 @@ struct Family {
   Crowd crowd;
 };
 
-/// Five to fifteen bodies in a flow, to eight in a container, at an area fraction of 0.2 to 0.6 as
-/// far as they find room, with contact; steps 1 to 20 times 1/50 of the flow's time, Euler's or
-/// Heun's. Shear and extension reverse every two units of time, which keeps the bodies together.
+/// Generates five to fifteen bodies in a flow (at most eight in a container) with contact. The area
+/// fraction is 0.2 to 0.6, or less if the bodies do not find room. The steps, by Euler's or Heun's
+/// method, are 1 to 20 times 1/50 of the flow's time. Shear and extension reverse every two units
+/// of time, so that the bodies stay together.
 ///
 /// @return  the same scene on every machine
 Scene crowded_scene(const Family& family, unsigned seed, int steps);

@@ -1,5 +1,5 @@
-// A crowd of ellipses in extension: how it lines up, what contact keeps apart, and how fast bodies
-// forget each other with the distance.
+// Runs a crowd of ellipses in extension: its alignment, its gaps with contact, and the decay of the
+// bodies' mutual influence with their distance.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,7 +19,7 @@ using namespace test;
 
 namespace {
 
-constexpr double aligned_from = 0.5;  // before, the mean of cos 2 theta may be negative
+constexpr double aligned_from = 0.5;  // earlier, the mean of cos 2 theta may be negative
 
 struct CrowdRun {
   Scene scene;
@@ -38,7 +38,7 @@ const CrowdRun& crowd_run(Size size, bool in_contact) {
   });
 }
 
-/// Measures a function of a frame at all written times from one on.
+/// Measures a function of a frame at all written times from `from` on.
 template <class Quantity>
 Measure over_time(bool in_contact, const Quantity& quantity, double from = 0.0) {
   return [=](Size size) {
@@ -60,7 +60,7 @@ double order_parameter(const Scene&, const Frame& frame) {
   return frame.rheology.order_parameter;
 }
 
-/// Mean of cos 2 theta if each ellipse turned alone: tan theta falls like e^(-2 beta t) (Jeffery).
+/// Mean of cos 2 theta if each ellipse turned alone: tan theta decays as e^(-2 beta t) (Jeffery).
 double order_parameter_alone(const Scene& scene, const Frame& frame) {
   const auto [a, b] = ellipse_of(scene);
   const double beta = (a * a - b * b) / (a * a + b * b);
@@ -78,14 +78,14 @@ double least_gap(const Scene& scene, const Frame& frame) {
          shipped_crowd().contact->minimum_separation;
 }
 
-/// @param  kept  in separations; more than one is a planted defect
+/// @param  kept  separation to compare with, in separations; more than 1 is a planted defect
 Measure lost_in_extension(double kept) {
   return over_time(true, [=](const Scene& scene, const Frame& frame) {
     return std::max(0.0, kept - least_gap(scene, frame));
   });
 }
 
-/// Motions of a crowd at its start, with all distances longer.
+/// Motions of the crowd at its start, with all distances multiplied by `spread`.
 const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
   static Once<std::pair<Size, double>, std::vector<RigidMotion>> found;
   return found({size, spread}, [&] {
@@ -98,9 +98,9 @@ const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
   });
 }
 
-/// Largest difference of an angular velocity from that of the ellipse alone.
+/// Largest difference of an angular velocity from that of the same ellipse alone.
 ///
-/// @param  factor  of Jeffery's answer; other than one is a planted defect
+/// @param  factor  multiplies Jeffery's angular velocity; a factor other than 1 is a planted defect
 double turned_by_others(Size size, double spread, double factor) {
   const Scene& crowd = shipped_crowd();
   const std::vector<RigidMotion>& motions = motions_apart(size, spread);
@@ -152,7 +152,7 @@ Experiment extension_gaps() {
       .lines = {
           {.key = "contact", .label = "with contact", .measure = over_time(true, least_gap)},
           {.key = "lost",
-           .label = "what it lacks",
+           .label = "shortfall below the separation",
            .measure = lost_in_extension(1.0),
            .claim = Claim{.id = "12_47",
                           .statement = "In extension a crowd keeps its separation.",

@@ -1,4 +1,4 @@
-// How far estimates of fields are from their errors, on given nodes.
+// Compares error estimates of fields with their errors, on given nodes.
 #include <algorithm>
 
 #include "experiments.hpp"
@@ -11,7 +11,8 @@ using namespace study;
 
 namespace {
 
-// A star, a superellipse and an ellipse in extension; two disks that sink in a container.
+// Two scenes: a star, a superellipse and an ellipse in extension; two disks that sink in a
+// container.
 std::vector<Scene> scenes_with_fields() {
   using enum FieldQuantity;
   std::vector<Scene> scenes{shipped_scene("three_shapes"), shipped_scene("sedimentation")};

@@ -1,4 +1,5 @@
-// How far estimates are from errors, on random scenes with random nodes.
+// Compares error estimates with errors, on random scenes with random nodes, and tests that the
+// solver accepts no solution whose error exceeds the tolerance.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,12 +15,12 @@ using namespace study;
 
 namespace {
 
-// What is known of one solution.
+// Error and estimates of one solution.
 struct JudgedSolution {
-  double error;      // against a solution with nodes that crowd at gaps, for a tolerance of 1e-12
+  double error;      // against a solution for a tolerance of 1e-12 on graded nodes
   double estimate;   // by a correction on finer nodes
   double tail;       // by the tails of its densities
-  double iteration;  // ten times the residual of the iteration
+  double iteration;  // ten times the residual of GMRES
 };
 
 double largest_tail(const Solved& solved) {
@@ -33,8 +34,8 @@ double largest_tail(const Solved& solved) {
   return largest;
 }
 
-// Half again the nodes that the solver would begin with for nearly all digits, crowded where gaps
-// are narrow.
+// Reference solution: starts from the nodes with which the solver would begin at the tolerance
+// 1e-12 (graded at narrow gaps), and refines them twice, to about half again as many.
 Completion reference_of(Scene scene) {
   scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
   scene.solver.tolerance = 1e-12;
@@ -44,7 +45,7 @@ Completion reference_of(Scene scene) {
   return solved_at(solver, finer(finer(first)), 1e-14).completion;
 }
 
-// Every other unbounded scene lies up to a thousand lengths away from the centre of its flow.
+// Moves half of the unbounded scenes up to a thousand lengths away from the centre of their flow.
 void move_away(Scene& scene, std::mt19937_64& random) {
   const Complex way = std::polar(log_uniform(random, 1.0, 1e3), uniform(random, 0.0, 6.28));
   if (!scene.walls.empty() || random() % 2 == 0) return;
@@ -63,7 +64,7 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
     const double nodes = std::max(16.0, share * most * uniform(random, 0.8, 1.0));
     resolution.n_nodes = 2 * static_cast<int>(0.5 * nodes);
   }
-  // Half of the solutions are nearly free of the iteration's error.
+  // Half of the solutions have nearly no error of the iteration.
   const double loose = std::pow(10.0, -uniform(random, 4.0, 12.0));
   const Solved answer = solved_at(solver, resolutions, random() % 2 == 0 ? 1e-14 : loose);
   const Solved fine = solved_at(solver, finer(resolutions), 0.5);
@@ -73,7 +74,8 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
           largest_tail(answer), 10.0 * answer.gmres.residual};
 }
 
-// Where rounding does not rule, and the nodes resolve something.
+// Returns whether rounding errors do not dominate, and the nodes resolve the densities at least
+// roughly.
 bool is_in_range(const JudgedSolution& judged) {
   return judged.error >= 1e-11 && judged.error <= 1e-2;
 }
@@ -87,7 +89,7 @@ const std::vector<JudgedSolution>& judged(Size size) {
         const JudgedSolution one = judge(random, most_nodes);
         if (is_in_range(one)) found.push_back(one);
       } catch (const SolverError&) {
-        // Rounding rules: GMRES breaks down, and the solver refuses such a scene.
+        // GMRES breaks down because rounding errors dominate. The solver rejects such a scene.
       }
     }
     return found;
@@ -127,11 +129,12 @@ Measure errors_over(EstimateKind estimate) {
   };
 }
 
-// A scene of hard shapes is judged against automatic nodes for a hundredth of its tolerance.
+// Results for a scene of hard shapes. The reference solution has automatic nodes for a hundredth of
+// the scene's tolerance.
 struct JudgedScene {
   double tolerance;
-  std::optional<double> accepted;  // error of the solution that is accepted, if one is
-  double unestimated;              // error on the nodes that the solver begins with
+  std::optional<double> accepted;  // error of the accepted solution, if the solver accepts one
+  double unestimated;              // error on the nodes with which the solver begins
 };
 
 JudgedScene judge_hard_scene(const Scene& scene) {
@@ -150,7 +153,7 @@ JudgedScene judge_hard_scene(const Scene& scene) {
   try {
     judged.accepted = error_of(solver.solve(start));
   } catch (const SolverError&) {
-    // The given nodes do not do.
+    // The given nodes do not suffice.
   }
   return judged;
 }
@@ -164,7 +167,7 @@ const std::vector<JudgedScene>& judged_hard_scenes(Size size) {
       try {
         found.push_back(judge_hard_scene(scene));
       } catch (const SolverError&) {
-        // The nodes are hopeless, or bodies overlap, or rounding rules.
+        // The nodes are far too few, or bodies overlap, or rounding errors dominate.
       }
     }
     return found;
@@ -191,8 +194,8 @@ Measure errors_of_hard_scenes(bool estimated) {
 
 Experiment hard_shapes() {
   return {.key = "hard_shapes",
-          .title = "Slender, lobed and angular bodies: errors of what is not refused",
-          .x = "tolerance asked for e",
+          .title = "Slender, lobed and angular bodies: errors of accepted solutions",
+          .x = "tolerance e",
           .error = "error of motions and loads, relative to the largest",
           .lines = {{.key = "accepted",
                      .label = "accepted by the solver",
@@ -223,7 +226,7 @@ Experiment spread_of_estimates() {
                           .statement = "Error and estimate are within a factor 10 of each "
                                        "other in 95 of 100 random scenes.",
                           .law = AtMost{1.0},
-                          .reason = "what was asked of the estimate",
+                          .reason = "the requirement on the estimate",
                           .api = {"stokesbook::estimate_error"}},
            .control = Control{"estimates by the densities' tails", spread(&JudgedSolution::tail)}},
           {.key = "tail",
@@ -232,22 +235,24 @@ Experiment spread_of_estimates() {
 }
 
 Experiment estimates() {
-  return {.key = "estimates",
-          .title = "Errors and their estimates",
-          .x = "estimate e",
-          .error = "error of motions and loads, relative to the largest",
-          .lines = {{.key = "correction",
-                     .label = "by a correction on finer nodes",
-                     .measure = errors_over(&JudgedSolution::estimate),
-                     .claim = Claim{.id = "12_2",
-                                    .statement =
-                                        "No error is more than 30 times as large as its estimate.",
-                                    .law = ErrorBelowTolerance{30.0, 1e-2},
-                                    .reason = "what was asked of the estimate; below, a hundredth: "
-                                              "it does not cry wolf",
-                                    .api = {"stokesbook::estimate_error"}},
-                     .control = Control{"estimates by the residual of the iteration alone",
-                                        errors_over(&JudgedSolution::iteration)}}}};
+  return {
+      .key = "estimates",
+      .title = "Errors and their estimates",
+      .x = "estimate e",
+      .error = "error of motions and loads, relative to the largest",
+      .lines = {
+          {.key = "correction",
+           .label = "by a correction on finer nodes",
+           .measure = errors_over(&JudgedSolution::estimate),
+           .claim =
+               Claim{.id = "12_2",
+                     .statement = "No error is more than 30 times as large as its estimate.",
+                     .law = ErrorBelowTolerance{30.0, 1e-2},
+                     .reason = "the requirement on the estimate; an error is at least a hundredth "
+                               "of its estimate, so that estimates raise no false alarms",
+                     .api = {"stokesbook::estimate_error"}},
+           .control = Control{"estimates by the residual of the iteration alone",
+                              errors_over(&JudgedSolution::iteration)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -1,4 +1,4 @@
-// Bodies that a flow carries out through a ring of held disks, and back when all is reversed.
+// Runs bodies that a flow carries out through a ring of held disks and, after a reversal, back.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,7 +15,8 @@ using namespace test;
 
 namespace {
 
-/// The scene that ships, with another time of reversal: eight disks are held, eight bodies free.
+/// Returns the run of the injection scene of chapter 12 with another time of reversal: eight disks
+/// are held, eight bodies are free.
 const RecordedRun& run(Size size, double dt, SteppingMethod method) {
   static Once<std::tuple<Size, double, SteppingMethod>, RecordedRun> runs;
   return runs({size, dt, method}, [&] {
@@ -39,7 +40,7 @@ double largest_distance(const Frame& a, const Frame& b) {
   return distance;
 }
 
-/// Between two of three frames: the start, the turn, the end.
+/// Largest distance of a body between two of the three frames (start, turn, end).
 Measure distances(SteppingMethod method, std::size_t from, std::size_t to) {
   return [=](Size size) {
     std::vector<Measurement> measurements;

@@ -1,5 +1,5 @@
-// Iterations of published scenes by preconditioner, whatever the number of nodes: eight lobed
-// bodies in shear, and the start of 48 ellipses in vortices.
+// Counts the GMRES iterations of published scenes by preconditioner and number of nodes: eight
+// lobed bodies in shear, and the start of 48 ellipses in vortices.
 #include <tuple>
 
 #include "experiments.hpp"
@@ -34,7 +34,7 @@ double iterations(MakeScene make_scene, int nodes, PreconditionerKind preconditi
   });
 }
 
-/// Numbers of nodes, by the size of the study.
+/// Numbers of nodes, for each size of the study.
 struct Nodes {
   std::vector<int> quick, full;
 };
@@ -63,7 +63,7 @@ Measure vortex_counts(PreconditionerKind preconditioner) {
                        [=](int nodes) { return iterations(ellipses, nodes, preconditioner); });
 }
 
-/// Iterations over those without a preconditioner.
+/// Iterations relative to those without preconditioner.
 Measure vortex_share(PreconditionerKind preconditioner) {
   return over_nodes_of(of_vortices, [=](int nodes) {
     return iterations(ellipses, nodes, preconditioner) /
@@ -94,8 +94,7 @@ Experiment lobed_iterations() {
                                               "solved together; 11.1 is what the published code "
                                               "takes for a step",
                                     .api = {"stokesbook::ClusterPreconditioner"}},
-                     .control =
-                         Control{"blocks that do not know their neighbours", row_counts(blocks)}}}};
+                     .control = Control{"blocks without neighbours", row_counts(blocks)}}}};
 }
 
 Experiment vortex_iterations() {

@@ -1,5 +1,5 @@
-// The lagged coupling in a crowd, step by step: each is a sweep of block Jacobi, whose errors grow
-// whatever the step's length.
+// Follows the lagged coupling step by step in a crowd: each step is a sweep of block Jacobi, whose
+// errors grow for any length of the step.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -26,8 +26,8 @@ Scene crowd_in_vortices(Coupling coupling) {
   return scene;
 }
 
-/// The first steps of the 48 ellipses, until the run is refused. That of the coupled scheme, which
-/// is a control, ends after a few.
+/// The first steps of the 48 ellipses, until the solver rejects a step. The run of the coupled
+/// scheme, the control, ends after 8 steps.
 const RecordedRun& run_of(double dt, Coupling coupling) {
   static Once<std::pair<double, Coupling>, RecordedRun> runs;
   return runs({dt, coupling}, [=] {
@@ -49,8 +49,8 @@ Measure residuals(double dt) {
   };
 }
 
-/// Largest modulus of an eigenvalue of a sweep at the start, by Arnoldi's method: it knows no
-/// steps.
+/// Largest modulus of the eigenvalues of a sweep at the start, by Arnoldi's method. The sweep does
+/// not depend on the time step.
 double spectral_radius() {
   static Once<int, double> found;
   return found(0, [] {
@@ -77,8 +77,8 @@ double spectral_radius() {
   });
 }
 
-/// By what the residual grows a step, in the mean over the last six before the run is refused, over
-/// the spectral radius, less one.
+/// Factor by which the residual grows in a step (geometric mean of the last six steps before the
+/// solver rejects one), relative to the spectral radius, minus 1.
 Measure growth(Coupling coupling) {
   return [=](Size) {
     std::vector<Measurement> measurements;

@@ -1,5 +1,5 @@
-// The published count of eight lobed bodies: preconditioned products with the operator over a run,
-// whatever the number of nodes.
+// Counts the GMRES iterations of a run of eight lobed bodies by the number of nodes, as in the
+// published code.
 #include <cmath>
 #include <tuple>
 
@@ -14,7 +14,8 @@ using namespace study;
 
 namespace {
 
-/// The row at the written times of a run, which are the same for all nodes.
+/// States of the row at the written times of a run; the states are the same for all numbers of
+/// nodes.
 const std::vector<Frame>& states(Size size) {
   static test::Once<Size, std::vector<Frame>> run;
   return run(size, [=] {
@@ -29,11 +30,11 @@ const std::vector<Frame>& states(Size size) {
 /// The residual to which GMRES solves.
 enum class Residual {
   given,
-  of_spacing  ///< a planted defect: smaller with more nodes
+  of_spacing  ///< a planted defect: the tolerance decreases with the number of nodes
 };
 
-/// Products with the operator that solves of all these states take on given nodes, each without a
-/// guess, as in the published code.
+/// Products with the operator for solving all these states on given nodes. Each solve starts from
+/// zero, as in the published code.
 double products(Size size, int nodes, PreconditionerKind preconditioner, Residual residual) {
   static test::Once<std::tuple<Size, int, PreconditionerKind, Residual>, double> counted;
   return counted({size, nodes, preconditioner, residual}, [&] {
@@ -70,7 +71,7 @@ Measure counts(PreconditionerKind preconditioner) {
       [=](Size size, int nodes) { return products(size, nodes, preconditioner, Residual::given); });
 }
 
-/// Difference of the count from that on 32 nodes, relative to that.
+/// Difference of the count from that on 32 nodes, relative to the latter.
 Measure growth(Residual residual) {
   return over_nodes([=](Size size, int nodes) {
     const auto count = [=](int n) {

@@ -1,4 +1,5 @@
-// Thousands of bodies by the fast multipole method: what they cost, and whether estimates hold.
+// Solves for thousands of bodies by the fast multipole method: cost, and comparison of error
+// estimates with errors.
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -14,7 +15,7 @@ using namespace study;
 
 namespace {
 
-// Ellipses at an area fraction of 35 % in vortices, GMRES to 1e-6.
+// Ellipses at an area fraction of 35 % in vortices; GMRES stops at 1e-6.
 Scene crowd_of(int count) {
   constexpr double a = 1.0, b = 0.5, fraction = 0.35;
   const double side = std::sqrt(count * std::numbers::pi * a * b / fraction);
@@ -25,13 +26,13 @@ Scene crowd_of(int count) {
                   .box = std::array{0.0, 0.0, side, side},
                   .clearance = 0.25,
                   .n_nodes = 32};
-  // Refusals are not what is asked for here: 32 nodes are what they are.
+  // The tolerance is loose, so that the solver does not reject the solution on 32 nodes a body.
   scene.solver.tolerance = 0.1;
   scene.solver.gmres_tol = 1e-6;
   return place_fills({scene, {fill}});
 }
 
-// The first bodies of a solution.
+// Number of the bodies whose motions are compared.
 constexpr std::size_t looked_at = 100;
 
 Completion first_of(Completion completion) {
@@ -40,11 +41,11 @@ Completion first_of(Completion completion) {
   return completion;
 }
 
-// What is known of one crowd.
+// Error and estimates for one crowd.
 struct JudgedCrowd {
   double error;      // of the first bodies, against twice the nodes
   double estimate;   // of all bodies, by a correction on finer nodes
-  double iteration;  // ten times the residual of the iteration
+  double iteration;  // ten times the residual of GMRES
   double unknowns, iterations, seconds;
 };
 
@@ -101,8 +102,8 @@ Experiment many_bodies() {
                                     .statement = "Motions among thousands of bodies err by no more "
                                                  "than their estimate.",
                                     .law = ErrorBelowTolerance{1.0, 1e-2},
-                                    .reason = "the estimate looks at the worst of all bodies, the "
-                                              "difference at a hundred",
+                                    .reason = "the estimate is that of the worst of all bodies, "
+                                              "the difference that of the worst of a hundred",
                                     .api = {"stokesbook::FastSum", "stokesbook::estimate_error"}},
                      .control = Control{"estimates by the residual of the iteration alone",
                                         over_bodies(&JudgedCrowd::iteration)}}},

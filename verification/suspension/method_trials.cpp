@@ -1,5 +1,5 @@
-// Published experiments by the published method and by ours: error against work, and for the same
-// error the share of work.
+// Defines published experiments to run by the published method and by ours, and plots error against
+// work and the share of work for equal errors.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ using namespace study;
 
 namespace {
 
-// With as many nodes a body as published, and up to a time.
+// Gives bodies the published number of nodes, and ends the run at a time.
 Scene until(Scene scene, double t_final, int nodes_a_wall = 256) {
   scene = with_nodes(std::move(scene), 32, nodes_a_wall);
   scene.time = TimeSettings{.t_final = t_final};
@@ -51,14 +51,14 @@ Scene lobed_row() {
   return until(shipped_scene("lobed_row"), 6.0);
 }
 
-// Walls with as few nodes as do: what was published is not known.
+// The published number of nodes on walls is not known; few nodes are taken here.
 Scene injection_and_back() {
   Scene scene = shipped_scene("injection");
   scene.reverse_at = {2.5};
   return until(scene, 5.0, 64);
 }
 
-// Until shortly before the first contact.
+// Ends shortly before the first contact.
 Scene vortices() {
   return until(test::ellipses_in_vortices(), 2.0);
 }
@@ -70,7 +70,7 @@ Scene a_third_of_the_vortices() {
   return scene;
 }
 
-// Contact sets in early, and lasts.
+// Contact starts early, and lasts.
 Scene crowd() {
   return until(shipped_crowd(), 0.5);
 }
@@ -83,7 +83,7 @@ Scene sedimentation() {
   return until(shipped_scene("sedimentation"), 3.0, 128);
 }
 
-// A published cell, kept apart and written at five times.
+// A published cell whose bodies keep a separation; five frames are written.
 Scene couette(const std::string& name, double separation) {
   Scene scene = shipped_scene(name);
   scene.contact = ContactSettings{separation};
@@ -105,7 +105,7 @@ std::vector<double> alignment(const std::vector<Frame>& frames) {
   return {frames.back().rheology.order_parameter};
 }
 
-// Effective viscosity, in the mean over the written times.
+// Mean of the effective viscosity over the written times.
 std::vector<double> mean_viscosity(const std::vector<Frame>& frames) {
   const double sum = std::accumulate(
       frames.begin(), frames.end(), 0.0,
@@ -113,8 +113,8 @@ std::vector<double> mean_viscosity(const std::vector<Frame>& frames) {
   return {sum / static_cast<double>(frames.size())};
 }
 
-// Steps are the published ones where these are known. References take equal steps of another length
-// or another method; where bodies return, none is needed.
+// The steps are the published steps where these are known. The references use equal steps of
+// another length, or another method. Bodies that return to their start need no reference.
 const Trial extension_trial{
     .key = "extension",
     .title = "Two disks that meet in extension and slide round each other, at t = 6",
@@ -211,9 +211,9 @@ Trial viscosity(const std::string& key, const std::string& title, Scene (*scene)
           }};
 }
 
-// By Euler's method, steps of an eighth drive the slender bodies of the dense cell so hard against
-// the outer wall that contact cuts the steps after them to thousandths; those of a sixteenth take
-// less work than any of ours, for an error hundreds of times as large.
+// With Euler steps of an eighth, the slender bodies of the dense cell are pressed so hard against
+// the outer wall that contact shortens the following steps to thousandths. Steps of a sixteenth
+// take less work than any of our runs, with an error hundreds of times as large.
 const Trial couette_trial =
                 viscosity("couette", "Couette cell with 80 ellipses 3:1, over the first radian",
                           dilute_couette, 0.125),
@@ -256,7 +256,8 @@ Experiment figure(const Trial& trial) {
           .operation = "million node pairs"};
 }
 
-/// Those that no longer step of theirs is as good as: nobody would take the others.
+/// Keeps the runs (listed by decreasing step) that are more accurate than every run with longer
+/// steps.
 std::vector<Outcome> worth_their_steps(const std::vector<Outcome>& runs) {
   std::vector<Outcome> found;
   for (const Outcome& run : runs) {
@@ -265,8 +266,8 @@ std::vector<Outcome> worth_their_steps(const std::vector<Outcome>& runs) {
   return found;
 }
 
-/// For the error of each published run, the least of ours that are at least as good over what the
-/// published one takes.
+/// For the error of each published run: the least cost of our runs that are at least as accurate,
+/// relative to the cost of the published run.
 Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
   return [=](Size size) {
     const std::vector<Outcome> contenders = outcomes(trial, way, size);
@@ -309,7 +310,7 @@ Line share_of_steps(const std::string& label, const Trial& trial) {
 
 Experiment shares_of_work() {
   return {.key = "methods_work",
-          .title = "Work for the error of a published run, over its own",
+          .title = "Our work for the error of a published run, over the work of that run",
           .x = "error of the published run e",
           .error = "node pairs of ours over those of the published run",
           .lines = {share_of_work("12_40", "two disks in extension", extension_trial, 0.6),
@@ -327,7 +328,7 @@ Experiment shares_of_work() {
 
 Experiment shares_of_steps() {
   return {.key = "methods_steps",
-          .title = "Steps for the error of a published run, over its own",
+          .title = "Our steps for the error of a published run, over the steps of that run",
           .x = "error of the published run e",
           .error = "steps of ours over those of the published run",
           .lines = {share_of_steps("two disks in extension", extension_trial),

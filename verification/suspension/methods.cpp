@@ -1,4 +1,4 @@
-// Runs published experiments by the published method and by ours.
+// Runs published experiments by the published method and by ours, and records error, work and time.
 #include "methods.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ using study::Size;
 
 namespace {
 
-// Tolerances of velocities: the loosest of ours, and what the published nodes meet in all runs.
+// Tolerances of velocities: the loosest tolerance of our method, and one that the published nodes
+// meet in all runs.
 constexpr double loosest = 1e-2, met_by_equal_nodes = 3e-2;
 
 Scene stepped(Scene scene, Way way, const Trial& trial, double parameter) {
@@ -36,7 +37,7 @@ Scene stepped(Scene scene, Way way, const Trial& trial, double parameter) {
   } else {
     scene.time->method = trial.adapted;
     scene.time->tolerance = parameter;
-    scene.time->dt = 0.1;  // the first
+    scene.time->dt = 0.1;  // the first step
   }
   return scene;
 }
@@ -77,7 +78,7 @@ Outcome outcome(const Trial& trial, Way way, double parameter) {
     for (std::size_t k = 0; k < values.size(); ++k) {
       error = std::max(error, std::abs(values[k] - right[k]));
     }
-    // GMRES applies the operator once an iteration, and once to its guess.
+    // Each solve applies the operator once in every iteration, and once to its initial guess.
     const long long applications =
         way == Way::published
             ? done.totals.gmres_iterations + done.totals.solves + done.totals.contact_solves

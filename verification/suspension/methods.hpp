@@ -9,42 +9,43 @@
 
 namespace stokesbook::verification::suspension {
 
-/// How a published experiment is run. All take own blocks as preconditioner, as published, so that
-/// an iteration means the same, and guesses from earlier steps.
+/// The methods by which a published experiment is run. All precondition with the inverse of each
+/// body's own block, as published, so that an iteration costs the same, and all start from guesses
+/// of earlier steps.
 enum class Way {
-  published,  ///< equal nodes as the scene has them, interpolation near curves, Euler's method
-  steps,      ///< the same nodes, steps adapted to a tolerance: what steps alone gain
+  published,  ///< the published equal nodes, interpolation near curves, Euler's method
+  steps,      ///< the same nodes, steps adapted to a tolerance: shows the gain by the steps alone
   ours        ///< automatic nodes, steps adapted to a tolerance
 };
 
-/// A published experiment, and what of it is compared.
+/// A published experiment, and the quantity that is compared.
 struct Trial {
-  std::string key;                      ///< of the figure
-  std::string title;                    ///< of the figure
-  std::string error;                    ///< of what is observed
-  Scene (*scene)();                     ///< with published nodes, time.t_final and output.dt_write
-  SteppingMethod adapted;               ///< that ours steps by
-  std::vector<double> steps = {};       ///< of Euler's method, descending; the full study goes on
-  std::vector<double> tolerances = {};  ///< of adapted steps, descending; the full study goes on
-  /// What is observed of a run's frames: the bodies at the end, unless it is something else.
+  std::string key;         ///< key of the figure
+  std::string title;       ///< title of the figure
+  std::string error;       ///< label of the error
+  Scene (*scene)();        ///< returns the scene: published nodes, time.t_final, output.dt_write
+  SteppingMethod adapted;  ///< method of the adapted steps
+  std::vector<double> steps = {};       ///< of Euler's method, descending; the full study adds two
+  std::vector<double> tolerances = {};  ///< of adapted steps, descending; the full study adds two
+  /// Returns the compared quantities of a run's frames; by default the bodies' states at the end.
   std::vector<double> (*observed)(const std::vector<Frame>& frames) = nullptr;
-  /// What errors are seen against, from the scene; none: bodies end where they began.
+  /// Returns the scene of the reference; by default bodies must end where they began.
   Scene (*reference)(Scene scene) = nullptr;
   study::Size least = study::Size::full;  ///< least size of the study that has this trial
 };
 
-/// What a run has come to, and what it took.
+/// Error and cost of a run.
 struct Outcome {
-  double error;  ///< largest of what is observed
-  double pairs;  ///< millions, of nodes: applications of the operator to the most nodes of the run
-  double steps;  ///< of time
-  double seconds;  ///< of one thread
+  double error;    ///< largest error of the compared quantities
+  double pairs;    ///< millions: operator applications times (most nodes of the run)^2
+  double steps;    ///< time steps
+  double seconds;  ///< seconds of one thread
 };
 
-/// Runs a trial a way, from the longest step or loosest tolerance on.
+/// Runs a trial by a method, beginning with the longest step or loosest tolerance.
 ///
-/// The published method, which estimates no errors, is not charged for the operator's applications
-/// in estimates, but for their seconds.
+/// The published method estimates no errors. Its pairs therefore exclude the operator's
+/// applications for estimates; its seconds include them.
 std::vector<Outcome> outcomes(const Trial& trial, Way way, study::Size size);
 
 }  // namespace stokesbook::verification::suspension

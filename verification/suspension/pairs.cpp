@@ -1,5 +1,5 @@
-// Two unit circles with automatic nodes, down to small gaps: closed forms, and the law of
-// lubrication.
+// Compares two unit circles on automatic nodes with closed forms, down to small gaps, and checks
+// the law of lubrication.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,10 +15,10 @@ using namespace test;
 
 namespace {
 
-// How the circles are moved along their line of centres.
+// Flow and forces that move the circles along their line of centres.
 struct PairDrive {
   BackgroundFlow flow;
-  double force = 0.0;  // on the right one, opposite on the left one
+  double force = 0.0;  // on the right circle; the left circle has the opposite force
 
   double exact(double gap) const {
     const CirclePair circles{1.0, gap};
@@ -38,18 +38,18 @@ struct PairDrive {
 
 const PairDrive in_extension{ExtensionalFlow{1.0}}, pulled_apart{QuiescentFlow{}, 1.0};
 
-// What the solver can vouch for at the narrowest gaps, in units of the largest velocity: its
-// estimate, unlike the speed, sees all rounding errors.
+// Tightest tolerance that the solver meets at the narrowest gaps, relative to the largest velocity.
+// The solver's estimate includes all rounding errors; the speed itself is less affected.
 constexpr double least_tolerance = 1e-10;
 
-// Speed of the right circle, solved to a part of itself; nodes as given or automatic.
+// Speed of the right circle, solved to a relative error; the nodes are given or automatic.
 double speed(const PairDrive& drive, double gap, double relative_error, int n_nodes,
              NearSingular near = NearSingular::automatic) {
   Scene scene = drive.scene(gap);
   scene.solver.near_singular = near;
   scene = with_nodes(std::move(scene), n_nodes, n_nodes);
-  // In units of the data's largest velocity, which is about 2 in extension and 1 / 4 under forces;
-  // no more than rounding allows.
+  // The solver's tolerance is relative to the largest velocity of the data, about 2 in extension
+  // and 1 / 4 under forces. The tolerance is not below the level of rounding errors.
   scene.solver.tolerance = std::clamp(
       relative_error * drive.exact(gap) / (drive.force == 0.0 ? 2.0 : 0.25), least_tolerance, 0.1);
   scene.solver.gmres_tol = 1e-14;
@@ -96,9 +96,9 @@ Measure errors_to_the_narrowest(int n_nodes, NearSingular near) {
   };
 }
 
-/// How fast unit forces open the gap, over how fast they do so.
+/// Speed at which unit forces open the gap, relative to the exact speed.
 ///
-/// @param  n_nodes  of each circle; spacings of 32 nodes are the unit of the gap
+/// @param  n_nodes  nodes of each circle; the unit of the gap is the spacing of 32 nodes
 Measure responses(int n_nodes, NearSingular near) {
   return [=](Size) {
     std::vector<Measurement> points;
@@ -112,7 +112,7 @@ Measure responses(int n_nodes, NearSingular near) {
   };
 }
 
-/// How far these are from one.
+/// Difference of these relative speeds from 1.
 Measure response_errors(int n_nodes, NearSingular near) {
   return [=](Size size) {
     std::vector<Measurement> points = responses(n_nodes, near)(size);
@@ -177,7 +177,7 @@ Experiment narrow_gaps() {
                                     .statement = "Automatic nodes give the pair's speed to 1e-3 of "
                                                  "itself at all gaps down to a millionth.",
                                     .law = Identity{1e-3},
-                                    .reason = "it is what was asked of the solver",
+                                    .reason = "the relative error is the tolerance of the solve",
                                     .api = {"stokesbook::SuspensionSolver"}},
                      .control = Control{"32 equal nodes a circle, as published", published}},
                     {.key = "published",
@@ -189,10 +189,10 @@ Experiment contact_response() {
   constexpr int published = 32;
   return {.key = "contact_response",
           .title =
-              "What forces of contact do to a gap, by 32 equal nodes and by automatic ones: two "
-              "circles pulled apart",
+              "Response of a gap to forces of contact, by 32 equal nodes and by automatic ones: "
+              "two circles pulled apart",
           .x = "gap in spacings of 32 nodes g",
-          .error = "speed of opening over the exact one, or as said",
+          .error = "speed of opening over the exact speed, or as labelled",
           .axes = Axes::nominal,
           .lines = {{.key = "plain",
                      .label = "32 nodes, plain rule",
@@ -214,7 +214,7 @@ Experiment contact_response() {
                                                  "contact to 1e-6 of itself, down to a twentieth "
                                                  "of the spacing of 32 nodes.",
                                     .law = Identity{1e-6},
-                                    .reason = "it is what was asked of the solver",
+                                    .reason = "the relative error is the tolerance of the solve",
                                     .api = {"stokesbook::SuspensionSolver"}},
                      .control = Control{"32 equal nodes by the plain rule",
                                         response_errors(published, NearSingular::off)}}}};

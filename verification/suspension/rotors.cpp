@@ -1,4 +1,5 @@
-// Four disks that torques drive carry each other round: the law of point rotlets, from afar.
+// Computes the speed at which four disks driven by torques circle round each other, and compares
+// with the law of point rotlets (12.2).
 #include <cmath>
 #include <numbers>
 
@@ -11,9 +12,9 @@ using namespace study;
 
 namespace {
 
-/// Four disks at a distance from their centre, each under the torque 1, with viscosity 1.
+/// Four disks at a distance from their common centre, each under the torque 1; the viscosity is 1.
 ///
-/// @return  the speed at which they circle
+/// @return  speed at which the disks circle
 double circling_speed(double radius, double distance) {
   Scene scene;
   for (const Complex direction : {Complex{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
@@ -25,10 +26,11 @@ double circling_speed(double radius, double distance) {
   return solver.solve(solver.start()).motions[0].velocity.imag();
 }
 
-/// Each of three rotlets turns the fluid around it, 1 / (4 pi r): two neighbours at sqrt(2) R, of
-/// whose velocity the part 1/sqrt(2) is along the circle, and the one across at 2 R.
+/// Speed of point rotlets (12.2). Each of the three other rotlets causes a velocity 1 / (4 pi r)
+/// around it. The two neighbours are at r = sqrt(2) R, and the share 1/sqrt(2) of their velocity is
+/// along the circle; the opposite rotlet is at r = 2 R.
 ///
-/// @param  across  how many there are; none is a planted defect
+/// @param  across  number of opposite rotlets; 0 is a planted defect
 double rotlet_speed(double distance, double across) {
   return (1.0 + 0.5 * across) / (4.0 * std::numbers::pi * distance);
 }
@@ -48,24 +50,28 @@ Measure rotlet_errors(double across) {
 }  // namespace
 
 Experiment rotors() {
-  return {.key = "rotors",
-          .title = "Four rotors at the corners of a square",
-          .x = "distance from the middle, in radii, d",
-          .error = "relative difference of the speed from that of point rotlets",
-          .lines = {{.key = "rotlets",
-                     .label = "four disks",
-                     .measure = rotlet_errors(1.0),
-                     .claim = Claim{.id = "12_34",
-                                    .statement = "Rotors carry each other round as point rotlets "
-                                                 "do, but for an error of order 2 in size over "
-                                                 "distance.",
-                                    .law = Algebraic{2.0, 0.1},
-                                    .window = {.from = 8.0},
-                                    .reason = "a rotlet's flow is harmonic, so that no Faxen term "
-                                              "adds to it; its strain, d^-2, calls stresslets in "
-                                              "the others, whose flow falls like d^-1",
-                                    .api = {"stokesbook::SuspensionSolver"}},
-                     .control = Control{"the rotlet across left out", rotlet_errors(0.0)}}}};
+  return {
+      .key = "rotors",
+      .title = "Four rotors at the corners of a square",
+      .x = "distance from the middle, in radii, d",
+      .error = "relative difference of the speed from that of point rotlets",
+      .lines = {
+          {.key = "rotlets",
+           .label = "four disks",
+           .measure = rotlet_errors(1.0),
+           .claim =
+               Claim{
+                   .id = "12_34",
+                   .statement = "Rotors carry each other round as point rotlets "
+                                "do, but for an error of order 2 in size over "
+                                "distance.",
+                   .law = Algebraic{2.0, 0.1},
+                   .window = {.from = 8.0},
+                   .reason =
+                       "a rotlet's flow is harmonic, so that no Faxen term adds to it; its strain, "
+                       "d^-2, causes stresslets in the others, whose flow falls like d^-1",
+                   .api = {"stokesbook::SuspensionSolver"}},
+           .control = Control{"the rotlet across left out", rotlet_errors(0.0)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension

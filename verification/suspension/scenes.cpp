@@ -1,4 +1,4 @@
-// Makes the scenes of the study: those that are shipped, and random ones.
+// Builds the scenes of the study: the scenes of chapter 12, and random ones.
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Shape random_shape(std::mt19937_64& random) {
   }
 }
 
-// Slender or lobed, as no scene of the book is.
+// A random shape that is slender or lobed, more so than in any scene of the book.
 Shape hard_shape(std::mt19937_64& random, double slenderest) {
   switch (random() % 3) {
     case 0:
@@ -54,7 +54,7 @@ SmoothCurve curve_of(const Body& body, int nodes) {
   return test::smooth_body(body.shape, nodes, body.position, body.orientation);
 }
 
-// Moves a body along a ray from the origin until it is a gap away from the others.
+// Moves a body along a ray from the origin until its distance from the others is the gap.
 void move_to_gap(Body& body, const std::vector<Body>& others, double angle, double gap,
                  int nodes = 64) {
   std::vector<SmoothCurve> obstacles;
@@ -72,7 +72,7 @@ void move_to_gap(Body& body, const std::vector<Body>& others, double angle, doub
   body.position = std::polar(high, angle);
 }
 
-// A container about all bodies that rotates or moves.
+// A container of all bodies that rotates or translates.
 Wall random_container(std::mt19937_64& random, const std::vector<Body>& bodies) {
   double reach = 0.0;
   for (const Body& body : bodies) reach = std::max(reach, std::abs(body.position) + 1.05);

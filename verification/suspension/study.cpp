@@ -1,5 +1,5 @@
-// Study of the solver: error estimates that can be trusted, node counts chosen by them,
-// bodies in contact, published experiments, and the published method beside ours.
+// Study of the suspension solver: error estimates, automatic node numbers, bodies in contact,
+// published experiments, and the published method beside ours.
 #include "experiments.hpp"
 #include "studies.hpp"
 

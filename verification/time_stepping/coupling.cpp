@@ -1,5 +1,5 @@
-// What the lagged coupling leaves: a sweep contracts errors by a factor that knows the gap and no
-// time step.
+// Measures the errors of the lagged coupling: a sweep contracts errors by a factor that depends on
+// the gap, and not on the time step.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// What inverts the diagonal of the system.
+/// The blocks by which a sweep inverts the diagonal of the system.
 enum class Blocks { own, half };
 
 Scene pair_of_nodes(double gap, int n_nodes) {
@@ -35,9 +35,10 @@ Scene pair_of_nodes(double gap, int n_nodes) {
   return pair;
 }
 
-/// Factor by which a sweep contracts an error, in the end.
+/// Asymptotic factor by which a sweep contracts an error.
 ///
-/// @param  blocks  half is a planted defect: the jump relation without the layer of the own curve
+/// @param  blocks  half is a planted defect: the jump relation only, without the layer of the curve
+///                 on itself
 double contraction(double gap, Blocks blocks) {
   const SuspensionSolver solver(pair_of_nodes(gap, automatic_nodes));
   const Instant start = solver.start();
@@ -51,7 +52,8 @@ double contraction(double gap, Blocks blocks) {
   };
   const ComplexVector random = test::random_vector(discrete.system.offsets().back(), 1);
   VectorXd error = interleaved(random);
-  // Moduli come in pairs of both signs: two sweeps tell. Other modes fade as the cube of the first.
+  // The eigenvalues come in pairs of opposite sign, so the modulus follows from two sweeps. The
+  // other modes decay as the cube of the first.
   const int sweeps = 20 + static_cast<int>(12.0 / std::pow(gap, 1.5));
   double factor = 0.0;
   for (int k = 0; k < std::min(sweeps, 4000); ++k) {
@@ -62,7 +64,7 @@ double contraction(double gap, Blocks blocks) {
   return factor;
 }
 
-/// The same in closed form: mode 2 of two circles in bipolar coordinates, chapter 05.
+/// The factor in closed form: mode 2 of two circles in bipolar coordinates (05.13).
 double exact_contraction(double gap) {
   const double alpha = std::acosh(1.0 + 0.5 * gap);
   return std::exp(-4.0 * alpha + std::asinh(2.0 * std::sinh(2.0 * alpha)));
@@ -85,13 +87,14 @@ Measure differences(Blocks blocks) {
   };
 }
 
-/// What happens as the last step of a lagged run begins, and whether the densities are told.
+/// Event at the beginning of the last step of a lagged run: a reversal of the flow, with or without
+/// a reversal of the stored densities.
 enum class Event { none, reversal, reversal_that_is_told };
 
-/// Error of the velocity after a unit of time of the lagged coupling: two circles that turn about
-/// each other, carried by the clock, their densities lagging by a step. The last hundred steps
-/// count: a hundred sweeps leave a thousandth of what was before at a gap of 0.05, and less at
-/// wider ones.
+/// Error of the velocity after a unit of time of the lagged coupling. The two circles circle round
+/// each other by a given motion, and their densities lag by a step. Only the last hundred steps are
+/// computed: a hundred sweeps reduce earlier errors to a thousandth at a gap of 0.05, and to less
+/// at wider gaps.
 double error_of_lagged(double gap, int steps, Event event) {
   const SuspensionSolver solver(pair_of_nodes(gap, 112));
   const auto at = [gap](double t) -> Configuration {

@@ -1,4 +1,4 @@
-// A hundred turns of an ellipse in shear.
+// Measures the error of the angle over a hundred turns of an ellipse in shear.
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi * (3.0 + 1.0 / 3.0);
 
-// A rate that gets faster by a millionth of itself a turn, as of a clock that does not hold.
+// A planted defect: the rate grows by a millionth of itself in each turn.
 Motion hastening(Motion motion) {
   const Rate exact = motion.rate;
   motion.rate = [=](double t, const VectorXd& q) -> VectorXd {
@@ -23,7 +23,7 @@ Motion hastening(Motion motion) {
   return motion;
 }
 
-// Errors of the angle after 1, 2, 5, ... turns, in one run.
+// Errors of the angle after 1, 2, 5, ... turns of one run.
 Measure errors(SteppingMethod method, double tolerance, bool hastens = false) {
   return [=](Size) {
     const Motion exact = jeffery_in_shear(100.0 * turn);
@@ -41,7 +41,7 @@ Measure errors(SteppingMethod method, double tolerance, bool hastens = false) {
         now = std::move(advance.step.end);
         memory = std::move(advance.memory);
       }
-      // After whole turns the angle is known without rounding of its formula.
+      // After whole turns the exact angle is known without rounding errors of the formula.
       const double error = std::abs(now.state[0] + 2.0 * std::numbers::pi * turns);
       measurements.push_back(
           {.x = static_cast<double>(turns), .error = error, .operations = counted.evaluations()});

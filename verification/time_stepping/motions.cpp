@@ -1,3 +1,5 @@
+// Defines the motions of the study: Jeffery's equation, and scenes whose rates come from full
+// solves, with exact or very accurate reference solutions.
 #include "motions.hpp"
 
 #include <cmath>
@@ -38,7 +40,7 @@ Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
   return scene;
 }
 
-// What is compared of a motion, by the pair 8(7).
+// Reference values of the compared quantities, by the pair 8(7).
 std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   const SteppingSettings settings{.method = SteppingMethod::prince_dormand87,
                                   .bound = {tolerance, VectorXd::Ones(motion.start.size())}};
@@ -57,7 +59,7 @@ std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   return states;
 }
 
-// All positions and angles of a scene, known at the end.
+// The motion of all positions and angles of a scene; the reference is known at the end.
 Motion solved_motion(const Scene& scene, double t_final) {
   Motion motion{solved_rate(scene), start_of(scene), t_final, {}, itself, {t_final}};
   motion.exact = [end = reference(motion, 1e-9).at(t_final)](double) { return end; };
@@ -119,7 +121,7 @@ Motion nine_circles() {
                             .position = {1.5 * (k % 3 - 1) + 0.1 * k, 1.4 * (k / 3 - 1)},
                             .n_nodes = 24});
   }
-  scene.solver.tolerance = 1e-6;  // rates jump by as much as near corrections err
+  scene.solver.tolerance = 1e-6;  // looser near corrections would make the rates jump
   scene.solver.gmres_tol = 1e-10;
   return solved_motion(scene, 2.0);
 }
@@ -145,7 +147,7 @@ Rate solved_rate(const Scene& scene) {
   return [=](double, const VectorXd& state) {
     try {
       return to_rate(solver->solve_nearby({to_configuration(state)}, first));
-    } catch (const SolverError& refusal) {  // an overlap, or too close for their nodes
+    } catch (const SolverError& refusal) {  // bodies overlap, or are too close for their nodes
       throw InadmissibleState(refusal.what());
     }
   };

@@ -1,3 +1,4 @@
+// Runs motions by GSL's multistep method `msadams`, for comparison.
 #include "multistep.hpp"
 
 #include <algorithm>

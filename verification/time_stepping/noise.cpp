@@ -1,5 +1,5 @@
-// Rates with noise, as solves have it that stop at a tolerance: what steps come to that are asked
-// for less.
+// Measures the cost of steps at tolerances below the noise of the rates. Rates have noise if solves
+// stop at a tolerance.
 #include <cmath>
 #include <memory>
 #include <random>
@@ -47,7 +47,7 @@ Line noise_line(const std::string& key, const std::string& label, SteppingMethod
           .measure = evaluations(method, true),
           .claim = Claim{.id = id,
                          .statement = "Below the noise of the rates " + label +
-                                      " takes steps in proportion to the tolerance.",
+                                      " takes steps of a length in proportion to the tolerance.",
                          .law = Cost{-1.0, 0.2},
                          .window = {.to = 5e-3 * noise},
                          .reason = "noise leaves a tenth of h times itself in the estimate of a "

@@ -1,4 +1,4 @@
-// Orders of all methods on motions with closed forms.
+// Measures the orders of all methods on motions with closed forms.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -10,7 +10,7 @@ using namespace study;
 
 namespace {
 
-// A method, its order and how coarse its steps begin.
+// A method, its order and its smallest number of steps.
 struct Scheme {
   std::string key, label;
   SteppingMethod method;
@@ -51,7 +51,8 @@ Measure errors(const Motion& motion, const Scheme& scheme, const MakeRates& make
   };
 }
 
-// The claim on a scheme's order; `floor` is the level of rounding or of the solves.
+// The claim about a scheme's order; `floor` is the level of rounding errors or of the solver's
+// errors.
 Line order_line(const Motion& motion, const Scheme& scheme, const std::string& id, double floor) {
   const bool has_stages =
       scheme.method != SteppingMethod::euler && scheme.method != SteppingMethod::adams_bashforth2;
@@ -68,7 +69,7 @@ Line order_line(const Motion& motion, const Scheme& scheme, const std::string& i
                      .reason = "the order conditions of its coefficients; a fifth for the terms "
                                "of higher order that are left at these steps",
                      .api = {"stokesbook::SteppingMethod"}},
-      .control = Control{has_stages ? "all stages see the state at the start of the step"
+      .control = Control{has_stages ? "all stages use the state at the start of the step"
                                     : "rates are one per cent too small",
                          errors(motion, scheme, defective)}};
 }
@@ -77,7 +78,7 @@ Line order_line(const Motion& motion, const Scheme& scheme, const std::string& i
 
 Experiment orders_in_shear() {
   const Motion motion = jeffery_in_shear(8.0);
-  Motion at_end = motion;  // so few steps do not show the largest error
+  Motion at_end = motion;  // so few steps do not show the largest error over time
   at_end.known_at = {8.0};
   return {
       .key = "shear",
@@ -122,7 +123,7 @@ Experiment orders_of_circles() {
 
 Experiment orders_of_passing() {
   Motion motion = passing();
-  motion.known_at = {12.0};  // equal steps need not meet the others
+  motion.known_at = {12.0};  // equal steps need not end at the other times
   return {
       .key = "passing",
       .title = "Orders: two circles that pass each other in shear, by full solves",

@@ -1,4 +1,5 @@
-// Orders of the return: steps of even order undo a part of their errors on the way back.
+// Measures the orders of the error after a reversal: methods of even order cancel a part of their
+// errors on the way back.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -11,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// What is compared: after the way there and back, or, for a control, after the way there.
+/// The compared state: after the way there and back, or (for the control) after the way there.
 enum class Way { there_and_back, there };
 
 double error(SteppingMethod method, int steps, Way way) {

@@ -1,5 +1,5 @@
-// Two disks in shear that is reversed: Stokes flow goes back along its path, and what does not come
-// back is the steps' own error.
+// Runs two disks in a shear flow that reverses: Stokes flow returns along its path, so the distance
+// from the start is the error of the time steps.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -16,8 +16,8 @@ namespace {
 
 constexpr double reversal_time = 20.0;
 
-// The published scene, radius 1/2, from (-8, height) and (0, 0): at least 1/6 apart, for which 40
-// nodes do to 1e-6 and 64 to 1e-11.
+// The published scene: radius 1/2, initial centres (-8, height) and (0, 0). The gap is always at
+// least 1/6; for such gaps 40 nodes suffice to 1e-6, and 64 to 1e-11.
 Scene two_disks(double height, double tolerance) {
   Scene scene;
   scene.flow = ShearFlow{1.0};
@@ -29,10 +29,11 @@ Scene two_disks(double height, double tolerance) {
   return scene;
 }
 
-// How a motion is run to its end.
+// Runs a motion to its end.
 using Run = std::function<RunResult(const Motion& motion)>;
 
-// Distance of all centres from where they began, relative to their distance from the origin.
+// Error: distance of all centres from their start, relative to the norm of their start. Cost:
+// number of solves.
 struct ThereAndBack {
   double error = 0.0;
   double solves = 0.0;
@@ -56,7 +57,7 @@ Run equal_steps(SteppingMethod method, int steps) {
 }
 
 Run to_tolerance(SteppingMethod method, double tolerance) {
-  // In radii.
+  // The tolerance is in radii.
   return [=](const Motion& motion) { return run_to_tolerance(motion, method, tolerance, 0.5); };
 }
 
@@ -87,13 +88,14 @@ Measure adapted_errors(SteppingMethod method) {
   };
 }
 
-// Solves for an error, from a run of known order.
+// Number of solves for an error, extrapolated from a run by the known order.
 double solves_of_order(double height, SteppingMethod method, double error, double order) {
   const ThereAndBack found = there_and_back(two_disks(height, 1e-6), equal_steps(method, 400));
   return found.solves * std::pow(found.error / error, 1.0 / order);
 }
 
-// Solves that Euler takes for 1e-2; dear, and asked for twice.
+// Number of solves that Euler's method takes for 1e-2. The result is stored because it is expensive
+// and used twice.
 double solves_of_euler(double height) {
   static std::map<double, double> known;
   const auto [found, is_new] = known.try_emplace(height);
@@ -101,14 +103,16 @@ double solves_of_euler(double height) {
   return found->second;
 }
 
-// Solves of the pair 5(4) at a tolerance that brings it back to within 1e-8, or else infinity.
+// Number of solves of the pair 5(4) at a tolerance for which the disks return to within 1e-8;
+// infinity if they do not.
 double solves_of_pair(double height) {
   const ThereAndBack found = there_and_back(two_disks(height, 1e-11),
                                             to_tolerance(SteppingMethod::dormand_prince54, 3e-8));
   return found.error <= 1e-8 ? found.solves : std::numeric_limits<double>::infinity();
 }
 
-// Solves for 1e-8 over those that Euler takes for 1e-2, by the height of the first disk.
+// Number of solves for 1e-8 relative to that of Euler's method for 1e-2, by the initial height of
+// the first disk.
 Measure ratios(const std::function<double(double height)>& solves) {
   return [=](Size) {
     std::vector<Measurement> measurements;
@@ -159,7 +163,7 @@ Experiment reversal_costs() {
                               .api = {"stokesbook::Stepper", "stokesbook::dormand_prince54"}},
                .control = Control{"Heun's scheme in its place", ratios([](double height) {
                                     return solves_of_order(height, SteppingMethod::heun, 1e-8,
-                                                           3.0);  // 09_25
+                                                           3.0);  // claim 09_25
                                   })}}}};
 }
 

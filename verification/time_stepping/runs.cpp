@@ -1,4 +1,4 @@
-// Runs motions by the steppers, and measures their errors and costs.
+// Runs motions by the steppers, and measures errors and costs.
 #include "runs.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// At the end of a step, and where it has an interpolant, at the times within it that are known.
+// Error at the end of a step and, if the step has an interpolant, at the known times within it.
 double error_of(const Motion& motion, SteppingMethod method, const Step& step) {
   double error = error_at(motion, step.end.t, step.end.state);
   if (!has_dense_output(method)) return error;
@@ -75,7 +75,7 @@ Rates slow_rates(const Rate& rate, const TimePoint&) {
 
 RunResult run_equal_steps(const Motion& motion, SteppingMethod method, int steps,
                           const MakeRates& make_rates) {
-  // No estimate is too large, and events say where steps end.
+  // No error estimate is too large for these settings; the step ends are given by events.
   const SteppingSettings settings{
       .method = method, .dt = motion.t_final, .bound = {1e9, VectorXd::Ones(motion.start.size())}};
   const auto next_end = [&](double t) {

@@ -1,4 +1,4 @@
-// Compares what the estimates of steps add up to with the error at the end.
+// Compares the sum of the steps' error estimates with the error at the end.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -33,9 +33,8 @@ Line estimate_line(const Motion& motion, SteppingMethod method, const std::strin
           .label = label,
           .measure = errors(motion, method, fewest_steps, Taken::all_steps),
           .claim = Claim{.id = id,
-                         .statement = "What the steps of " + label +
-                                      " are estimated to err by adds up to the error at the "
-                                      "end, within a factor 10 up and down.",
+                         .statement = "The sum of the error estimates of all steps of " + label +
+                                      " is the error at the end, within a factor 10 up and down.",
                          .law = ErrorBelowTolerance{10.0, 0.1},
                          .reason = "the estimate of a step is its error but for the next order; "
                                    "a factor for what the flow makes of it until the end",
@@ -54,7 +53,7 @@ Motion known_at_its_end(Motion motion) {
 Experiment step_errors() {
   const Motion motion = known_at_its_end(jeffery_in_shear(8.0));
   return {.key = "step_errors",
-          .title = "Error found for the error estimated, fixed steps: an ellipse 3:1 in shear",
+          .title = "Error by the estimated error, fixed steps: an ellipse 3:1 in shear",
           .x = "sum of the estimates of all steps e",
           .error = "error of the angle at the end",
           .lines = {estimate_line(motion, SteppingMethod::euler, "euler", "Euler", 200, "09_36"),

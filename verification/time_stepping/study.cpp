@@ -1,5 +1,5 @@
-// Study of the time steppers: their orders, what a tolerance means, and what an accuracy costs in
-// solves.
+// Study of the time steppers: orders, errors for a given tolerance, and the number of solves for a
+// given accuracy.
 #include "experiments.hpp"
 #include "studies.hpp"
 

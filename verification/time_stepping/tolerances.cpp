@@ -1,4 +1,4 @@
-// What a tolerance means: the error found for the error asked.
+// Compares the error with the tolerance.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ using namespace study;
 
 namespace {
 
-// Largest errors of some motions, and what each takes on average.
+// Largest error over some motions, and the average cost of each.
 Measure errors(const std::vector<Motion>& motions, SteppingMethod method, double scale = 1.0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -37,8 +37,9 @@ constexpr const char* lower_order =
     "its estimate is the error of the lower order, a fifth of it: the orders are close enough that "
     "this stays within a factor 10 over seven decades";
 
-// From half a turn's fast part to its slow one. A single start may err by a hundredth of what is
-// asked, in the few long steps of the pair 8(7), whose errors happen to cancel.
+// Starting times, from the fast part of a half turn to the slow part. With a single start the error
+// may be a hundredth of the tolerance, because errors in the few long steps of the pair 8(7) may
+// cancel.
 constexpr double starts[] = {0.0, 1.0, 2.5, 4.0, 6.0, 7.5, 9.0};
 
 Line tolerance_line(const std::vector<Motion>& motions, SteppingMethod method,
@@ -53,8 +54,9 @@ Line tolerance_line(const std::vector<Motion>& motions, SteppingMethod method,
       .label = names[index],
       .measure = errors(motions, method),
       .claim = Claim{.id = id,
-                     .statement = names[index] + " errs by what is asked, within a factor 10 up "
-                                                 "and down.",
+                     .statement =
+                         names[index] +
+                         " has an error equal to the tolerance, within a factor 10 up and down.",
                      .law = ErrorBelowTolerance{10.0, 0.1},
                      .reason = reason,
                      .api = {"stokesbook::Stepper", "stokesbook::stepping_settings"}},
@@ -69,9 +71,7 @@ Experiment tolerances() {
   for (const double start : starts) jeffery.push_back(jeffery_in_shear(20.0, start));
   return {
       .key = "tolerance",
-      .title =
-          "Error found for the tolerance asked: an ellipse 3:1 in shear, one turn, "
-          "from seven angles",
+      .title = "Error by the tolerance: an ellipse 3:1 in shear, one turn, from seven angles",
       .x = "tolerance",
       .error = "largest error of the angle at the ends of steps, of all seven",
       .lines = {tolerance_line(jeffery, SteppingMethod::bogacki_shampine32, "09_17", in_proportion),
@@ -81,11 +81,11 @@ Experiment tolerances() {
       .operation = "evaluations of the rate"};
 }
 
-// Errors at t = 0.5, 1, ..., 12; of the pair 8(7) at 12.
+// Errors at t = 0.5, 1, ..., 12; for the pair 8(7) at 12.
 Experiment tolerances_of_passing() {
   const std::vector<Motion> pair{passing()};
   return {.key = "tolerance_passing",
-          .title = "Error found for the tolerance asked: two circles that pass each other",
+          .title = "Error by the tolerance: two circles that pass each other",
           .x = "tolerance",
           .error = "largest error of position, in radii, and angle",
           .lines = {tolerance_line(pair, SteppingMethod::dormand_prince54, "09_20", in_proportion),

@@ -1,4 +1,5 @@
-// Guesses of densities from earlier ones: how good they are by the step, and what they save.
+// Measures guesses of densities that are extrapolated from earlier densities: their residual by the
+// step, and the iterations that they save.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -26,21 +27,21 @@ Scene three_bodies() {
   return scene;
 }
 
-/// A smooth motion, which nothing but the clock determines.
+/// A smooth motion, given as a function of time.
 Configuration at(double t) {
   return {{{-0.3 - 0.5 * t, 1.6 - 0.3 * t * t}, 0.7 * t},
           {{1.7 * std::cos(0.6 * t), 0.3 + std::sin(0.4 * t)}, 1.2 - t + 0.2 * t * t},
           {{0.4 + 0.2 * t, -1.8 + 0.1 * t}, std::sin(t)}};
 }
 
-/// Whether the flow reverses after the first solution without the history being told, a planted
-/// defect.
+/// Whether the flow reverses after the first solution without a reversal of the history (a planted
+/// defect).
 enum class Reversal { none, untold };
 
-/// The last of a row of solutions.
+/// Results of the last of a series of solutions.
 struct Last {
-  double cold, warm;  // iterations
-  double residual;    // where the warm one begins
+  double cold, warm;  // iterations without and with a guess
+  double residual;    // initial residual with the guess
 };
 
 Last last(double dt, std::size_t kept, Reversal reversal) {
@@ -84,7 +85,7 @@ Measure shares(std::size_t kept, Reversal reversal = Reversal::none) {
   };
 }
 
-const std::string defect = "the flow has reversed after the first density, untold";
+const std::string defect = "the flow reverses after the first density, and the history does not";
 
 Line residual_line(std::size_t kept, const std::string& id) {
   const std::string densities =
@@ -135,8 +136,8 @@ Experiment saved_iterations() {
                                              "tenth of a radian or less.",
                                 .law = Floor{0.4, 1.6},
                                 .window = {.from = 10.0},
-                                .reason = "iterations are as the digits to be gained: of eight, "
-                                          "the guess has three to six",
+                                .reason = "iterations are in proportion to the digits to be "
+                                          "gained: of eight, the guess has three to six",
                                 .api = {"stokesbook::DensityHistory"}},
                  .control = Control{defect, shares(4, Reversal::untold)}},
                 {.key = "kept_6", .label = "6 earlier densities", .measure = shares(6)}}};

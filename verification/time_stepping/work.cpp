@@ -1,4 +1,4 @@
-// What an accuracy costs in solves, by every stepper.
+// Measures the number of solves for a given accuracy, by every stepper.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ Measurement measurement(const RunResult& run) {
 
 using MakeMotion = Motion (*)();
 
-// Made once: its reference takes longer than the runs.
+// Each motion is made once, because its reference takes longer than the runs.
 const Motion& made(MakeMotion make) {
   static test::Once<MakeMotion, Motion> motions;
   return motions(make, [&] { return make(); });
@@ -46,7 +46,7 @@ Measure adapted(MakeMotion make,
     for (double tolerance = 1e-3; tolerance > 0.9 * tightest; tolerance /= factor) {
       measurements.push_back(measurement(run(motion, tolerance)));
     }
-    // A tighter tolerance of the multistep method may take fewer.
+    // The multistep method may take fewer evaluations for a tighter tolerance.
     std::ranges::sort(measurements, {}, &Measurement::x);
     return measurements;
   };
@@ -61,7 +61,8 @@ Measure embedded(MakeMotion make, SteppingMethod method, double tightest) {
       tightest);
 }
 
-// Euler with the steps that solver effort chooses, from finer and finer first and longest steps.
+// Euler's method with steps that the solver's effort controls, for shorter and shorter first and
+// longest steps.
 std::vector<Measurement> by_effort(Size size) {
   const Motion& motion = made(passing);
   std::vector<Measurement> measurements;
@@ -108,7 +109,7 @@ std::vector<Line> lines_of(MakeMotion make, int fewest) {
 
 }  // namespace
 
-// Errors at those of t = 2, 4, ..., 12 that are hit.
+// Errors at those of the times t = 2, 4, ..., 12 at which a step ends.
 Experiment work() {
   return {
       .key = "work",

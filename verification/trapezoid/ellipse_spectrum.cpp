@@ -1,5 +1,5 @@
-// The spectrum of the double layer of an ellipse, known in closed form: what collocation at the
-// trapezoid rule's nodes makes of an integral operator with an analytic kernel.
+// Compares the spectrum of the double layer of an ellipse, by collocation at the nodes, with its
+// closed form (01.10).
 #include <algorithm>
 #include <cmath>
 
@@ -15,9 +15,9 @@ using Eigen::Index;
 
 namespace {
 
-constexpr Index outer = 9;  // eigenvalues at either end of the spectrum
+constexpr Index outer = 9;  // number of eigenvalues compared at either end of the spectrum
 
-/// A planted defect: the diagonal of the kernel with the curvature's other sign.
+/// A planted defect: the diagonal of the kernel has the opposite sign of the curvature.
 Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
   Eigen::MatrixXd matrix = double_layer_matrix(curve);
   for (Index j = 0; j < curve.size(); ++j) matrix.block<2, 2>(2 * j, 2 * j) *= -1.0;

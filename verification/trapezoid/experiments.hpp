@@ -7,7 +7,7 @@
 
 namespace stokesbook::verification::trapezoid {
 
-/// @name Experiments of the study, a file each
+/// @name Experiments of the study, each in its own file
 /// @{
 study::Experiment published_table();
 study::Experiment smoothness();
@@ -26,13 +26,14 @@ inline Eigen::VectorXd parameters(Eigen::Index n) {
   return Eigen::VectorXd::LinSpaced(n, 0.0, h * static_cast<double>(n - 1));
 }
 
-/// The trapezoid rule for a function of period 2 pi: all weights are 2 pi / n.
+/// The trapezoid rule for a function of period 2 pi; all weights are 2 pi / n.
 template <class Function>
 double trapezoid_rule(Eigen::Index n, const Function& f) {
   return 2.0 * std::numbers::pi * parameters(n).unaryExpr(f).mean();
 }
 
-/// A planted defect: periodic, so the last node is the first; this rule counts it twice.
+/// A planted defect: the function is periodic, so that the last node is the first; this rule counts
+/// that node twice.
 template <class Function>
 double rule_with_both_ends(Eigen::Index n, const Function& f) {
   return trapezoid_rule(n, f) + 2.0 * std::numbers::pi / static_cast<double>(n) * f(0.0);
@@ -50,7 +51,7 @@ class PoleFunction {
   double distance() const { return distance_; }
 
  private:
-  /// cosh d - cos t without cancellation near the poles.
+  /// Returns cosh d - cos t without cancellation near the poles.
   double denominator(double t) const {
     const double hyperbolic = std::sinh(0.5 * distance_), circular = std::sin(0.5 * t);
     return 2.0 * (hyperbolic * hyperbolic + circular * circular);

@@ -1,5 +1,5 @@
-// A pole at a known distance from the real axis sets every rate: of the integral, of the
-// interpolant and of its derivative.
+// Measures the rates of the integral, the interpolant and its derivative of a function with a pole
+// at a known distance from the real axis (01.6), (01.7).
 #include <cmath>
 
 #include "experiments.hpp"
@@ -13,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Measures at node counts that lower e^{-rate n} from 1 to rounding.
+/// Measures at node counts for which e^{-rate n} decreases from 1 to rounding.
 template <class Error>
 Measure at_counts(double rate, const Error& error) {
   return test::over_nodes(0.0, 36.0 / rate, 24, error, 1.0);
@@ -42,7 +42,7 @@ Line integral_line(const std::string& key, const std::string& id, double distanc
                              at_counts(distance, integral_error(f, defective))}};
 }
 
-/// Sums of up to 144 modes: a rounding unit each.
+/// Rounding error of sums of up to 144 modes: one rounding unit for each.
 constexpr double rounding = 3e-14;
 
 /// Values at the nodes.
@@ -62,7 +62,7 @@ double interpolation_error(const PoleFunction& f, Index n) {
   return error / f(0.0);
 }
 
-/// Interpolation along straight lines between the nodes.
+/// Error of the interpolation by straight lines between the nodes.
 double linear_interpolation_error(const PoleFunction& f, Index n) {
   const double h = 2.0 * std::numbers::pi / static_cast<double>(n);
   double error = 0.0;
@@ -79,14 +79,14 @@ auto derivative_error(const PoleFunction& f, const Derivative& derivative) {
   return [=](Index n) {
     const Eigen::VectorXd exact =
         parameters(n).unaryExpr([&](double t) { return f.derivative(t); });
-    // Far more points than nodes, so that the largest derivative does not depend on n.
+    // The points are far more than the nodes, so that the largest derivative does not depend on n.
     const double scale =
         parameters(4096).unaryExpr([&](double t) { return std::abs(f.derivative(t)); }).maxCoeff();
     return (derivative(samples(f, n)) - exact).cwiseAbs().maxCoeff() / scale;
   };
 }
 
-/// A planted defect: modes of the upper half keep the wave numbers n/2 ... n - 1 instead of
+/// A planted defect: the modes of the upper half keep the wave numbers n/2 ... n - 1 instead of
 /// -n/2 ... -1.
 ComplexVector derivative_without_negative_modes(const ComplexVector& f) {
   ComplexVector c = fourier_coefficients(f);

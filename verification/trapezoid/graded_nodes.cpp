@@ -1,4 +1,5 @@
-// Nodes that crowd where poles are near: rates predicted from the map of the parameter.
+// Integrates functions with near poles on graded nodes; the rates are predicted from the map of the
+// parameter (01.11).
 #include <cmath>
 #include <functional>
 
@@ -17,14 +18,14 @@ Grading about_the_poles(double width) {
   return {{{0.0, width}}};
 }
 
-/// The rule in s: weights 2 pi / n times dt/ds.
+/// The rule in s: the weights are 2 pi / n times dt/ds.
 double graded_rule(const PoleFunction& f, const Grading& grading, Index n) {
   double sum = 0.0;
   for (const GradedParameter& node : graded_parameters(grading, n)) sum += f(node.t) * node.dt;
   return 2.0 * std::numbers::pi / static_cast<double>(n) * sum;
 }
 
-/// A planted defect: the step to the next node as weight, for dt/ds 2 pi / n.
+/// A planted defect: the weight is the step to the next node instead of dt/ds 2 pi / n.
 double rule_of_steps(const PoleFunction& f, const Grading& grading, Index n) {
   constexpr double period = 2.0 * std::numbers::pi;
   const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
@@ -44,7 +45,7 @@ Measure graded_errors(const PoleFunction& f, const Grading& grading, const Rule&
   return test::over_nodes(0.0, 36.0 / rate, 24, error, 1.0);
 }
 
-/// @param  ratio  width of the cluster over distance of the poles
+/// @param  ratio  width of the cluster of nodes relative to the distance of the poles
 Line pole_line(const std::string& key, const std::string& label, const std::string& id,
                double distance, double ratio) {
   const PoleFunction f(distance);

@@ -1,4 +1,5 @@
-// Perimeters of ellipses: the speed |x'| has branch points, near the real axis when slender.
+// Computes perimeters of ellipses: the speed |x'| has branch points, which are near the real axis
+// if the ellipse is slender (01.8).
 #include <cmath>
 
 #include <gsl/gsl_sf_ellint.h>
@@ -15,11 +16,11 @@ using Eigen::Index;
 namespace {
 
 double exact_perimeter(const Ellipse& e) {
-  // GSL's, since libstdc++'s errs by 1e-13.
+  // The elliptic integral is GSL's, because that of libstdc++ has errors of 1e-13.
   return 4.0 * e.a * gsl_sf_ellint_Ecomp(std::sqrt(1.0 - e.b * e.b / (e.a * e.a)), GSL_PREC_DOUBLE);
 }
 
-/// A planted defect: the polygon through the nodes.
+/// A planted defect: the perimeter of the polygon through the nodes.
 double polygon_perimeter(const Curve& curve) {
   double length = 0.0;
   for (Index j = 0; j < curve.size(); ++j) {

@@ -1,5 +1,5 @@
-// The table of the trapezoid rule in the dissertation that the method comes from, and what it is
-// about: smooth and periodic is fast, a jump is not.
+// Compares with the published table of the trapezoid rule (Bystricky's dissertation), and shows the
+// rates for a smooth periodic function and for a function with a jump.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -19,7 +19,8 @@ double periodic_error(Eigen::Index n, const Rule& rule) {
   return std::abs(rule(n, exp_cos) / exact - 1.0);
 }
 
-/// Relative error for e^t on [0, 2 pi]; at the jump the rule takes a value between both sides.
+/// Relative error for e^t on [0, 2 pi]. At the jump the rule takes a weighted mean of the values on
+/// both sides.
 double jump_error(Eigen::Index n, double share_of_the_left) {
   const double last = std::exp(2.0 * std::numbers::pi);
   const auto f = [&](double t) {
@@ -33,7 +34,7 @@ struct Entry {
   double printed;
 };
 
-/// Distance of an error from a printed one, in units of the printed one's third digit.
+/// Difference of an error from a printed error, in units of the third digit of the printed error.
 double units_off(double error, double printed) {
   const double unit = std::pow(10.0, std::floor(std::log10(printed)) - 2.0);
   return std::abs(error - printed) / unit;

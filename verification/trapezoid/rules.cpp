@@ -1,4 +1,5 @@
-// Work and precision: the trapezoid rule beside rules that are better on an interval.
+// Compares error and work of the trapezoid rule with rules for an interval: Gauss-Legendre and
+// Simpson.
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -21,7 +22,8 @@ double trapezoid(Index n) {
   return trapezoid_rule(n, integrand);
 }
 
-/// Weights h/3 (4, 2, 4, 2, ...): what is best on an interval wastes every second node of a circle.
+/// Simpson's rule, with weights h/3 (4, 2, 4, 2, ...). On a circle its error is that of half as
+/// many nodes of the trapezoid rule.
 double simpson(Index n) {
   const double odd = trapezoid_rule(n, integrand), even = trapezoid_rule(n / 2, integrand);
   return (4.0 * odd - even) / 3.0;
@@ -37,7 +39,7 @@ double gauss_legendre(Index n) {
   return w.dot(nodes.unaryExpr(integrand));
 }
 
-/// A planted defect: an interval that is not the whole period.
+/// A planted defect: an interval that is shorter than the period.
 double short_gauss_legendre(Index n) {
   return 0.999 * gauss_legendre(n);
 }
@@ -66,8 +68,8 @@ Measure measure(double (*rule)(Index)) {
 }  // namespace
 
 Experiment rules() {
-  // Poles at +-i d, seen from the interval [-pi, pi]: the ellipse through them with foci at its
-  // ends.
+  // Poles at +-i d relative to the interval [-pi, pi]: the rate follows from the ellipse through
+  // the poles with foci at the ends of the interval.
   const double rho = distance / std::numbers::pi + std::hypot(1.0, distance / std::numbers::pi);
   return {.key = "rules",
           .title = "Rules for the same periodic function",

@@ -1,4 +1,5 @@
-// Study of the trapezoid rule: rates that are numbers, predicted from singularities.
+// Study of the trapezoid rule: compares rates of convergence with predictions from the
+// singularities.
 #include "experiments.hpp"
 #include "studies.hpp"
 
