@@ -74,9 +74,10 @@ FastestComponent fastest(const Solution& solution) {
 }
 
 // Ratio of the next step to this one, by chapter 09's step control. The error, which is given over
-// what is allowed, grows with the square of the step.
-double contact_step_factor(double scaled_error, const StepMemory& memory) {
-  return step_factor(scaled_error, memory.error, 2);
+// what is allowed, grows with the square of the step. The error of the step before is left out:
+// where contact begins or ends, the errors of two steps have nothing to do with each other.
+double contact_step_factor(double scaled_error) {
+  return step_factor(scaled_error, 1.0, 2);
 }
 
 }  // namespace
@@ -291,7 +292,7 @@ TakenStep ContactSteps::advance(const RunState& state, StepStart start) {
         return finish(state, start, second ? &*second : nullptr, info, rejected > 0);
       }
       rejected_at_a_jump += jumps ? 1 : 0;
-      factor = contact_step_factor(second->scaled_error, state.steps);
+      factor = contact_step_factor(second->scaled_error);
       reason = at_time(state.now.t) + "the error of a step is " +
                short_number(second->scaled_error) + " times that which time.tolerance allows";
     } catch (const ConfigurationError& error) {
@@ -326,7 +327,6 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
   if (second != nullptr) info = with_forces(info, outcome, duration);
   StepMemory memory = state.steps;
   if (!time_.effort) memory.dt = next_dt(state, start, second, rejected);
-  if (time_.tolerance) memory.error = std::min(1.0, second->scaled_error);
   // By Euler's method: the flow's velocity changes from the beginning to the end of the step; the
   // velocity that contact adds is assumed to stay.
   VectorXd error =
@@ -351,7 +351,7 @@ double ContactSteps::next_dt(const RunState& state, const StepStart& start,
     const double next = was_shortened ? dt : std::min(recovery * planned, *settings_.dt);
     return std::max(next, settings_.dt_min);
   }
-  const double factor = contact_step_factor(second->scaled_error, state.steps);
+  const double factor = contact_step_factor(second->scaled_error);
   double next = dt * (rejected ? std::min(1.0, factor) : factor);
   // A step that an event has cut short does not make the next ones shorter.
   if (factor >= 1.0 && !rejected) next = std::max(next, planned);
