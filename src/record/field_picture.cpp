@@ -191,7 +191,7 @@ std::string clipped(const Layout& layout, const Frame& frame, const std::vector<
 /// Opens an inner picture that shows the squares of the grid and cuts off everything outside.
 std::string open_window(const Layout& layout) {
   const FieldGrid& grid = layout.grid;
-  return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header) +
+  return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header_height) +
          svg::attribute("width", layout.drawn.real()) +
          svg::attribute("height", layout.drawn.imag()) + " viewBox=\"0 0 " +
          std::to_string(grid.columns) + ' ' + std::to_string(grid.rows) + "\">\n";

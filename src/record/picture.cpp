@@ -46,7 +46,7 @@ struct Layout {
   Complex pixel(Complex point) const {
     const Complex top_left{box.low.real(), box.high.imag()};
     const double lowered = std::max(0.0, 0.5 * (bar_height - drawn.imag()));
-    return Complex(margin, header + lowered) + scale * std::conj(point - top_left);
+    return Complex(margin, header_height + lowered) + scale * std::conj(point - top_left);
   }
   double height() const { return std::max(drawn.imag(), bar_height); }
   /// Returns the speed as a fraction of the top speed.

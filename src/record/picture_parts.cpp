@@ -20,7 +20,7 @@ std::string open_picture(Complex drawn, double t, const PictureOptions& options)
   const double title_width = 9.0 * static_cast<double>(options.title.size());
   const double width =
       std::max(drawn.real() + bar_column, std::min(title_width, options.width - 2.0 * margin));
-  const Complex size(width + 2.0 * margin, header + drawn.imag() + margin);
+  const Complex size(width + 2.0 * margin, header_height + drawn.imag() + margin);
   return svg::open(size, options.title) +
          svg::label({margin, 20.0}, options.title, "font-weight=\"600\" font-size=\"15\"") +
          svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
@@ -38,15 +38,16 @@ std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange&
     text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
             colour(map, fraction) + "\"/>\n";
   }
-  text += "</linearGradient>\n<rect" + svg::attribute("x", left) + svg::attribute("y", header) +
-          svg::attribute("width", bar_width) + svg::attribute("height", bar_height) +
-          " rx=\"2\" fill=\"url(#" + name + ")\" " + style + "/>\n";
+  text += "</linearGradient>\n<rect" + svg::attribute("x", left) +
+          svg::attribute("y", header_height) + svg::attribute("width", bar_width) +
+          svg::attribute("height", bar_height) + " rx=\"2\" fill=\"url(#" + name + ")\" " + style +
+          "/>\n";
   for (const double fraction : {0.0, 0.5, 1.0}) {
-    const Complex place(left + bar_width + 6.0, header + (1.0 - fraction) * bar_height);
+    const Complex place(left + bar_width + 6.0, header_height + (1.0 - fraction) * bar_height);
     text += svg::label(place, short_number(std::lerp(range.low, range.high, fraction)),
                        "dy=\"0.35em\"");
   }
-  return text + svg::label({left, header - 14.0}, label);
+  return text + svg::label({left, header_height - 14.0}, label);
 }
 
 }  // namespace stokesbook::picture_parts

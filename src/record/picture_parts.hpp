@@ -13,10 +13,10 @@ namespace stokesbook::picture_parts {
 
 /// @name Layout
 /// @{
-inline constexpr double margin = 14.0;       ///< around the picture
-inline constexpr double header = 54.0;       ///< title and time, above the drawing
-inline constexpr double bar_column = 84.0;   ///< colour bar and its numbers, right of the drawing
-inline constexpr double bar_height = 150.0;  ///< also the least height of a drawing
+inline constexpr double margin = 14.0;         ///< around the picture
+inline constexpr double header_height = 54.0;  ///< title and time, above the drawing
+inline constexpr double bar_column = 84.0;     ///< colour bar and its numbers, right of the drawing
+inline constexpr double bar_height = 150.0;    ///< also the least height of a drawing
 /// @}
 
 /// Returns the scale at which a drawing fills its column and is at most 1.4 times as high as the
