@@ -16,7 +16,6 @@
 #include "cli/message.hpp"
 #include "cli/progress.hpp"
 #include "record/atomic_file.hpp"
-#include "record/number_text.hpp"
 #include "record/record_error.hpp"
 #include "record/run_directory.hpp"
 #include "scene/error.hpp"
@@ -26,6 +25,8 @@
 #include "suspension/motion/describe.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/nodes/random_fill.hpp"
+#include "text/fingerprint.hpp"
+#include "text/number_text.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {

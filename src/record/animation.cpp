@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "record/number_text.hpp"
 #include "record/player_page.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

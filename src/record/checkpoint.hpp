@@ -33,14 +33,6 @@ struct SavedRun {
   Checkpoint checkpoint;                              ///< data from which the solver continues
 };
 
-/// Returns the 64-bit FNV-1a hash of a text.
-///
-/// Two different texts have the same hash with a probability of about 2^-64. The hash detects
-/// accidental changes, but not forgeries.
-/// @param  text  any bytes
-/// @return       16 hexadecimal digits
-std::string fingerprint(std::string_view text);
-
 /// Writes a saved run as text. Numbers are hexadecimal floats, hence exact; the last line is the
 /// fingerprint of all text before it.
 ///

@@ -1,7 +1,7 @@
 // Writes the rows of a run's tables as CSV, with numbers that restore the values exactly.
 #include "record/csv.hpp"
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

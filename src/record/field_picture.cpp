@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "record/checkpoint.hpp"
 #include "record/colour_map.hpp"
 #include "record/picture_parts.hpp"
 #include "record/streamlines.hpp"
 #include "record/svg.hpp"
+#include "text/fingerprint.hpp"
 
 namespace stokesbook {
 

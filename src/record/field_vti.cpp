@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

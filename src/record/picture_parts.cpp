@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "record/colour_map.hpp"
-#include "record/number_text.hpp"
 #include "record/svg.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::picture_parts {
 

@@ -15,6 +15,7 @@
 #include "record/picture.hpp"
 #include "record/record_error.hpp"
 #include "record/vtk.hpp"
+#include "text/fingerprint.hpp"
 
 namespace stokesbook {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <concepts>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "scene/error.hpp"
-#include "scene/joined.hpp"
 #include "scene/rules.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
 

@@ -8,7 +8,7 @@
 
 #include "scene/override.hpp"
 #include "scene/sections.hpp"
-#include "scene/text_file.hpp"
+#include "text/text_file.hpp"
 
 namespace stokesbook {
 
@@ -56,7 +56,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
 }  // namespace
 
 SceneFile read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
-  const std::optional<std::string> text = text_of(path);
+  const std::optional<std::string> text = read_text_file(path);
   if (!text) throw SceneError(path.string() + ": the file does not exist or cannot be read");
   return parse_scene(*text, path.string(), path.parent_path(), overrides);
 }

@@ -1,8 +1,8 @@
 // Reads the sections [solver], [time] and [output] of a scene file.
 #include <string>
 
-#include "scene/joined.hpp"
 #include "scene/sections.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
 

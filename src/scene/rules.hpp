@@ -11,8 +11,8 @@
 #include <Eigen/Core>
 
 #include "scene/document.hpp"
-#include "scene/joined.hpp"
 #include "scene/words.hpp"
+#include "text/word_list.hpp"
 #include "trapezoid/plane.hpp"
 
 namespace stokesbook::scene_text {

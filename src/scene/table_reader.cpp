@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "scene/error.hpp"
-#include "scene/joined.hpp"
-#include "scene/nearest_word.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

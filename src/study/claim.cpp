@@ -1,7 +1,7 @@
 // Writes the law of a claim as text for the pages.
 #include "study/claim.hpp"
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/number_text.hpp"
 #include "study/plot.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

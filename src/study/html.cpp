@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

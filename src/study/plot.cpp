@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "record/number_text.hpp"
 #include "record/svg.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "record/atomic_file.hpp"
-#include "record/number_text.hpp"
 #include "study/figures.hpp"
 #include "study/html.hpp"
 #include "study/tables.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 

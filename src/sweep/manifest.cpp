@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "record/atomic_file.hpp"
-#include "record/checkpoint.hpp"
 #include "record/file_lock.hpp"
 #include "record/record_error.hpp"
 #include "scene/error.hpp"
 #include "scene/write.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
+#include "text/fingerprint.hpp"
 
 namespace stokesbook {
 

@@ -9,15 +9,14 @@
 #include <string_view>
 
 #include "record/csv.hpp"
-#include "record/number_text.hpp"
 #include "scene/csv_table.hpp"
-#include "scene/joined.hpp"
-#include "scene/nearest_word.hpp"
 #include "scene/table_reader.hpp"
-#include "scene/text_file.hpp"
 #include "scene/toml_value.hpp"
 #include "sweep/results.hpp"
 #include "sweep/task.hpp"
+#include "text/number_text.hpp"
+#include "text/text_file.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -211,13 +210,13 @@ void require_few_tasks(const Node& document, const Sweep& sweep) {
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& path) {
-  const std::optional<std::string> text = text_of(path);
+  const std::optional<std::string> text = read_text_file(path);
   if (!text) throw SceneError(path.string() + ": the file does not exist or cannot be read");
   const Node document = parse_document(*text, path.string());
   const TableReader root(document, {"scene", "seeds", "axes", "collect"});
   Sweep sweep;
   sweep.scene = path.parent_path() / root.require("scene", file_name);
-  if (!text_of(sweep.scene)) {
+  if (!read_text_file(sweep.scene)) {
     fail(*root.find("scene"),
          "the file " + sweep.scene.string() + " does not exist or cannot be read");
   }

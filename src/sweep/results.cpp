@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/number_text.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/table_column.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

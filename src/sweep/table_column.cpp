@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "record/atomic_file.hpp"
-#include "record/number_text.hpp"
 #include "record/record_error.hpp"
 #include "scene/csv_table.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

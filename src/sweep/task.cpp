@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "record/number_text.hpp"
 #include "scene/error.hpp"
 #include "scene/parse.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -13,6 +13,7 @@ METHODS = ONE_TO_THREE | {
 
 # Room of src/ -> rooms that it may use, without cycles. Only suspension and cli use all methods.
 MAY_USE = {
+    "text": set(),
     "trapezoid": set(),
     "double_layer": {"trapezoid"},
     "closure": {"trapezoid", "double_layer"},
@@ -24,12 +25,12 @@ MAY_USE = {
     "time_stepping": set(),
     "stiv": {"trapezoid"},
     "lcp": set(),
-    "suspension": METHODS | {"scene", "record"},
-    "scene": {"trapezoid", "time_stepping"},
-    "record": {"trapezoid"},
-    "sweep": {"scene", "record"},
-    "study": {"record"},
-    "cli": METHODS | {"suspension", "scene", "record", "sweep", "study"},
+    "suspension": METHODS | {"text", "scene", "record"},
+    "scene": {"text", "trapezoid", "time_stepping"},
+    "record": {"text", "trapezoid"},
+    "sweep": {"text", "scene", "record"},
+    "study": {"text", "record"},
+    "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study"},
 }
 
 # Folders of src/suspension: each folder may use itself and the folders before it.

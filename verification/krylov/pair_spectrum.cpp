@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "experiments.hpp"
-#include "record/number_text.hpp"
 #include "support/spectra.hpp"
 #include "systems.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::verification::krylov {
 

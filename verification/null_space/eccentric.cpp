@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook::verification::null_space {

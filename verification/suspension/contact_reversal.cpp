@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "experiments.hpp"
-#include "record/number_text.hpp"
 #include "scenes.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::verification::suspension {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

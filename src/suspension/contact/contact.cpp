@@ -16,9 +16,9 @@
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/contact/gap_constraints.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -10,12 +10,12 @@
 #include <optional>
 #include <utility>
 
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/state.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/nodes/node_choice.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

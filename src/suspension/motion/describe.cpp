@@ -8,10 +8,10 @@
 #include <map>
 
 #include "fmm/fmm_settings.hpp"
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/nodes/node_choice.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

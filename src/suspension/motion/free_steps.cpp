@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "record/number_text.hpp"
 #include "suspension/bodies/state.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/motion/stepping.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

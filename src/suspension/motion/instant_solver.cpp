@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "record/number_text.hpp"
 #include "suspension/solver/solver_checks.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

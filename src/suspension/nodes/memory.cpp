@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

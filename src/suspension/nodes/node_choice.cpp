@@ -8,8 +8,8 @@
 #include <set>
 
 #include "double_layer/double_layer.hpp"
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

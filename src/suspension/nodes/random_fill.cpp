@@ -9,9 +9,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/node_choice.hpp"
+#include "text/number_text.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {

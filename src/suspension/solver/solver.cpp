@@ -7,12 +7,12 @@
 #include <map>
 
 #include "double_layer/double_layer.hpp"
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
 #include "suspension/solver/solver_checks.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -11,11 +11,11 @@
 #include "krylov/block_diagonal.hpp"
 #include "near_singular/near_field.hpp"
 #include "null_space/null_space.hpp"
-#include "record/number_text.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/memory.hpp"
 #include "suspension/nodes/node_choice.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

@@ -6,10 +6,10 @@
 
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm_settings.hpp"
-#include "record/number_text.hpp"
 #include "scene/couette_cell.hpp"
 #include "scene/words.hpp"
 #include "suspension/bodies/field_grid.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 

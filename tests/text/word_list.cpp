@@ -1,11 +1,11 @@
 // Tests the guess of the key that a misspelt key of a scene file most likely stands for.
-#include "scene/nearest_word.hpp"
+#include "text/word_list.hpp"
 
 #include <array>
 
 #include <boost/test/unit_test.hpp>
 
-using stokesbook::scene_text::nearest_word;
+using stokesbook::nearest_word;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Writes numbers as text by std::to_chars, which does not depend on the locale.
-#include "record/number_text.hpp"
+#include "text/number_text.hpp"
 
 #include <array>
 

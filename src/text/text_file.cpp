@@ -1,13 +1,13 @@
 // Reads a whole text file into memory.
-#include "scene/text_file.hpp"
+#include "text/text_file.hpp"
 
 #include <fstream>
 #include <sstream>
 #include <system_error>
 
-namespace stokesbook::scene_text {
+namespace stokesbook {
 
-std::optional<std::string> text_of(const std::filesystem::path& path) {
+std::optional<std::string> read_text_file(const std::filesystem::path& path) {
   // A stream can open a directory, so directories are refused first.
   std::error_code none_or_denied;
   if (std::filesystem::is_directory(path, none_or_denied)) return std::nullopt;
@@ -18,4 +18,4 @@ std::optional<std::string> text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-}  // namespace stokesbook::scene_text
+}  // namespace stokesbook

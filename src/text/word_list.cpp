@@ -1,12 +1,12 @@
 // Finds the valid word that is nearest to a misspelt one, by Levenshtein's edit distance.
-#include "scene/nearest_word.hpp"
+#include "text/word_list.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-namespace stokesbook::scene_text {
+namespace stokesbook {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::optional<std::string_view> nearest_word(std::string_view word,
   return *nearest;
 }
 
-}  // namespace stokesbook::scene_text
+}  // namespace stokesbook
