@@ -1,12 +1,24 @@
-// Computes weights (01.2), normals (01.3), curvatures (01.4), lengths and areas of closed curves
-// from their nodes, by the periodic trapezoid rule, and places curves in the plane.
+// Samples shapes at equidistant nodes and places curves in the plane. Computes weights (01.2),
+// normals (01.3), curvatures (01.4), lengths and areas of curves from their nodes, by the periodic
+// trapezoid rule.
 #include "trapezoid/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "trapezoid/fourier.hpp"
+#include "trapezoid/grading.hpp"
+
 namespace stokesbook {
+
+Curve sample(const Shape& shape, Eigen::Index n, Side side) {
+  return sample(shape, n, side, Grading{});
+}
+
+Curve resample(const Curve& curve, Eigen::Index m) {
+  return {resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
+}
 
 Curve place(const Curve& reference, Complex position, double orientation) {
   // x -> c + e^{i theta} x; the derivatives are only turned.

@@ -28,21 +28,14 @@ struct Curve {
   ComplexVector ddx;                ///< \f$ x''(t_j) \f$, length
   Side side = Side::fluid_outside;  ///< side on which the fluid lies
 
-  /// Counts the nodes.
-  /// @return N
-  Eigen::Index size() const { return x.size(); }
-
-  /// Returns the side as a number.
-  /// @return s, +1 or -1
-  double sign() const { return static_cast<double>(side); }
+  Eigen::Index size() const { return x.size(); }             ///< returns the number N of nodes
+  double sign() const { return static_cast<double>(side); }  ///< returns s of (01.3), +1 or -1
 };
 
 /// Samples a shape at n equidistant parameters, in the frame of the shape.
 ///
 /// Derivatives are exact; the derivatives of a NodalCurve are those of its Fourier interpolant.
-/// @param  shape  closed curve in its own frame
 /// @param  n      number of nodes, even, >= 4
-/// @param  side   side of the curve on which the fluid lies
 /// @return        n nodes, counter-clockwise
 /// @throws std::invalid_argument when n is odd or too small
 /// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points,
@@ -54,7 +47,6 @@ Curve sample(const Shape& shape, Eigen::Index n, Side side);
 /// Samples the trigonometric interpolants of a curve and its derivatives at m equidistant
 /// parameters.
 ///
-/// @param  curve  N nodes
 /// @param  m      number of new nodes, even
 /// @return        m nodes with the same side, in the same parameter
 /// @throws std::invalid_argument when m is odd or < 2
@@ -64,22 +56,15 @@ Curve resample(const Curve& curve, Eigen::Index m);
 
 /// Moves a curve from its own frame into the plane: \f$ x \to c + e^{i\theta} x \f$.
 ///
-/// @param  reference    N nodes, in the curve's own frame
 /// @param  position     c, length
 /// @param  orientation  theta, radians, counter-clockwise
-/// @return              N nodes in the plane, with the same side
 Curve place(const Curve& reference, Complex position, double orientation);
 
 /// Collects the nodes of several curves, curve by curve.
-///
-/// @param  curves  n nodes in all
-/// @return         n points, length
 ComplexVector all_nodes(const std::vector<Curve>& curves);
 
 /// Returns the weights \f$ w_j = |x'(t_j)| 2\pi/N \f$ (01.2) of the trapezoid rule in arclength.
 ///
-/// @param  curve  N nodes
-/// @return        N weights, length
 /// @par Accuracy  of the rule: geometric in N for analytic curves and integrands, with the distance
 /// of the nearest pole as the rate: @ref claim_01_4; order 2 across a jump: @ref claim_01_3
 /// @par Not for   integrands that are singular, or nearly so, on the curve: use near_singular
@@ -88,45 +73,31 @@ Eigen::VectorXd weights(const Curve& curve);
 /// Returns the unit normals \f$ n = -i s x'/|x'| \f$ (01.3).
 ///
 /// Normals point out of the fluid: into bodies, and outward on the enclosing wall.
-/// @param  curve  N nodes
-/// @return        N normals, dimensionless
 ComplexVector normals(const Curve& curve);
 
 /// Returns the signed curvatures \f$ \kappa = (x' \times x'')/|x'|^3 \f$ (01.4).
 ///
 /// Curvatures are positive where the curve is convex, on whichever side the fluid lies.
-/// @param  curve  N nodes
-/// @return        N curvatures, 1 / length
 Eigen::VectorXd curvatures(const Curve& curve);
 
-/// Returns the length of the curve.
+/// Returns the length \f$ |\Gamma| \f$ of the curve.
 ///
-/// @param  curve  N nodes
-/// @return        \f$ |\Gamma| \f$, length
 /// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 double perimeter(const Curve& curve);
 
-/// Returns the enclosed area \f$ \frac12 \oint x \times dx \f$.
+/// Returns the enclosed area \f$ \frac12 \oint x \times dx > 0 \f$.
 ///
-/// @param  curve  N nodes
-/// @return        area, > 0, length^2
 /// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 double area(const Curve& curve);
 
-/// Returns the centroid \f$ \langle x \rangle \f$ of the curve.
+/// Returns the centroid \f$ \langle x \rangle \f$ of the curve, the mean of x over the arclength.
 ///
-/// @param  curve  N nodes
-/// @return        mean of x over the arclength, length
 /// @par Accuracy  geometric in N for analytic curves: @ref claim_01_9
 /// @par Not for   the centroid of the enclosed area, which is another point
 Complex boundary_centroid(const Curve& curve);
 
-/// Returns the largest distance of a node from a point.
-///
-/// @param  curve   N nodes
-/// @param  centre  point, length
-/// @return         radius, length; between nodes the curve may lie a little farther away, see
-///                 outer_radius()
+/// Returns the largest distance of a node from a point; between nodes the curve may lie a little
+/// farther away, see outer_radius().
 double bounding_radius(const Curve& curve, Complex centre);
 
 /// Returns an upper bound of the distance of a curve from a point, between nodes too.
@@ -134,7 +105,6 @@ double bounding_radius(const Curve& curve, Complex centre);
 /// Within half a spacing \f$ h = 2\pi/N \f$ of node j, \f$ g = |x-c|^2 \f$ is at most
 /// \f$ g_j + |g'_j|\tau + \frac12 M\tau^2,\ 0\le\tau\le\frac12h \f$, where M is the largest
 /// second derivative of g at the node and its two neighbours.
-/// @param  curve   N nodes
 /// @param  centre  c, length
 /// @return         radius, length: the distance of the farthest node if no point of the curve is
 ///                 farther, otherwise a little more than necessary

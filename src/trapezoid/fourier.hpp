@@ -20,18 +20,10 @@ namespace stokesbook {
 ComplexVector fourier_coefficients(const ComplexVector& f);
 
 /// Computes the values \f$ f(t_j) = \sum_k c_k e^{i k t_j} \f$: the inverse of
-/// fourier_coefficients().
-///
-/// @param  c  N coefficients, in the order of fourier_coefficients()
-/// @return    values at the N nodes, unit of c
-/// @par Cost  that of fourier_coefficients()
+/// fourier_coefficients(), at the same cost.
 ComplexVector fourier_values(const ComplexVector& c);
 
-/// Returns the wave number k of an entry of the Fourier coefficients.
-///
-/// @param  i  entry, 0 to n - 1
-/// @param  n  number of coefficients
-/// @return    k, from -n/2 to (n-1)/2
+/// Returns the wave number k, from -n/2 to (n-1)/2, of entry i of n Fourier coefficients.
 Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 
 /// Differentiates the trigonometric interpolant with respect to the parameter t.
@@ -39,7 +31,6 @@ Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 /// The mode k = -N/2 is dropped: it stands for cos(N t / 2), whose derivative vanishes at every
 /// node.
 /// @param  f  values at the N nodes, N even
-/// @return    derivative at the same N nodes, unit of f
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Accuracy  geometric in N for analytic f: @ref claim_01_8
 /// @par Cost      O(N log N)
@@ -48,7 +39,6 @@ ComplexVector differentiate(const ComplexVector& f);
 /// Returns the matrix that differentiates node values:
 /// \f$ \frac12 (-1)^{j-k} \cot\frac{t_j-t_k}{2} \f$, 0 for j = k.
 ///
-/// @param  n  number of nodes, even
 /// @return    n x n, dimensionless, the same map as differentiate()
 /// @throws std::invalid_argument when n is odd or < 2
 /// @par Cost      n^2 entries
@@ -60,7 +50,6 @@ Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
 ///
 /// @param  f  values at N nodes, any N >= 1
 /// @param  m  number of new nodes, even; m < N truncates the series
-/// @return    values at the m nodes, unit of f
 /// @throws std::invalid_argument when m is odd or < 2
 /// @par Accuracy  geometric in the smaller of N and m for analytic f: @ref claim_01_7; m >= N keeps
 /// the interpolant
@@ -71,8 +60,7 @@ ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 /// \f$ \frac1N \sin\frac{N\tau}{2} \cot\frac{\tau}{2},\ \tau = t - t_j \f$.
 ///
 /// @param  n  number of nodes N, even
-/// @param  t  parameter, radians, any real number
-/// @return    1 x N, dimensionless
+/// @param  t  radians, any real number
 /// @throws std::invalid_argument when n is odd or < 2
 /// @par Accuracy  of the interpolant: geometric in N for analytic functions: @ref claim_01_7
 /// @par Cost      O(N)
@@ -83,7 +71,7 @@ Eigen::RowVectorXd interpolation_weights(Eigen::Index n, double t);
 ///
 /// @param  f           N x m, a column of node values for each function, N even
 /// @param  parameters  n parameters, radians, any real numbers
-/// @return             n x m, unit of f
+/// @return             n x m
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Accuracy       geometric in N for analytic functions: @ref claim_01_7
 /// @par Cost           O(N n m): a matrix of N n modes, multiplied by the coefficients
@@ -93,7 +81,6 @@ Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<doubl
 ///
 /// For a resolved analytic function, this coefficient has the size of the interpolation error.
 /// @param  f  values at the N nodes, N even
-/// @return    largest modulus of the tail's coefficients, unit of f
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Cost      O(N log N)
 double fourier_tail(const ComplexVector& f);
@@ -116,11 +103,7 @@ class TrigonometricPolynomial {
   /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);
 
-  /// Evaluates the polynomial and its derivatives at a parameter.
-  ///
-  /// @param  t  parameter, radians, any real number
-  /// @return    p and its derivatives at t
-  /// @par Cost      O(N)
+  /// Evaluates the polynomial and its derivatives at any real t, radians, by O(N) operations.
   Jet operator()(double t) const;
 
  private:

@@ -1,5 +1,6 @@
 // Computes graded nodes: inverts the map s(t) of (01.11), a sum of elliptic integrals, by Newton's
-// method, and evaluates the map at complex t, which gives rates of convergence.
+// method, and samples shapes there. Evaluates the map at complex t, which gives rates of
+// convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "trapezoid/parametrisation.hpp"
 
 namespace stokesbook {
 
@@ -46,14 +49,9 @@ Number integral_in_period(Number t, double width) {
   return ratio * carlson_rf<Number>(cosine * cosine, 1.0 + ratio * ratio, 1.0);
 }
 
-// Returns the number of periods in t, rounded to the nearest integer.
-double turns(double t) {
-  return std::round(t / period);
-}
-
 // Integrates as integral_in_period() up to any real t: each period adds two half periods.
 double integral(double t, double width) {
-  const double k = turns(t);
+  const double k = std::round(t / period);
   return integral_in_period(t - period * k, width) +
          (k == 0.0 ? 0.0 : 2.0 * k * integral_in_period(std::numbers::pi, width));
 }
@@ -141,10 +139,6 @@ void require_valid(const std::vector<Cluster>& clusters, const std::vector<doubl
   }
 }
 
-void require_valid(const Grading& grading) {
-  require_valid(grading.clusters, {grading.strength});
-}
-
 // Sums the integrals of all clusters over half a period.
 double half_period_integral(const std::vector<Cluster>& clusters) {
   double sum = 0.0;
@@ -159,14 +153,10 @@ double mean_density(double strength, double half_integral) {
   return 1.0 + strength * half_integral / std::numbers::pi;
 }
 
-double mean_density(const Grading& grading) {
-  return mean_density(grading.strength, half_period_integral(grading.clusters));
-}
-
 }  // namespace
 
 std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) {
-  require_valid(grading);
+  require_valid(grading.clusters, {grading.strength});
   std::vector<GradedParameter> parameters;
   if (grading.clusters.empty()) {
     for (Index j = 0; j < n; ++j) {
@@ -174,7 +164,7 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
     }
     return parameters;
   }
-  const double mean = mean_density(grading);
+  const double mean = mean_density(grading.strength, half_period_integral(grading.clusters));
   std::vector<MapFromCluster> maps;
   for (std::size_t c = 0; c < grading.clusters.size(); ++c) maps.emplace_back(grading, c);
   // s(t_c) of each cluster, where s(0) = 0.
@@ -201,10 +191,39 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   return parameters;
 }
 
+Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
+  if (n < 4 || n % 2 != 0) {
+    throw std::invalid_argument("a curve requires an even number of nodes >= 4, got " +
+                                std::to_string(n));
+  }
+  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
+  const auto* nodal = std::get_if<NodalCurve>(&shape);
+  if (nodal == nullptr || !grading.clusters.empty()) return sample(shape, parameters, side);
+  // At equidistant parameters, fast Fourier transforms replace the sums of modes.
+  const ComplexVector x = resample(counter_clockwise(*nodal), n);
+  const ComplexVector dx = differentiate(x);
+  return {x, dx, differentiate(dx), side};
+}
+
+// x(t(s)), dx/ds = x' t' and d2x/ds2 = x'' t'^2 + x' t'', t' and t'' being derivatives in s.
+Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side) {
+  const Parametrisation point = parametrisation(shape);
+  const auto n = static_cast<Index>(parameters.size());
+  Curve curve{ComplexVector(n), ComplexVector(n), ComplexVector(n), side};
+  for (Index j = 0; j < n; ++j) {
+    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
+    const auto [x, first, second] = point(t);
+    curve.x[j] = x;
+    curve.dx[j] = first * dt;
+    curve.ddx[j] = second * (dt * dt) + first * ddt;
+  }
+  return curve;
+}
+
 std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters) {
-  require_valid(grading);
-  const double mean = mean_density(grading);
+  require_valid(grading.clusters, {grading.strength});
+  const double mean = mean_density(grading.strength, half_period_integral(grading.clusters));
   // C s(t) = t + b sum_c [I_c(t - t_c) - I_c(-t_c)] with the integral I_c of each cluster (01.11).
   double at_zero = 0.0;
   for (const auto& [parameter, width] : grading.clusters) at_zero += integral(-parameter, width);
@@ -215,10 +234,6 @@ std::vector<double> graded_positions(const Grading& grading,
     positions.push_back((t + grading.strength * sum) / mean);
   }
   return positions;
-}
-
-double graded_position(const Grading& grading, double parameter) {
-  return graded_positions(grading, {{parameter, 1.0, 0.0}}).front();
 }
 
 std::vector<double> graded_depths(const std::vector<Cluster>& clusters,

@@ -14,8 +14,7 @@ struct Cluster {
   double parameter = 0.0;  ///< t_c, radians
   double width = 1.0;      ///< delta, radians, > 0: nodes are dense where \f$ |t-t_c| < \delta \f$
 
-  /// @return true when all members are equal
-  bool operator==(const Cluster&) const = default;
+  bool operator==(const Cluster&) const = default;  ///< compares all members
 };
 
 /// Describes how the nodes of a curve crowd: the node density over the parameter t is proportional
@@ -32,8 +31,7 @@ struct Grading {
   std::vector<Cluster> clusters;  ///< if empty, nodes are equidistant in t
   double strength = 2.0;          ///< b, > 0; a larger b leaves fewer nodes elsewhere on the curve
 
-  /// @return true when all members are equal
-  bool operator==(const Grading&) const = default;
+  bool operator==(const Grading&) const = default;  ///< compares all members
 };
 
 /// A node's parameter, and its derivatives with respect to s.
@@ -45,56 +43,37 @@ struct GradedParameter {
 
 /// Finds the parameters of graded nodes.
 ///
-/// @param  grading  clusters and strength
-/// @param  n        number of nodes, >= 1
-/// @return          t(s_j) at \f$ s_j = 2\pi j/n \f$, with t(0) = 0
+/// @return  t(s_j) at \f$ s_j = 2\pi j/n \f$, with t(0) = 0
 /// @throws std::invalid_argument when a width or the strength is not positive, or a number is not
-///                  finite
-/// @par Accuracy    rounding; near a cluster, the error of t - t_c is relative to the width of the
+///          finite
+/// @par Accuracy  rounding; near a cluster, the error of t - t_c is relative to the width of the
 /// cluster, not to t_c: @ref claim_01_17
-/// @par Cost        about six evaluations of s per node, each with an elliptic integral per cluster
+/// @par Cost      about six evaluations of s per node, each with an elliptic integral per cluster
 std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::Index n);
 
 /// Samples a shape at graded nodes, in the frame of the shape.
 ///
-/// The members dx and ddx of the curve are derivatives with respect to s.
-/// @param  shape    closed curve in its own frame
-/// @param  n        number of nodes, even, >= 4
-/// @param  side     side of the curve on which the fluid lies
-/// @param  grading  clusters and strength; without clusters, the result is that of sample() without
-///                  a grading
-/// @return          n nodes, counter-clockwise
+/// The members dx and ddx of the curve are derivatives with respect to s. Without clusters, the
+/// result is that of sample() without a grading.
+/// @param  n  number of nodes, even, >= 4
+/// @return    n nodes, counter-clockwise
 /// @throws std::invalid_argument when n is odd or too small, or when graded_parameters() throws
-/// @par Accuracy    rounding; the rule converges geometrically in n, @ref claim_01_15
-/// @par Cost        that of graded_parameters(), and n p more for a NodalCurve with p points
+/// @par Accuracy  rounding; the rule converges geometrically in n, @ref claim_01_15
+/// @par Cost      that of graded_parameters(), and n p more for a NodalCurve with p points
 Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
 
-/// Samples a shape at graded nodes whose parameters are known.
-///
-/// @param  shape       closed curve in its own frame
-/// @param  parameters  parameters of the nodes, from graded_parameters()
-/// @param  side        side of the curve on which the fluid lies
-/// @return             one node per parameter
+/// Samples a shape at graded nodes whose parameters are known from graded_parameters().
 Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side);
 
 /// Computes s of given parameters t: the inverse of graded_parameters().
 ///
 /// The map multiplies the rounding error of t by ds/dt, which is large near a cluster.
-/// @param  grading     clusters and strength
 /// @param  parameters  t, radians; the derivatives dt and ddt are not used
 /// @return             s(t), radians; t itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Cost           one elliptic integral per parameter and cluster
+/// @par Cost  one elliptic integral per parameter and cluster
 std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters);
-
-/// Computes s of one parameter t, as graded_positions() does.
-///
-/// @param  grading    clusters and strength
-/// @param  parameter  t, radians
-/// @return            s(t), radians
-/// @throws std::invalid_argument as graded_parameters()
-double graded_position(const Grading& grading, double parameter);
 
 /// Computes the distance from the real s axis of a singularity at \f$ t = p + id \f$:
 /// \f[ |\mathrm{Im}\,s| = \frac1C\Bigl(d + b\sum_c \mathrm{Im}\int_0^{p+id-t_c}
@@ -106,23 +85,15 @@ double graded_position(const Grading& grading, double parameter);
 /// \f$ \arcsin(d/\delta) \f$ for \f$ d \le \delta \f$ and \f$ \pi/2 \f$ for larger d: a width equal
 /// to the depth already gives the largest value. The singularities of t(s) itself lie about twice
 /// as far from the real s axis as a singularity whose depth is the width of the cluster.
-/// @param  grading    clusters and strength
 /// @param  parameter  p, radians
 /// @param  depth      d, radians, > 0; may be infinite
 /// @return            rate, radians; d itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
-/// @par Accuracy      1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
+/// @par Accuracy  1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
 double graded_depth(const Grading& grading, double parameter, double depth);
 
-/// Computes graded_depth() for gradings that differ only in their strength, at the cost of one.
-///
-/// @param  clusters   clusters of all gradings
-/// @param  strengths  strength of each grading
-/// @param  parameter  p, radians
-/// @param  depth      d, radians, > 0; may be infinite
-/// @return            rate for each strength, radians
-/// @throws std::invalid_argument as graded_parameters()
-/// @par Cost          two elliptic integrals per cluster
+/// Computes graded_depth() for gradings that differ only in their strength, at the cost of one: two
+/// elliptic integrals per cluster.
 std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
                                   const std::vector<double>& strengths, double parameter,
                                   double depth);

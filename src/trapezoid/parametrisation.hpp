@@ -16,16 +16,12 @@ using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
 
 /// Parametrises a shape counter-clockwise, in the frame of the shape.
 ///
-/// The parametrisation of a NodalCurve is its trigonometric interpolant.
-/// @param  shape  closed curve in its own frame
-/// @return        function that evaluates points and derivatives, exact to rounding
-/// @par Cost      O(1) per point; for a NodalCurve with p points O(p)
+/// The parametrisation of a NodalCurve is its trigonometric interpolant. Points and derivatives are
+/// exact to rounding.
+/// @par Cost  O(1) per point; for a NodalCurve with p points O(p)
 Parametrisation parametrisation(const Shape& shape);
 
-/// Orders the points of a NodalCurve counter-clockwise.
-///
-/// @param  shape  points in either direction
-/// @return        points in counter-clockwise order, length
+/// Returns the points of a NodalCurve in counter-clockwise order.
 ComplexVector counter_clockwise(const NodalCurve& shape);
 
 /// @}

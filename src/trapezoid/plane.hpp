@@ -21,27 +21,17 @@ using ComplexVector = Eigen::VectorXcd;
 inline constexpr Complex imaginary{0.0, 1.0};
 
 /// Returns the scalar product \f$ a \cdot b = \mathrm{Re}(\bar a b) \f$.
-///
-/// @param  a  plane vector
-/// @param  b  plane vector
-/// @return    number, product of their units
 inline double dot(Complex a, Complex b) {
   return a.real() * b.real() + a.imag() * b.imag();
 }
 
-/// Returns the cross product \f$ a \times b = a_1 b_2 - a_2 b_1 = a^\perp \cdot b \f$.
-///
-/// @param  a  plane vector; the arm, for a torque
-/// @param  b  plane vector; the force, for a torque
-/// @return    number, product of their units; > 0 if b points counter-clockwise of a
+/// Returns the cross product \f$ a \times b = a_1 b_2 - a_2 b_1 = a^\perp \cdot b \f$: the torque
+/// of a force b with the arm a, > 0 if b points counter-clockwise of a.
 inline double cross(Complex a, Complex b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
 /// Turns a vector by +90 degrees, \f$ a^\perp = (-a_2, a_1) = i a \f$.
-///
-/// @param  a  plane vector
-/// @return    plane vector, unit of a
 inline Complex perp(Complex a) {
   return {-a.imag(), a.real()};
 }

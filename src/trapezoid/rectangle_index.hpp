@@ -17,24 +17,13 @@ struct Rectangle {
   Complex upper;  ///< corner with the largest x and y, length
 };
 
-/// Returns the bounding square of a circle.
-///
-/// @param  centre  centre of the circle, length
-/// @param  radius  radius of the circle, length; may be infinite
-/// @return         smallest rectangle that contains the circle
+/// Returns the bounding square of a circle, whose radius may be infinite.
 Rectangle square_about(Complex centre, double radius);
 
-/// Moves the sides of a rectangle outward.
-///
-/// @param  rectangle  any rectangle
-/// @param  distance   distance of the new sides from the old ones, length; may be infinite
-/// @return            the wider rectangle
+/// Moves the sides of a rectangle outward by a distance, which may be infinite.
 Rectangle widened(const Rectangle& rectangle, double distance);
 
-/// Returns the smallest rectangle that contains the given points.
-///
-/// @param  points  at least one point, length
-/// @return         bounding rectangle of the points
+/// Returns the smallest rectangle that contains the given points, at least one.
 Rectangle bounding_rectangle(const Eigen::Ref<const ComplexVector>& points);
 
 /// Finds the rectangles, among many, that intersect a given one, by an R-tree. This step is the
@@ -43,28 +32,25 @@ Rectangle bounding_rectangle(const Eigen::Ref<const ComplexVector>& points);
 /// Several threads may call meeting() at the same time.
 class RectangleIndex {
  public:
-  /// Packs rectangles into a tree.
+  /// Packs n rectangles into a tree. The number of a rectangle is its position, from 0 on.
   ///
-  /// @param  rectangles  n rectangles; the number of a rectangle is its position, from 0 on
   /// @throws std::invalid_argument when a corner is not finite
-  /// @par Cost           O(n log n)
+  /// @par Cost  O(n log n)
   explicit RectangleIndex(const std::vector<Rectangle>& rectangles = {});
 
-  /// Frees the tree.
-  ~RectangleIndex();
+  ~RectangleIndex();  ///< frees the tree
 
   /// Adds a rectangle. The number of the new rectangle is the number of rectangles before it.
   ///
-  /// @param  rectangle  rectangle to add
   /// @throws std::invalid_argument when a corner is not finite
-  /// @par Cost          O(log n)
+  /// @par Cost  O(log n)
   void insert(const Rectangle& rectangle);
 
   /// Finds the rectangles that intersect a given one; a common border point suffices.
   ///
   /// @param  rectangle  any rectangle; corners may be infinite
   /// @return            numbers of the rectangles found, ascending
-  /// @par Cost          O(log n + m log m) for m rectangles found, if each one overlaps few others
+  /// @par Cost  O(log n + m log m) for m rectangles found, if each one overlaps few others
   std::vector<std::size_t> meeting(const Rectangle& rectangle) const;
 
  private:

@@ -12,26 +12,23 @@ namespace stokesbook {
 
 /// Circle about the origin.
 struct Circle {
-  double radius = 1.0;  ///< length, > 0
-  /// @return true when all members are equal
-  bool operator==(const Circle&) const = default;
+  double radius = 1.0;                             ///< length, > 0
+  bool operator==(const Circle&) const = default;  ///< compares all members
 };
 
 /// Ellipse \f$ (a \cos t, b \sin t) \f$.
 struct Ellipse {
-  double a = 1.0;  ///< semi-axis along direction 1, length, > 0
-  double b = 1.0;  ///< semi-axis along direction 2, length, > 0
-  /// @return true when all members are equal
-  bool operator==(const Ellipse&) const = default;
+  double a = 1.0;                                   ///< semi-axis along direction 1, length, > 0
+  double b = 1.0;                                   ///< semi-axis along direction 2, length, > 0
+  bool operator==(const Ellipse&) const = default;  ///< compares all members
 };
 
 /// Star \f$ r(t) = R (1 + A \cos(k t)) \f$.
 struct Star {
-  double radius = 1.0;     ///< R, length, > 0
-  double amplitude = 0.2;  ///< A, |A| < 1
-  int arms = 5;            ///< k >= 1
-  /// @return true when all members are equal
-  bool operator==(const Star&) const = default;
+  double radius = 1.0;                           ///< R, length, > 0
+  double amplitude = 0.2;                        ///< A, |A| < 1
+  int arms = 5;                                  ///< k >= 1
+  bool operator==(const Star&) const = default;  ///< compares all members
 };
 
 /// Superellipse \f$ |x/a|^p + |y/b|^p = 1 \f$ with an even integer p, for which the curve is
@@ -40,8 +37,7 @@ struct Superellipse {
   double a = 1.0;  ///< semi-axis along direction 1, length, > 0
   double b = 1.0;  ///< semi-axis along direction 2, length, > 0
   int power = 4;   ///< p, even, >= 2
-  /// @return true when all members are equal
-  bool operator==(const Superellipse&) const = default;
+  bool operator==(const Superellipse&) const = default;  ///< compares all members
 };
 
 /// Closed curve through given points by Fourier interpolation; the points are equidistant in the
@@ -51,8 +47,6 @@ struct NodalCurve {
   std::string file;      ///< file of the points, for messages; may be empty
 
   /// Compares the points, and ignores the names of the files.
-  /// @param  other  another curve
-  /// @return        true when the points are the same in the same order
   bool operator==(const NodalCurve& other) const {
     return points.size() == other.points.size() && points == other.points;
   }
