@@ -40,20 +40,7 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
 }
 
 Eigen::MatrixXd double_layer_matrix(const Curve& curve) {
-  const Index n = curve.size();
-  Eigen::MatrixXd matrix(2 * n, 2 * n);
-  const Eigen::VectorXd w = weights(curve);
-  const Eigen::VectorXd kappa = curvatures(curve);
-  const ComplexVector normal = normals(curve);
-  for (Index j = 0; j < n; ++j) {
-    for (Index i = 0; i < n; ++i) {
-      // The limit (02.9) on the diagonal, the kernel elsewhere.
-      matrix.block<2, 2>(2 * i, 2 * j) =
-          i == j ? dyad(curve.dx[j], -0.5 * curve.sign() * kappa[j] * w[j])
-                 : kernel_block(curve.x[i] - curve.x[j], w[j], normal[j]);
-    }
-  }
-  return matrix;
+  return double_layer_matrix(std::vector<Curve>{curve});
 }
 
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
@@ -62,24 +49,19 @@ Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
   Eigen::MatrixXd matrix(2 * n, 2 * n);
   Index column = 0;
   for (const Curve& source : curves) {
-    const Eigen::VectorXd w = weights(source);
+    const Eigen::VectorXd w = weights(source), kappa = curvatures(source);
     const ComplexVector normal = normals(source);
-    Index row = 0;
-    for (const Curve& target : curves) {
-      if (row == column) {
-        matrix.block(row, column, 2 * source.size(), 2 * source.size()) =
-            double_layer_matrix(source);
-        row += 2 * source.size();
-        continue;
-      }
-      for (Index i = 0; i < target.size(); ++i, row += 2) {
-        for (Index j = 0; j < source.size(); ++j) {
-          matrix.block<2, 2>(row, column + 2 * j) =
-              kernel_block(target.x[i] - source.x[j], w[j], normal[j]);
+    for (Index j = 0; j < source.size(); ++j, column += 2) {
+      Index row = 0;
+      for (const Curve& target : curves) {
+        for (Index i = 0; i < target.size(); ++i, row += 2) {
+          // The limit (02.9) on the diagonal, the kernel elsewhere.
+          matrix.block<2, 2>(row, column) =
+              row == column ? dyad(source.dx[j], -0.5 * source.sign() * kappa[j] * w[j])
+                            : kernel_block(target.x[i] - source.x[j], w[j], normal[j]);
         }
       }
     }
-    column += 2 * source.size();
   }
   return matrix;
 }

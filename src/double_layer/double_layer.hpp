@@ -14,10 +14,8 @@ namespace stokesbook {
 /// Applies the diagonal of the double layer of a curve on itself: the limit (02.9) of the kernel
 /// times the weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
 ///
-/// @param  curve    nodes
 /// @param  density  at the nodes, length / time
 /// @return          velocities at the nodes, length / time
-/// @par Cost      O(N)
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
 
 /// Assembles the double layer (02.6) of a curve on itself, \f$ D[\eta](x_i) \f$, by the trapezoid
@@ -25,7 +23,6 @@ ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density
 ///
 /// The matrix approximates the integral at the nodes, where the kernel is smooth. The limit of the
 /// layer from the fluid is \f$ -\frac12\eta + D\eta \f$ (02.8).
-/// @param  curve  N nodes
 /// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
 /// @par Accuracy  geometric in N for analytic curves and densities: @ref claim_02_13; the diagonal:
 /// @ref claim_02_15
@@ -35,8 +32,7 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 /// Assembles the double layer of several curves on all their nodes, by the trapezoid rule.
 ///
 /// @param  curves  n nodes in all, no two nodes at the same place
-/// @return         2n x 2n, dimensionless; curve by curve, interleaved; blocks of one curve are
-///                 those of double_layer_matrix() of that curve
+/// @return         2n x 2n, dimensionless; curve by curve, interleaved
 /// @par Accuracy  geometric in the distance of two curves over the node spacing: @ref claim_03_31
 /// @par Cost      n^2 kernel evaluations
 /// @par Not for   curves nearer to each other than about 5 node spacings: use NearCorrection
@@ -56,8 +52,6 @@ double rigid_motion_residual(const Curve& curve);
 
 /// Views plane vectors as a real vector (x_0, y_0, x_1, y_1, ...): the same memory.
 ///
-/// @param  v  N plane vectors, which must outlive the view
-/// @return    2N numbers, unit of v
 /// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
   return {reinterpret_cast<const double*>(v.data()), 2 * v.size()};
@@ -65,19 +59,13 @@ inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
 
 /// Views a real vector (x_0, y_0, x_1, y_1, ...) as plane vectors: the same memory.
 ///
-/// @param  v  2N numbers, which must outlive the view
-/// @return    N plane vectors, unit of v
 /// @par Not for   temporaries: the view would outlive them
 inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};
 }
 
 /// Writes a real-linear map of plane vectors, \f$ \eta \to A\eta + B\bar\eta \f$, as a real matrix
-/// that acts on interleaved vectors.
-///
-/// @param  a  A, m x n
-/// @param  b  B, m x n
-/// @return    2m x 2n, ordered as by interleaved(), unit of A
+/// that acts on interleaved() vectors; A and B have the same size.
 Eigen::MatrixXd interleaved_map(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
 
 /// @}

@@ -20,9 +20,7 @@ struct FlowDerivatives {
   double vorticity = 0.0;  ///< \f$ \partial_1 u_2 - \partial_2 u_1 \f$, 1 / time
   Complex strain;          ///< \f$ e_{11} - e_{22} + 2ie_{12} \f$ of the rate of strain, 1 / time
 
-  /// Adds the derivatives of another flow.
-  /// @param  other  derivatives at the same point
-  /// @return        derivatives of the superposed flow
+  /// Adds the derivatives of another flow at the same point.
   FlowDerivatives& operator+=(const FlowDerivatives& other) {
     pressure += other.pressure;
     vorticity += other.vorticity;
@@ -31,16 +29,13 @@ struct FlowDerivatives {
   }
 };
 
-/// Evaluates the derivatives of stresslet() with respect to the target.
+/// Evaluates the derivatives of stresslet() with respect to the target, per length of curve,
+/// 1 / (length time).
 ///
 /// With \f$ a = n\eta \f$ and \f$ b = 2n\cdot\eta \f$ the pressure is
 /// \f$ \frac1\pi\mathrm{Re}\frac{a}{r^2} \f$, the vorticity \f$ -\frac1\pi\mathrm{Im}\frac{a}{r^2}
 /// \f$, and the strain
 /// \f$ -\frac{1}{2\pi}\left[\frac{b}{\bar r^2} + \frac{2r\bar a}{\bar r^3}\right] \f$.
-/// @param  r    target minus source, length, not zero
-/// @param  n    unit normal at the source, out of the fluid
-/// @param  eta  density at the source, length / time
-/// @return      derivatives per length of curve, 1 / (length time)
 inline FlowDerivatives stresslet_derivatives(Complex r, Complex n, Complex eta) {
   const Complex a = n * eta, inverse = 1.0 / r, conjugate = std::conj(inverse);
   const Complex curvature = std::numbers::inv_pi * a * inverse * inverse;
@@ -49,15 +44,11 @@ inline FlowDerivatives stresslet_derivatives(Complex r, Complex n, Complex eta) 
       -std::numbers::inv_pi * conjugate * conjugate * (dot(n, eta) + r * std::conj(a) * conjugate)};
 }
 
-/// Evaluates the derivatives of stokeslet() with respect to the target.
+/// Evaluates the derivatives of stokeslet() with respect to the target, 1 / time.
 ///
 /// The pressure is \f$ \frac{1}{2\pi\mu}\mathrm{Re}\frac Fr \f$, the vorticity
 /// \f$ -\frac{1}{2\pi\mu}\mathrm{Im}\frac Fr \f$, and the strain
 /// \f$ -\frac{1}{4\pi\mu}\left[\frac{F}{\bar r} + \frac{r\bar F}{\bar r^2}\right] \f$.
-/// @param  r      target minus source, length, not zero
-/// @param  force  F on the fluid, force / length
-/// @param  mu     viscosity, force time / length^2
-/// @return        derivatives, 1 / time
 inline FlowDerivatives stokeslet_derivatives(Complex r, Complex force, double mu) {
   const Complex inverse = 1.0 / r, conjugate = std::conj(inverse);
   const Complex strength = force / (4.0 * std::numbers::pi * mu);
@@ -66,13 +57,9 @@ inline FlowDerivatives stokeslet_derivatives(Complex r, Complex force, double mu
           -conjugate * (strength + r * std::conj(strength) * conjugate)};
 }
 
-/// Evaluates the derivatives of rotlet() with respect to the target.
+/// Evaluates the derivatives of rotlet() with respect to the target, 1 / time.
 ///
 /// Pressure and vorticity are zero, and the strain is \f$ -\frac{iL}{2\pi\mu\bar r^2} \f$.
-/// @param  r       target minus source, length, not zero
-/// @param  torque  L on the fluid, force
-/// @param  mu      viscosity, force time / length^2
-/// @return         derivatives, 1 / time
 inline FlowDerivatives rotlet_derivatives(Complex r, double torque, double mu) {
   const Complex conjugate = std::conj(1.0 / r);
   return {0.0, 0.0, -imaginary * (torque / (2.0 * std::numbers::pi * mu)) * conjugate * conjugate};

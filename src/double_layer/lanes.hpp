@@ -7,16 +7,14 @@ namespace stokesbook {
 /// @addtogroup double_layer
 /// @{
 
-// Source files that are compiled for different processors differ in the width of a register.
-// Functions of the libraries therefore pass plain arrays to each other, and use Lanes inside only.
+/// Number of doubles in a register of the processor for which a source file is compiled. Source
+/// files may differ in this number: functions of the libraries therefore pass plain arrays to each
+/// other, and use Lanes inside only.
 #if defined(__AVX512F__)
-/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 8;
 #elif defined(__AVX__)
-/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 4;
 #else
-/// Number of doubles in a register of this processor.
 inline constexpr int lane_count = 2;
 #endif
 
@@ -24,9 +22,6 @@ inline constexpr int lane_count = 2;
 using Lanes = double __attribute__((vector_size(8 * lane_count)));
 
 /// Loads a register from memory.
-///
-/// @param  from  lane_count numbers
-/// @return       the same numbers in a register
 inline Lanes load(const double* from) {
   Lanes lanes;
   std::memcpy(&lanes, from, sizeof lanes);
@@ -34,9 +29,6 @@ inline Lanes load(const double* from) {
 }
 
 /// Stores a register in memory.
-///
-/// @param  lanes  lane_count numbers
-/// @param  to     memory for lane_count numbers
 inline void store(const Lanes& lanes, double* to) {
   std::memcpy(to, &lanes, sizeof lanes);
 }

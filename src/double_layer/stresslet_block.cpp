@@ -60,12 +60,8 @@ void add_two_registers(const StressletBlock& block, const double* target_x, cons
 
 StressletNodes::StressletNodes(const std::vector<Curve>& curves) {
   Index n = 0;
-  for (const Curve& curve : curves) {
-    n += curve.size();
-  }
-  for (Eigen::VectorXd* array : {&x, &y, &nx, &ny, &least2}) {
-    array->resize(n);
-  }
+  for (const Curve& curve : curves) n += curve.size();
+  for (Eigen::VectorXd* array : {&x, &y, &nx, &ny, &least2}) array->resize(n);
   Index first = 0;
   for (const Curve& curve : curves) {
     const Index m = curve.size();

@@ -15,13 +15,8 @@ namespace stokesbook {
 
 /// The nodes of several curves, one after another, in the layout that the kernels read.
 struct StressletNodes {
-  /// Copies the nodes of the curves.
-  /// @param  curves  curves with n nodes in all
-  explicit StressletNodes(const std::vector<Curve>& curves);
-
-  /// Counts the nodes.
-  /// @return n
-  Eigen::Index size() const { return x.size(); }
+  explicit StressletNodes(const std::vector<Curve>& curves);  ///< copies the nodes of the curves
+  Eigen::Index size() const { return x.size(); }              ///< returns the number of nodes
 
   Eigen::VectorXd x;       ///< first coordinates of the nodes, length
   Eigen::VectorXd y;       ///< second coordinates, length

@@ -35,9 +35,7 @@ class StressletSum {
  public:
   /// Plans the sum over all nodes of the curves.
   ///
-  /// @param  curves   n nodes in all, in this order
-  /// @param  storage  kernel streamed or stored
-  /// @par Cost        O(n); stored: n^2 kernel evaluations and 32 n^2 bytes
+  /// @par Cost  O(n); stored: n^2 kernel evaluations and 32 n^2 bytes
   explicit StressletSum(const std::vector<Curve>& curves,
                         KernelStorage storage = KernelStorage::streamed);
 
@@ -50,10 +48,10 @@ class StressletSum {
 
   /// Evaluates the sum at arbitrary targets, without storing a matrix.
   ///
-  /// @param  targets  points, length
+  /// @param  targets  m points, length
   /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          velocities at the targets, length / time
-  /// @par Cost        m n kernel evaluations for m targets
+  /// @return          m velocities, length / time
+  /// @par Cost        m n kernel evaluations
   /// @par Not for     targets nearer than about 5 node spacings: add a NearCorrection
   ComplexVector operator()(const ComplexVector& targets, const ComplexVector& density) const;
 
@@ -61,7 +59,6 @@ class StressletSum {
   ///
   /// @param  targets  m points, length
   /// @return          2m x 2n, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @par Cost        m n kernel evaluations
   Eigen::MatrixXd matrix(const ComplexVector& targets) const;
 
   /// Evaluates pressure, vorticity and strain of the sum, see stresslet_derivatives().
@@ -71,20 +68,15 @@ class StressletSum {
   /// @param  targets  m points, length
   /// @param  density  at all nodes, in the curves' order, length / time
   /// @return          derivatives of the flow at the m targets, 1 / time
-  /// @par Cost        m n kernel evaluations for m targets
+  /// @par Cost        m n kernel evaluations
   /// @par Not for     targets nearer than about 6 node spacings: use double_layer_derivatives()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
                                            const ComplexVector& density) const;
 
-  /// Counts the nodes.
-  /// @return n
-  Eigen::Index size() const { return nodes_.size(); }
+  Eigen::Index size() const { return nodes_.size(); }  ///< returns the number n of nodes
 
-  /// Chooses the storage by a measured break-even: a matrix is stored if it fits into the fast
-  /// cache.
-  ///
-  /// @param  n_nodes  number of nodes in the sum
-  /// @return          storage for which repeated application is faster
+  /// Chooses the storage for which repeated application is faster, by a measured break-even: a
+  /// matrix is stored if it fits into the fast cache.
   static KernelStorage automatic_storage(Eigen::Index n_nodes);
 
  private:
