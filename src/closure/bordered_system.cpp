@@ -2,6 +2,7 @@
 // (03.6) or (03.8). Extracts motions and loads from the solution.
 #include "closure/bordered_system.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -68,30 +69,26 @@ BorderScales border_scales(const Component& component, ClosureForm form, double 
 DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Index>& offsets) {
   const Closure closure(problem);
   const Index n = offsets.back();
-  MatrixXd rest(2 * n, 2 * n), added(2 * n, 2 * n);
+  MatrixXd complement(2 * n, 2 * n), added(2 * n, 2 * n);
   // Column by column, A eta = (-1/2 + D)(I - P) eta + C eta with the velocities C of the closure.
   ComplexVector unit = ComplexVector::Zero(n);
   for (Index column = 0; column < 2 * n; ++column) {
     unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
     const ComplexVector without = closure.without_rigid_part(unit);
     const ComplexVector velocity = closure.velocity(unit);
-    rest.col(column) = interleaved(without);
+    complement.col(column) = interleaved(without);
     added.col(column) = interleaved(velocity);
     unit[column / 2] = 0.0;
   }
   const ComplexVector rhs = closure.right_hand_side();
-  return {layer_matrix(problem) * rest + added, interleaved(rhs)};
+  return {layer_matrix(problem) * complement + added, interleaved(rhs)};
 }
 
 DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
                               const std::vector<Index>& offsets) {
   const Index n = offsets.back();
-  Index inner = 0;
-  for (const Component& component : problem.components) {
-    inner += component.kind == ComponentKind::enclosing_wall ? 0 : 1;
-  }
-  DenseSystem system{MatrixXd::Zero(2 * n + 3 * inner, 2 * n + 3 * inner),
-                     VectorXd::Zero(2 * n + 3 * inner)};
+  const Index rows = 2 * n + 3 * std::ranges::count_if(problem.components, is_inner);
+  DenseSystem system{MatrixXd::Zero(rows, rows), VectorXd::Zero(rows)};
   system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem);
   const std::vector<double> gauges = stokeslet_gauges(problem);
   // The rows are (03.5) at all nodes, then three conditions (03.6) or (03.8) per inner component.
@@ -102,7 +99,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     if (component.kind != ComponentKind::free_body) {
       system.rhs.segment(first, size) += interleaved(component.velocity);
     }
-    if (component.kind == ComponentKind::enclosing_wall) continue;
+    if (!is_inner(component)) continue;
     const BorderScales scales = border_scales(component, form, problem.viscosity);
     // The draft has no gauge length: its Stokeslet contains -log(rho).
     const double gauge =
@@ -149,17 +146,14 @@ Completion complete_dense(const StokesProblem& problem, ClosureForm form,
   Index border = 2 * n;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
-    if (component.kind == ComponentKind::enclosing_wall) continue;
-    const BorderScales scales = border_scales(component, form, problem.viscosity);
-    const auto value = [&](int mode, const double* scale) {
-      return solution[border + mode] * scale[mode];
-    };
+    if (!is_inner(component)) continue;
+    const auto [motion, load, row] = border_scales(component, form, problem.viscosity);
+    const auto unknown = solution.segment<3>(border);
     if (component.kind == ComponentKind::free_body) {
-      result.motions[k] = {
-          {solution[border] / scales.motion[0], solution[border + 1] / scales.motion[1]},
-          solution[border + 2] / scales.motion[2]};
+      result.motions[k] = {{unknown[0] / motion[0], unknown[1] / motion[1]},
+                           unknown[2] / motion[2]};
     } else {
-      result.loads[k] = {{value(0, scales.load), value(1, scales.load)}, value(2, scales.load)};
+      result.loads[k] = {{unknown[0] * load[0], unknown[1] * load[1]}, unknown[2] * load[2]};
     }
     border += 3;
   }

@@ -37,24 +37,19 @@ struct DenseSystem {
 /// In unbounded fluid, the bordered forms require a gauge length if a component is prescribed.
 /// Enclosing walls are assembled without \f$ N_0 \f$, so that their matrix is singular: see
 /// null_space.
-/// @param  problem  components with their data, n nodes in all
-/// @param  form     form of the system
-/// @return          square matrix of 2n rows, and 3 more per inner component in the bordered forms,
-///                  with its right-hand side; velocities, length / time, in the rows of nodes
+/// @return  square matrix of 2n rows for n nodes, and 3 more per inner component in the bordered
+///          forms, with its right-hand side; velocities, length / time, in the rows of nodes
 /// @throws std::invalid_argument when the form is reduced and Closure rejects the problem
-/// @par Accuracy    geometric in the number of nodes, @ref claim_03_2, and in the distances of
+/// @par Accuracy  geometric in the number of nodes, @ref claim_03_2, and in the distances of
 /// components over node spacings, @ref claim_03_31; the same in any unit of length in the scaled
 /// and reduced forms, @ref claim_03_28
-/// @par Cost        \f$ 4 n^2 \f$ entries; the reduced form multiplies matrices, O(n^3)
-/// @par Not for     components close to each other, for lack of a near correction: use suspension
+/// @par Cost      \f$ 4 n^2 \f$ entries; the reduced form multiplies matrices, O(n^3)
+/// @par Not for   components close to each other, for lack of a near correction: use suspension
 DenseSystem assemble(const StokesProblem& problem, ClosureForm form);
 
-/// Extracts motions and loads from the solution of assemble().
+/// Extracts motions and loads of every component from the solution of the system that assemble()
+/// returned for the same problem and form.
 ///
-/// @param  problem   as given to assemble()
-/// @param  form      as given to assemble()
-/// @param  solution  solution of the system, as long as its right-hand side
-/// @return           motions and loads of every component
 /// @throws std::invalid_argument when Closure rejects the problem
 Completion complete_dense(const StokesProblem& problem, ClosureForm form,
                           const Eigen::VectorXd& solution);

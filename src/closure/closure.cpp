@@ -3,7 +3,6 @@
 // free, the forces balance by construction (03.14).
 #include "closure/closure.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -24,51 +23,10 @@ bool is_prescribed(const Component& component) {
 
 }  // namespace
 
-std::vector<Index> node_offsets(const StokesProblem& problem) {
-  std::vector<Index> offsets{0};
-  for (const Component& component : problem.components) {
-    offsets.push_back(offsets.back() + component.curve.size());
-  }
-  return offsets;
-}
-
-std::vector<Curve> curves_of(const StokesProblem& problem) {
-  std::vector<Curve> curves;
-  for (const Component& component : problem.components) curves.push_back(component.curve);
-  return curves;
-}
-
-bool is_bounded(const StokesProblem& problem) {
-  for (const Component& component : problem.components) {
-    if (component.kind == ComponentKind::enclosing_wall) return true;
-  }
-  return false;
-}
-
-Complex total_given_force(const StokesProblem& problem) {
-  Complex total{};
-  for (const Component& component : problem.components) {
-    if (component.kind == ComponentKind::free_body) total += component.force;
-  }
-  return total;
-}
-
-bool has_net_force(const StokesProblem& problem) {
-  // If the forces balance, rounding may leave a small sum.
-  double scale = 0.0;
-  for (const Component& component : problem.components) scale += std::abs(component.force);
-  return std::abs(total_given_force(problem)) > 1e-12 * scale;
-}
-
-bool has_free_uniform_velocity(const StokesProblem& problem) {
-  return !is_bounded(problem) && !problem.gauge_length &&
-         std::ranges::any_of(problem.components, is_prescribed);
-}
-
 Completion with_balance(const StokesProblem& problem, Completion completion) {
   std::vector<Load>& loads = completion.loads;
   for (std::size_t wall = 0; wall < loads.size(); ++wall) {
-    if (problem.components[wall].kind != ComponentKind::enclosing_wall) continue;
+    if (is_inner(problem.components[wall])) continue;
     loads[wall] = {};
     for (std::size_t k = 0; k < loads.size(); ++k) {
       if (k == wall) continue;
@@ -105,7 +63,7 @@ Closure::Closure(const StokesProblem& problem)
     const Component& component = problem.components[k];
     nodes_.segment(offsets_[k], component.curve.size()) = component.curve.x;
     modes_.emplace_back();
-    if (component.kind == ComponentKind::enclosing_wall) continue;
+    if (!is_inner(component)) continue;
     modes_.back().emplace(component.curve, component.centre);
     prescribed_count_ += is_prescribed(component) ? 1 : 0;
   }
@@ -132,13 +90,14 @@ std::vector<RigidMotion> Closure::rigid_parts(const ComplexVector& density) cons
 
 ComplexVector Closure::without_rigid_part(const ComplexVector& density) const {
   const std::vector<RigidMotion> rigid = rigid_parts(density);
-  ComplexVector rest = density;
+  ComplexVector complement = density;
   for (std::size_t k = 0; k < modes_.size(); ++k) {
     if (modes_[k]) {
-      rest.segment(offsets_[k], offsets_[k + 1] - offsets_[k]) -= modes_[k]->at_nodes(rigid[k]);
+      complement.segment(offsets_[k], offsets_[k + 1] - offsets_[k]) -=
+          modes_[k]->at_nodes(rigid[k]);
     }
   }
-  return rest;
+  return complement;
 }
 
 // Returns the mean of U_w over the prescribed components w.

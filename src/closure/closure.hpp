@@ -27,9 +27,7 @@ struct Completion {
 /// Sets the load of an enclosing wall: the stress is free of divergence, so that the load of the
 /// wall balances the loads of all other components.
 ///
-/// @param  problem     problem with its components
-/// @param  completion  completion with the loads of all inner components
-/// @return             completion with the wall's load; unchanged if no wall encloses the fluid
+/// Changes nothing if no wall encloses the fluid.
 Completion with_balance(const StokesProblem& problem, Completion completion);
 
 /// Chooses the gauge length of each component's Stokeslet.
@@ -39,8 +37,6 @@ Completion with_balance(const StokesProblem& problem, Completion completion);
 /// circle has the eigenvalues -1 and -1/2. This gauge cancels in a bounded fluid, and where a
 /// uniform velocity is free. All free bodies share the gauge length of the first one: if their
 /// forces balance, one common gauge cancels, whereas several would leave a uniform flow.
-/// @param  problem  problem with its components
-/// @return          one length per component
 std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 
 /// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
@@ -64,6 +60,8 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 /// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. The velocity at
 /// infinity that a Completion reports contains the contribution of the different gauges of the
 /// Stokeslets: \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
+///
+/// All densities and velocities are those at all n nodes, component by component, length / time.
 /// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_03_2; a uniform
 /// stream is exact, @ref claim_03_34
 /// @par Cost      n_w n Stokeslets and rotlets for n_w loaded components, and O(n) otherwise
@@ -71,84 +69,60 @@ class Closure {
  public:
   /// Prepares the rigid motions of all inner components.
   ///
-  /// @param  problem  components with their data, n nodes in all
   /// @throws std::invalid_argument when an unbounded problem has a net force, and neither a gauge
   ///                  length nor a prescribed component
   explicit Closure(const StokesProblem& problem);
 
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
-  ///
-  /// @param  density  at all n nodes, length / time
-  /// @return          density without its rigid part, at all n nodes, length / time
   ComplexVector without_rigid_part(const ComplexVector& density) const;
 
   /// Evaluates the velocities that the closure adds at the nodes: \f$ -P\eta \f$ on free bodies,
   /// and everywhere the singularities of prescribed components and the uniform velocity.
   ///
   /// These velocities are linear in the density.
-  /// @param  density  at all n nodes, length / time
-  /// @return          velocities at all n nodes, length / time
   ComplexVector velocity(const ComplexVector& density) const;
 
   /// Evaluates velocity() without its singularities, for operators that sum the singularities
   /// themselves.
   ///
-  /// @param  density  at all n nodes, length / time
-  /// @return          velocities at all n nodes, length / time
-  /// @par Cost        O(n)
+  /// @par Cost  O(n)
   ComplexVector smooth_velocity(const ComplexVector& density) const;
 
-  /// Extracts the loads of the singularities in velocity().
+  /// Extracts the loads of the singularities in velocity(): zero except for prescribed components.
   ///
-  /// @param  density  at all n nodes, length / time
-  /// @return          loads of every component; zero except for prescribed components
-  /// @par Cost        O(n)
+  /// @par Cost  O(n)
   std::vector<Load> density_loads(const ComplexVector& density) const;
 
-  /// Assembles the right-hand side of the system.
-  ///
-  /// @return velocities at all n nodes, length / time
+  /// Assembles the right-hand side of the system: velocities at all nodes.
   ComplexVector right_hand_side() const;
 
-  /// Assembles right_hand_side() without its singularities.
-  ///
-  /// @return \f$ g_k - u_\infty \f$ at all n nodes, length / time
+  /// Assembles right_hand_side() without its singularities: \f$ g_k - u_\infty \f$.
   ComplexVector boundary_data() const;
 
   /// Returns the loads of the singularities in right_hand_side(): the given loads of free bodies,
   /// and the share of each prescribed component in the force that balances them.
-  ///
-  /// @return loads of every component
   std::vector<Load> given_loads() const;
 
-  /// Evaluates the Stokeslets and rotlets of given loads.
+  /// Evaluates the Stokeslets and rotlets of the given loads of every component.
   ///
-  /// @param  loads    loads of every component
   /// @param  targets  m points, length
   /// @return          m velocities, length / time
   /// @par Cost        a Stokeslet and a rotlet per target and loaded component
   ComplexVector singular_velocity(const std::vector<Load>& loads,
                                   const ComplexVector& targets) const;
 
-  /// Extracts motions and loads from a solution.
-  ///
-  /// @param  density  at all n nodes, length / time
-  /// @return          motions and loads of every component
+  /// Extracts motions and loads of every component from a solution.
   Completion complete(const ComplexVector& density) const;
 
-  /// Returns the uniform velocity u_c that a solution contains in addition to its singularities.
-  ///
-  /// The velocity is Completion::uniform_velocity without the contribution of the gauges.
-  /// @param  completion  from complete()
-  /// @return             u_c, length / time
+  /// Returns the uniform velocity u_c that a solution contains in addition to its singularities:
+  /// Completion::uniform_velocity without the contribution of the gauges, length / time.
   Complex uniform_velocity(const Completion& completion) const;
 
   /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
   ///
-  /// @param  completion  from complete()
-  /// @param  targets     points in the fluid, length
-  /// @return             velocities without background and double layer, length / time
-  /// @par Cost           a Stokeslet and a rotlet per target and loaded component
+  /// @param  targets  points in the fluid, length
+  /// @return          velocities without background and double layer, length / time
+  /// @par Cost        a Stokeslet and a rotlet per target and loaded component
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:

@@ -28,6 +28,11 @@ struct Component {
   ComplexVector velocity;  ///< at the nodes, length / time (prescribed and enclosing_wall)
 };
 
+/// Returns true for bodies and inner walls, false for an enclosing wall.
+inline bool is_inner(const Component& component) {
+  return component.kind != ComponentKind::enclosing_wall;
+}
+
 /// A boundary value problem of Stokes flow around rigid bodies and walls, at one instant.
 struct StokesProblem {
   std::vector<Component> components;  ///< densities are ordered by component, then node
@@ -36,44 +41,29 @@ struct StokesProblem {
   std::optional<double> gauge_length;  ///< ell of (02.2) in an unbounded fluid, length
 };
 
-/// Returns the position of each component's first node in the vector of all nodes.
-///
-/// @param  problem  components in order
-/// @return          one entry per component, and one more with the number of all nodes
+/// Returns the position of each component's first node in the vector of all nodes, and after them
+/// the number of all nodes.
 std::vector<Eigen::Index> node_offsets(const StokesProblem& problem);
 
 /// Collects the curves of all components.
-///
-/// @param  problem  components in order
-/// @return          one entry per component
 std::vector<Curve> curves_of(const StokesProblem& problem);
 
 /// Returns whether a wall encloses the fluid.
-///
-/// @param  problem  problem with its components
-/// @return          true if one component is an enclosing wall
 bool is_bounded(const StokesProblem& problem);
 
-/// Adds up the forces given on free bodies.
-///
-/// @param  problem  problem with its components
-/// @return          total force on the fluid, force / length
+/// Adds up the forces on the fluid that are given on free bodies, force / length.
 Complex total_given_force(const StokesProblem& problem);
 
-/// Returns whether the forces given on free bodies have a sum other than zero.
-///
-/// @param  problem  problem with its components
-/// @return          true if the modulus of the sum exceeds 1e-12 times the sum of the moduli, which
-///                  is more than rounding leaves of forces that balance
+/// Returns whether the forces given on free bodies have a sum other than zero: a modulus above
+/// 1e-12 times the sum of the moduli, which is more than rounding leaves of forces that balance.
 bool has_net_force(const StokesProblem& problem);
 
-/// Returns whether the velocity of the fluid at infinity is an unknown.
+/// Returns whether the velocity of the fluid at infinity, Completion::uniform_velocity, is an
+/// unknown of the system.
 ///
 /// The velocity at infinity is unknown in an unbounded fluid without a gauge length if a component
 /// has a prescribed velocity. The velocity found is the one for which the net force is zero; it
 /// cancels any uniform velocity of the background.
-/// @param  problem  problem with its components
-/// @return          true if Completion::uniform_velocity is an unknown of the system
 bool has_free_uniform_velocity(const StokesProblem& problem);
 
 /// @}

@@ -23,9 +23,8 @@ struct RigidMotion {
 ///     a^2 = \langle|x-b|^2\rangle. \f]
 class RigidModes {
  public:
-  /// Prepares the projection of one curve.
+  /// Prepares the projection of one curve with N nodes.
   ///
-  /// @param  curve   N nodes
   /// @param  centre  c, the point about which motions are reported, length
   /// @par Cost       O(N), the same as one projection
   RigidModes(const Curve& curve, Complex centre);
@@ -37,14 +36,10 @@ class RigidModes {
   /// @par Accuracy    that of the rule: geometric in N, @ref claim_03_14; exact for rigid motions
   RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
 
-  /// Evaluates a rigid motion at the nodes.
-  ///
-  /// @param  motion  rigid motion about the centre
-  /// @return         velocities at the N nodes, length / time
+  /// Evaluates a rigid motion about the centre at the nodes: N velocities, length / time.
   ComplexVector at_nodes(const RigidMotion& motion) const;
 
-  /// Returns the root mean square distance of the curve from its centroid.
-  /// @return a, length
+  /// Returns a, the root mean square distance of the curve from its centroid, length.
   double gyration_radius() const { return gyration_radius_; }
 
  private:

@@ -25,14 +25,14 @@ MatrixXd own_layer(const Component& component) {
   // -1/2 + D, and N_0 (04.6) on an enclosing wall.
   MatrixXd layer = double_layer_matrix(component.curve);
   layer.diagonal().array() -= 0.5;
-  if (component.kind == ComponentKind::enclosing_wall) layer += null_space_matrix(component.curve);
+  if (!is_inner(component)) layer += null_space_matrix(component.curve);
   return layer;
 }
 
 MatrixXd self_block(const Component& component, std::optional<double> gauge) {
   const Index n = component.curve.size();
   const MatrixXd layer = own_layer(component);
-  if (component.kind == ComponentKind::enclosing_wall) return layer;
+  if (!is_inner(component)) return layer;
   // The closure C of the component alone, in a fluid of this gauge, acts on the component as it
   // does among other components. The block is L (I - P) + C P = L + (C K - L K) Pi, P = K Pi.
   const RigidModeMatrices rigid = rigid_mode_matrices(component);

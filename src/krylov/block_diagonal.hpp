@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,19 +21,20 @@ namespace stokesbook {
 /// vector (05.11). With the component's own gauge, the block does not depend on its size.
 /// @param  component  curve and centre in any one frame
 /// @param  gauge      Stokeslet gauge length of a prescribed component; if empty, its own gauge
-///   \f$ \sqrt e\, a \f$
+///                    \f$ \sqrt e\, a \f$
 /// @return            2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
-/// @par Cost            N^2 kernel evaluations, O(N^2) multiplications
-/// @par Not for         a gauge near the degenerate scale of a prescribed component,
-///   \f$ a/\sqrt e \f$ for a circle: the block is singular there
+/// @par Cost          N^2 kernel evaluations, O(N^2) multiplications
+/// @par Not for       a gauge near the degenerate scale of a prescribed component,
+/// \f$ a/\sqrt e \f$ for a circle: the block is singular there
 Eigen::MatrixXd self_block(const Component& component, std::optional<double> gauge = {});
 
-/// Assembles a component's own layer: \f$ -\frac12 + D \f$, with N_0 on an enclosing wall.
-///
-/// @param  component  curve in any frame
-/// @return            2N x 2N, dimensionless, interleaved
-/// @par Cost          N^2 kernel evaluations
+/// Assembles a component's own layer: \f$ -\frac12 + D \f$, with N_0 on an enclosing wall, 2N x 2N,
+/// dimensionless, interleaved.
 Eigen::MatrixXd own_layer(const Component& component);
+
+/// A function, called by several threads at once, that assembles the double layer of one component
+/// at the nodes of another: 2M x 2N, dimensionless, interleaved, in the frame of the plane.
+using LayerBlock = std::function<Eigen::MatrixXd(std::size_t target, std::size_t source)>;
 
 /// The inverse of the diagonal blocks (05.10): solves for every component as if it were alone.
 ///
@@ -47,15 +49,12 @@ class BlockDiagonalPreconditioner {
     double orientation = 0.0;  ///< radians, counter-clockwise, relative to the reference
   };
 
-  /// Groups the components that share a block.
-  ///
-  /// @param  members  components in the order of the densities, n nodes in all
+  /// Groups the components that share a block. The members are in the order of the densities and
+  /// have n nodes in all.
   explicit BlockDiagonalPreconditioner(std::vector<Member> members);
 
-  /// Applies the inverse blocks.
+  /// Applies the inverse blocks to 2n interleaved numbers (x_0, y_0, x_1, y_1, ...).
   ///
-  /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @return    2n numbers, ordered as v, unit of v
   /// @par Cost  4 N^2 multiplications per component, as products of a block with the vectors of all
   /// its components
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
@@ -66,13 +65,10 @@ class BlockDiagonalPreconditioner {
   std::vector<std::vector<std::size_t>> users_;  // members that share a block
 };
 
-/// Inverts a self block by LU factorisation.
+/// Inverts a self block by LU factorisation, by O(N^3) multiplications.
 ///
-/// @param  block  from self_block()
-/// @return        its inverse, of the same size
 /// @throws std::domain_error when the block is numerically singular: a reciprocal condition number
-///                below 1e-14
-/// @par Cost      O(N^3) multiplications
+///         below 1e-14
 Eigen::MatrixXd invert_block(const Eigen::MatrixXd& block);
 
 /// @}

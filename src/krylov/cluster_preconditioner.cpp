@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -28,10 +29,6 @@ namespace {
 
 using Member = BlockDiagonalPreconditioner::Member;
 using Pair = std::pair<std::size_t, std::size_t>;  // target, source
-
-bool is_inner(const Component& component) {
-  return component.kind != ComponentKind::enclosing_wall;
-}
 
 bool is_held(const Component& component, ClusterForm form) {
   return component.kind == ComponentKind::prescribed ||
@@ -84,14 +81,6 @@ MatrixXd times_inverse(const MatrixXd& rows, const Member& member) {
   return turned(own_frame.transpose(), angle).transpose();
 }
 
-// Returns the orthonormal eigenvectors of a Gram matrix whose eigenvalues exceed the square of a
-// tolerance.
-MatrixXd significant_directions(const MatrixXd& gram, double tolerance) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
-  const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
-  return solver.eigenvectors().rightCols(count);
-}
-
 // The blocks B A_0 of the operator (I + B) A_0 between different components, for the set-up.
 class ClusterOperator {
  public:
@@ -131,7 +120,10 @@ class ClusterOperator {
       products.rankUpdate(times_inverse(block({own, other}), alone_[other]));
       least_gap = std::min(least_gap, gap);
     }
-    return significant_directions(products, basis_tolerance(least_gap));
+    const double tolerance = basis_tolerance(least_gap);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver{MatrixXd(products)};
+    const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
+    return solver.eigenvectors().rightCols(count);
   }
 
  private:
@@ -179,17 +171,15 @@ class ReducedBlocks {
 
  private:
   static std::vector<Pair> pairs_within(const std::vector<std::vector<std::size_t>>& clusters) {
-    std::vector<Pair> pairs;
+    std::set<Pair> pairs;
     for (const std::vector<std::size_t>& cluster : clusters) {
       for (const std::size_t target : cluster) {
         for (const std::size_t source : cluster) {
-          if (target != source) pairs.emplace_back(target, source);
+          if (target != source) pairs.emplace(target, source);
         }
       }
     }
-    std::ranges::sort(pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs;
+    return {pairs.begin(), pairs.end()};
   }
 
   const MatrixXd& between(const Pair& pair) const {

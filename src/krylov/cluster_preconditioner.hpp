@@ -8,7 +8,6 @@
 
 #include "closure/problem.hpp"
 #include "krylov/block_diagonal.hpp"
-#include "krylov/layer_block.hpp"
 
 namespace stokesbook {
 
@@ -33,12 +32,7 @@ enum class ClusterForm {
 /// Assembles a component's own block in clusters.
 ///
 /// A free body in the mobility form, and an enclosing wall, have their self_block(). Any other
-/// inner component has the block of a prescribed component with the given gauge.
-/// @param  component  component of any kind, in any frame
-/// @param  form       form of the clusters
-/// @param  gauge      from held_gauge(), length
-/// @return            2N x 2N, dimensionless, interleaved
-/// @par Cost          that of self_block()
+/// inner component has the self_block() of a prescribed component with the gauge of held_gauge().
 Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
 
 /// A component in the cluster of another component.
@@ -84,13 +78,12 @@ class ClusterPreconditioner {
   /// Factorises all clusters and the resistance matrix.
   ///
   /// @param  problem     components in the order of the densities, n nodes in all
-  /// @param  form        form of the clusters
   /// @param  alone       inverse of the cluster_block() of each component, and its orientation
   /// @param  neighbours  neighbours of each component, without itself; an enclosing wall has none,
   ///                     and is solved alone
   /// @param  layer       double layer between any two components of a cluster
   /// @throws std::domain_error when the resistance matrix is singular
-  /// @par Cost      per component, for clusters of m components with N nodes each: some 3 m matrix
+  /// @par Cost  per component, for clusters of m components with N nodes each: some 3 m matrix
   /// products of size 2N, an eigenvalue problem of size 2N, and a factorisation of size m q for q
   /// directions
   ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
@@ -98,15 +91,14 @@ class ClusterPreconditioner {
                         const std::vector<std::vector<Neighbour>>& neighbours,
                         const LayerBlock& layer);
 
-  /// Applies the approximate inverse, a linear map for any number of threads.
+  /// Applies the approximate inverse, a linear map, to 2n interleaved numbers (x_0, y_0, ...). The
+  /// result is the same for any number of threads.
   ///
-  /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @return    2n numbers, ordered as v, unit of v
   /// @par Cost  4 N^2 + 4 N q + m q^2 multiplications per component, twice in the resistance form
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
-  /// Returns the mean number of directions in which a component is coupled to its cluster.
-  /// @return q, at most 2N; 0 without neighbours
+  /// Returns the mean number q of directions in which a component is coupled to its cluster, at
+  /// most 2N; 0 without neighbours.
   double mean_rank() const;
 
  private:

@@ -3,7 +3,6 @@
 #include "krylov/direct.hpp"
 
 #include "closure/closure.hpp"
-#include "krylov/block_diagonal.hpp"
 #include "krylov/rigid_mode_matrices.hpp"
 
 namespace stokesbook {
@@ -39,7 +38,7 @@ MatrixXd system_matrix(const StokesProblem& problem, const LayerBlock& layer) {
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& own = problem.components[k];
-    if (own.kind == ComponentKind::enclosing_wall) continue;
+    if (!is_inner(own)) continue;
     const RigidModeMatrices rigid = rigid_mode_matrices(own);
     auto columns = matrix.middleCols(2 * offsets[k], 2 * own.curve.size());
     const MatrixXd closed = closed_modes(closure, rigid.modes, offsets[k], offsets.back());

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 
 #include "closure/problem.hpp"
-#include "krylov/layer_block.hpp"
+#include "krylov/block_diagonal.hpp"
 
 namespace stokesbook {
 
@@ -23,19 +23,15 @@ namespace stokesbook {
 /// @par Accuracy  that of the layer; iterations for bodies that nearly touch, @ref claim_05_30
 class DirectPreconditioner {
  public:
-  /// Assembles and factorises the system.
+  /// Assembles and factorises the system of a problem with n nodes, from the layers between any two
+  /// different components.
   ///
-  /// @param  problem  problem with n nodes in all
-  /// @param  layer    double layer between any two different components
   /// @throws std::invalid_argument when Closure rejects the problem
-  /// @par Cost      \f$ \frac{16}{3}n^3 \f$ operations, \f$ 32 n^2 \f$ bytes
+  /// @par Cost  \f$ \frac{16}{3}n^3 \f$ operations, \f$ 32 n^2 \f$ bytes
   DirectPreconditioner(const StokesProblem& problem, const LayerBlock& layer);
 
-  /// Applies the inverse.
-  ///
-  /// @param  v  2n numbers, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @return    2n numbers, ordered as v, unit of v
-  /// @par Cost  4 n^2 multiplications
+  /// Applies the inverse to 2n interleaved numbers (x_0, y_0, x_1, y_1, ...), by 4 n^2
+  /// multiplications.
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
  private:

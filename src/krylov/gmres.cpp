@@ -77,16 +77,16 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   const double norm = b.norm();
   GmresResult result;
   result.solution = VectorXd::Zero(b.size());
-  VectorXd rest = b;
+  VectorXd residual = b;
   if (guess.size() > 0) {
-    const VectorXd left = b - apply(guess);
+    const VectorXd of_guess = b - apply(guess);
     ++result.applications;
-    if (left.norm() < norm) {
-      rest = left;
+    if (of_guess.norm() < norm) {
+      residual = of_guess;
       result.solution = guess;
     }
   }
-  const double first = rest.norm();
+  const double first = residual.norm();
   result.residual = norm > 0.0 ? first / norm : 0.0;
   result.history.push_back(result.residual);
   result.converged = result.residual <= options.tolerance;
@@ -95,7 +95,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   const Index most = std::min<Index>(options.max_iterations, b.size());
   // The basis grows with the iterations: most solves take far fewer than `most`.
   MatrixXd basis(b.size(), std::min<Index>(most, 31) + 1);
-  basis.col(0) = rest / first;
+  basis.col(0) = residual / first;
   std::vector<VectorXd> preconditioned;
   HessenbergLeastSquares least_squares(first);
   for (Index k = 0; k < most; ++k) {

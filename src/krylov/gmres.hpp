@@ -47,7 +47,6 @@ struct GmresResult {
 /// @param  apply         x -> A x
 /// @param  precondition  r -> M^{-1} r; empty if there is no preconditioner
 /// @param  b             right-hand side, finite
-/// @param  options       tolerance and largest number of iterations
 /// @param  guess         x_0, from which the iteration solves \f$ A d = b - A x_0 \f$ for the
 ///                       correction d; if empty or no better than zero, x_0 = 0
 /// @return               solution and history; a solution that has not converged is returned too

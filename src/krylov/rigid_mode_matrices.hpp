@@ -19,22 +19,17 @@ struct RigidModeMatrices {
   Eigen::MatrixXd projection;  ///< Pi, 3 x 2N: maps densities to motions, P = K Pi
 };
 
-/// Assembles the rigid motions of a component.
-///
-/// @param  component  inner component with N nodes
-/// @return            matrices of its motions
-/// @par Cost          O(N^2)
+/// Assembles the rigid motions of an inner component, by O(N^2) operations for N nodes.
 RigidModeMatrices rigid_mode_matrices(const Component& component);
 
 /// Evaluates C K, the velocities that a closure C adds for the rigid motions of a component.
 ///
 /// The closure depends on a density only through the rigid motions in the density.
-/// @param  closure  closure of a problem with n nodes
-/// @param  modes    K of the component
-/// @param  first    position of the component's first node among all nodes
-/// @param  n        number of all nodes
-/// @return          2n x 3, dimensionless
-/// @par Cost        three times that of Closure::velocity()
+/// @param  modes  K of the component
+/// @param  first  position of the component's first node among all nodes
+/// @param  n      number of all nodes
+/// @return        2n x 3, dimensionless
+/// @par Cost      three times that of Closure::velocity()
 Eigen::MatrixXd closed_modes(const Closure& closure, const Eigen::MatrixXd& modes,
                              Eigen::Index first, Eigen::Index n);
 

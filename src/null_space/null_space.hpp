@@ -18,7 +18,6 @@ namespace stokesbook {
 /// \f$ -\frac12 + D \f$ is therefore singular, with the left null vector \f$ n\,ds \f$, and misses
 /// one dimension of boundary data. N_0 moves the eigenvalue 0 to -1, whatever the length of the
 /// wall, and leaves all other eigenvalues where they are.
-/// @param  wall     enclosing wall
 /// @param  density  at the nodes of the wall, length / time
 /// @return          velocities at the nodes of the wall, length / time
 /// @par Accuracy    that of the rule: geometric in N, @ref claim_04_4
@@ -26,11 +25,7 @@ namespace stokesbook {
 /// @par Not for     inner walls and bodies: the fix on the enclosing wall balances their flux
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);
 
-/// Assembles the matrix of null_space_velocity().
-///
-/// @param  wall  enclosing wall, N nodes
-/// @return       2N x 2N, of rank 1, dimensionless; vectors are interleaved (x_0, y_0, ...)
-/// @par Cost     4 N^2 entries
+/// Assembles the matrix of null_space_velocity(): 2N x 2N, of rank 1, dimensionless, interleaved.
 Eigen::MatrixXd null_space_matrix(const Curve& wall);
 
 /// Computes the net flux of the prescribed velocities out of the fluid,
@@ -39,15 +34,12 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall);
 /// The motions of rigid bodies carry no flux. An incompressible fluid inside an enclosing wall
 /// requires Q = 0. Otherwise the system with N_0 is solved for the data \f$ g - nQ/|\Gamma_0| \f$
 /// on the wall, and nothing in its solution shows that (04.7).
-/// @param  problem  problem with the velocities of prescribed components and walls
-/// @return          flux, length^2 / time
-/// @par Accuracy    that of the rule: geometric in the number of nodes, @ref claim_04_18
+/// @return        flux, length^2 / time
+/// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_04_18
 double net_flux(const StokesProblem& problem);
 
-/// Computes \f$ \int_{\partial\Omega} |g|\,ds \f$, a scale to which net_flux() can be compared.
-///
-/// @param  problem  problem with the velocities of prescribed components and walls
-/// @return          scale, length^2 / time, >= |net_flux()|
+/// Computes \f$ \int_{\partial\Omega} |g|\,ds \ge |Q| \f$, a scale to which net_flux() can be
+/// compared.
 double flux_scale(const StokesProblem& problem);
 
 /// @}

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "closure/problem.hpp"
-#include "krylov/layer_block.hpp"
+#include "krylov/block_diagonal.hpp"
 #include "near_singular/near_targets.hpp"
 
 namespace stokesbook {
