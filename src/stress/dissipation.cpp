@@ -18,16 +18,17 @@ double power(const Curve& curve, const ComplexVector& velocity, const ComplexVec
   return weights(curve).dot(velocity.conjugate().cwiseProduct(traction).real());
 }
 
-// Subtracts the rigid motion from the velocity at the nodes of a wall. Returns nothing if the rest
-// is due to the rounding of the nodes' positions, which grows with their distance from the origin.
+// Subtracts the rigid motion from the velocity at the nodes of a wall. Returns nothing if the
+// difference is due to the rounding of the nodes' positions, which grows with their distance from
+// the origin.
 std::optional<ComplexVector> deformation(const Curve& curve, const RigidModes& modes,
                                          const RigidMotion& rigid, const ComplexVector& velocity) {
-  ComplexVector rest = velocity - modes.at_nodes(rigid);
+  ComplexVector difference = velocity - modes.at_nodes(rigid);
   constexpr double rounding = 1e-13;
-  const double places = curve.x.cwiseAbs().maxCoeff() / modes.gyration_radius();
+  const double distance = curve.x.cwiseAbs().maxCoeff() / modes.gyration_radius();
   const double largest = velocity.cwiseAbs().maxCoeff();
-  if (rest.cwiseAbs().maxCoeff() <= rounding * (1.0 + places) * largest) return {};
-  return rest;
+  if (difference.cwiseAbs().maxCoeff() <= rounding * (1.0 + distance) * largest) return {};
+  return difference;
 }
 
 }  // namespace
@@ -63,8 +64,9 @@ std::vector<double> power_of_loads(const SolvedFlow& flow) {
     const RigidModes modes(curve, component.centre);
     const RigidMotion rigid = modes.project(component.velocity);
     double sum = power_of(rigid);
-    if (const auto rest = deformation(curve, modes, rigid, component.velocity)) {
-      sum += power(curve, *rest, traction_on(curve, flow.derivatives(curve.x), problem.viscosity));
+    if (const auto deformed = deformation(curve, modes, rigid, component.velocity)) {
+      sum +=
+          power(curve, *deformed, traction_on(curve, flow.derivatives(curve.x), problem.viscosity));
     }
     powers.push_back(sum);
   }

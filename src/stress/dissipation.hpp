@@ -16,7 +16,6 @@ namespace stokesbook {
 /// The sum over all components is the dissipation of the fluid (07.11), if the fluid is enclosed.
 /// In an unbounded fluid the sum is the dissipation if the fluid rests at infinity and the total
 /// force vanishes.
-/// @param  flow      problem and motions
 /// @param  traction  of the whole flow, from boundary_traction()
 /// @return           one entry per component, force length / time per unit of depth
 /// @par Accuracy     geometric in the nodes: @ref claim_07_18; equal to power_of_loads() if all
@@ -29,19 +28,17 @@ std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& 
 /// \f[ \oint g\cdot\sigma n\,ds = U\cdot F + \omega L + \oint (g - U - \omega (x-c)^\perp)\cdot
 ///     \sigma n\,ds. \f]
 /// The last term requires the traction, but only on walls that do not move rigidly.
-/// @param  flow      problem, motions and loads; the background must vanish
-/// @return           one entry per component, force length / time per unit of depth
+/// @param  flow  of a problem without background
+/// @return       one entry per component, force length / time per unit of depth
 /// @throws std::invalid_argument when a wall that does not move rigidly has no Cauchy scheme
-/// @par Cost         O(n), and the derivatives at the nodes of walls that do not move rigidly
+/// @par Cost     O(n), and the derivatives at the nodes of walls that do not move rigidly
 std::vector<double> power_of_loads(const SolvedFlow& flow);
 
 /// Integrates the dissipation \f$ \int 2\mu\,e:e\,dA \f$ over the fluid.
 ///
-/// @param  rule      quadrature over the fluid
-/// @param  at_points derivatives of the whole flow at the rule's points
-/// @param  mu        viscosity, force time / length^2
-/// @return           force length / time per unit of depth
-/// @par Accuracy     that of the rule, once the flow is resolved: @ref claim_07_20
+/// @param  at_points  derivatives of the whole flow at the rule's points
+/// @return            force length / time per unit of depth
+/// @par Accuracy      that of the rule, once the flow is resolved: @ref claim_07_20
 double volume_dissipation(const FluidQuadrature& rule,
                           const std::vector<FlowDerivatives>& at_points, double mu);
 

@@ -56,22 +56,15 @@ double height(const SmoothCurve& curve, Complex z, double reach) {
   return nodes.sign() * cross(at.first, z - at.value) / std::abs(at.first);
 }
 
-class Rule {
- public:
+// The points and weights of a rule, one after the other.
+struct Rule {
+  std::vector<Complex> points;
+  std::vector<double> weights;
+
   void add(Complex point, double weight) {
-    points_.push_back(point);
-    weights_.push_back(weight);
+    points.push_back(point);
+    weights.push_back(weight);
   }
-
-  FluidQuadrature collected() const {
-    const auto m = static_cast<Index>(points_.size());
-    return {Eigen::Map<const ComplexVector>(points_.data(), m),
-            Eigen::Map<const Eigen::VectorXd>(weights_.data(), m)};
-  }
-
- private:
-  std::vector<Complex> points_;
-  std::vector<double> weights_;
 };
 
 // Adds the points of a strip, with the weights chi |x'| (1 - s kappa d) dt dd. The strip has twice
@@ -124,8 +117,8 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
     add_strip(rule, curve, width);
     boundary.push_back(smooth(curve));
   }
-  // Factor 1 - sum chi of the weight of a grid point; 0 outside the fluid
-  const auto left = [&](Complex z) {
+  // Returns the factor 1 - sum chi of the weight of a grid point; 0 outside the fluid.
+  const auto grid_share = [&](Complex z) {
     double share = 1.0;
     for (const SmoothCurve& curve : boundary) {
       const double h = height(curve, z, width);
@@ -136,15 +129,17 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
   };
   const ComplexVector& wall = std::ranges::find_if(curves, encloses)->x;
   const double spacing = width / settings.points_a_width;
-  const auto first = [&](double x) { return std::lround(x / spacing); };
-  for (long j = first(wall.imag().minCoeff()); j <= first(wall.imag().maxCoeff()); ++j) {
-    for (long i = first(wall.real().minCoeff()); i <= first(wall.real().maxCoeff()); ++i) {
+  const auto row = [&](double x) { return std::lround(x / spacing); };
+  for (long j = row(wall.imag().minCoeff()); j <= row(wall.imag().maxCoeff()); ++j) {
+    for (long i = row(wall.real().minCoeff()); i <= row(wall.real().maxCoeff()); ++i) {
       const Complex z = spacing * Complex{static_cast<double>(i), static_cast<double>(j)};
-      const double share = left(z);
+      const double share = grid_share(z);
       if (share > 0.0) rule.add(z, share * spacing * spacing);
     }
   }
-  return rule.collected();
+  const auto m = static_cast<Index>(rule.points.size());
+  return {Eigen::Map<const ComplexVector>(rule.points.data(), m),
+          Eigen::Map<const Eigen::VectorXd>(rule.weights.data(), m)};
 }
 
 }  // namespace stokesbook

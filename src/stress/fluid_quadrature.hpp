@@ -27,9 +27,7 @@ struct FluidQuadratureSettings {
 /// half of the smallest radius of curvature among points whose centre of curvature lies on the
 /// fluid's side.
 ///
-/// @param  curves  curves of the boundary, at least one
-/// @return         width, length
-/// @par Cost       that of closest_points() per pair of curves
+/// @par Cost  that of closest_points() per pair of curves
 double strip_width(const std::vector<Curve>& curves);
 
 /// Makes a quadrature rule for smooth functions on the fluid between bodies and an enclosing wall.
@@ -40,14 +38,12 @@ double strip_width(const std::vector<Curve>& curves);
 /// curve to 0 at the other edge of the strip (07.12). The rest \f$ (1-\sum\chi)f \f$, extended by
 /// zero, is smooth in the whole plane up to rounding. Sums of this rest over a square grid converge
 /// faster than any power of the spacing (07.13).
-/// @param  curves    bodies, inner walls and one enclosing wall, with enough nodes to resolve them
-/// @param  settings  width of the strips and spacing of the grid
-/// @return           points in the fluid with their weights
+/// @param  curves  bodies, inner walls and one enclosing wall, with enough nodes to resolve them
 /// @throws std::invalid_argument when there is not exactly one enclosing wall
-/// @par Accuracy     \f$ e^{-0.09 P^2} \f$ with P grid points across a strip, down to 1e-13:
+/// @par Accuracy   \f$ e^{-0.09 P^2} \f$ with P grid points across a strip, down to 1e-13:
 /// @ref claim_07_22
-/// @par Cost         area times (18 / width)^2 points on the grid, 128 points per node in strips
-/// @par Not for      small gaps, which the grid must resolve
+/// @par Cost       area times (18 / width)^2 points on the grid, 128 points per node in strips
+/// @par Not for    small gaps, which the grid must resolve
 FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
                                  const FluidQuadratureSettings& settings = {});
 

@@ -32,7 +32,7 @@ std::vector<FlowDerivatives> direct_derivatives(const SolvedFlow& flow,
     const Load& load = flow.completion().loads[k];
     const bool has_load = load.force != Complex{} || load.torque != 0.0;
     // The load of an enclosing wall has no singularity: it is due to the wall's double layer.
-    if (!has_load || component.kind == ComponentKind::enclosing_wall) continue;
+    if (!has_load || !is_inner(component)) continue;
     for (Index i = 0; i < targets.size(); ++i) {
       const Complex r = targets[i] - component.centre;
       FlowDerivatives& at = sum[static_cast<std::size_t>(i)];
@@ -45,7 +45,7 @@ std::vector<FlowDerivatives> direct_derivatives(const SolvedFlow& flow,
 
 }  // namespace
 
-PlainSum direct_sum() {
+FlowSum direct_sum() {
   return {direct_velocity, direct_derivatives};
 }
 

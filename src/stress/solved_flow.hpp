@@ -16,7 +16,7 @@ class SolvedFlow;
 
 /// Functions that sum a solution's double layer, by the trapezoid rule, and its Stokeslets and
 /// rotlets at m targets.
-struct PlainSum {
+struct FlowSum {
   /// Evaluates velocities without the uniform velocity, length / time.
   std::function<ComplexVector(const SolvedFlow&, const ComplexVector& targets)> velocity;
   /// Evaluates pressure, vorticity and strain, 1 / time.
@@ -24,14 +24,13 @@ struct PlainSum {
       derivatives;
 };
 
-/// Returns the direct sum over all nodes and loads.
-/// @return sum with m n kernel evaluations for n nodes
-PlainSum direct_sum();
+/// Returns the direct sum over all n nodes and all loads, with m n kernel evaluations.
+FlowSum direct_sum();
 
 /// Parameters of a SolvedFlow.
 struct FlowSettings {
-  double tolerance = 1e-14;     ///< relative to the densities, > 0; decides which targets are near
-  PlainSum sum = direct_sum();  ///< sum to which the near corrections are added
+  double tolerance = 1e-14;    ///< relative to the densities, > 0; decides which targets are near
+  FlowSum sum = direct_sum();  ///< sum to which the near corrections are added
 };
 
 /// The flow of a solved boundary value problem, without its background.
@@ -43,13 +42,11 @@ struct FlowSettings {
 /// @par Not for   points inside bodies, or outside the enclosing wall
 class SolvedFlow {
  public:
-  /// Prepares a solution for evaluation.
+  /// Prepares the solution of a problem with n nodes for evaluation.
   ///
-  /// @param  problem   components with their data, n nodes in all
   /// @param  placed    the same components with schemes of close evaluation; derivatives require
   ///                   the Cauchy scheme; empty: velocities only, by the trapezoid rule everywhere
   /// @param  density   solution of the system of Closure, at all n nodes, length / time
-  /// @param  settings  tolerance and plain sum
   /// @throws std::invalid_argument when Closure rejects the problem
   SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> placed,
              const ComplexVector& density, FlowSettings settings = {});
@@ -71,29 +68,24 @@ class SolvedFlow {
   /// @par Cost        that of the sum, and of near_derivative_corrections()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets) const;
 
-  /// Returns all nodes, component by component.
-  /// @return n points, length
+  /// Returns all n nodes, component by component.
   ComplexVector nodes() const;
 
-  /// Returns the velocity of the boundary: the rigid motions of free bodies, and the prescribed
-  /// velocities of all other components.
-  /// @return velocities at all n nodes, including the background, length / time
+  /// Returns the velocity of the boundary at all n nodes, including the background: the rigid
+  /// motions of free bodies, and the prescribed velocities of all other components.
   ComplexVector boundary_velocity() const;
 
-  /// Returns the problem.
-  /// @return the problem that was solved
+  /// Returns the problem that was solved.
   const StokesProblem& problem() const { return problem_; }
 
-  /// Returns the density of the double layer, without its rigid part on bodies.
-  /// @return \f$ (I-P)\eta \f$ at all n nodes, length / time
+  /// Returns the density of the double layer at all n nodes, without its rigid part on bodies:
+  /// \f$ (I-P)\eta \f$, length / time.
   const ComplexVector& density() const { return density_; }
 
-  /// Returns the closure of the problem.
-  /// @return relations between motions, loads and density
+  /// Returns the relations between motions, loads and density of the problem.
   const Closure& closure() const { return closure_; }
 
-  /// Returns motions and loads.
-  /// @return motions and loads of all components, computed from the density
+  /// Returns the motions and loads of all components, computed from the density.
   const Completion& completion() const { return completion_; }
 
  private:
@@ -105,12 +97,10 @@ class SolvedFlow {
   FlowSettings settings_;
 };
 
-/// Prepares curves that are already in the plane for evaluation near them, by the Cauchy scheme.
+/// Prepares the curves of a problem for evaluation near them, by the Cauchy scheme.
 ///
-/// @param  problem  its components
-/// @return          one entry per component
-/// @par Cost        that of one CauchyCurve per component
-/// @par Not for     many components of one shape, which can share a CauchyCurve
+/// @par Cost      that of one CauchyCurve per component
+/// @par Not for   many components of one shape, which can share a CauchyCurve
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem);
 
 /// @}

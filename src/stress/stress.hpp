@@ -25,11 +25,7 @@ struct VelocityGradient {
       du2_dx2 = 0.0;     ///< \f$ \partial_2 u_2 = -\partial_1 u_1 \f$, 1 / time
 };
 
-/// Computes the stress \f$ \sigma = -pI + 2\mu e \f$ (07.1).
-///
-/// @param  flow  derivatives at a point
-/// @param  mu    viscosity, force time / length^2
-/// @return       force / length^2
+/// Computes the stress \f$ \sigma = -pI + 2\mu e \f$ (07.1), with the viscosity mu.
 inline Stress stress(const FlowDerivatives& flow, double mu) {
   return {mu * (flow.strain.real() - flow.pressure), mu * flow.strain.imag(),
           mu * (-flow.strain.real() - flow.pressure)};
@@ -38,50 +34,36 @@ inline Stress stress(const FlowDerivatives& flow, double mu) {
 /// Computes the traction on a surface, \f$ \sigma n = \mu(-\frac p\mu n + q\bar n) \f$ (07.5): in
 /// complex notation \f$ 2e\,n = q\bar n \f$ with \f$ q = e_{11} - e_{22} + 2ie_{12} \f$.
 ///
-/// @param  flow  derivatives at a point
-/// @param  n     unit normal; the material on the side to which n points exerts the traction
-/// @param  mu    viscosity, force time / length^2
-/// @return       force / length^2
+/// @param  n  unit normal; the material on the side to which n points exerts the traction
+/// @return    force / length^2
 inline Complex traction(const FlowDerivatives& flow, Complex n, double mu) {
   return mu * (flow.strain * std::conj(n) - flow.pressure * n);
 }
 
 /// Computes the velocity gradient, \f$ \partial_j u_i = e_{ij} + \frac\omega2\,\epsilon_{ji} \f$
-/// (07.5).
-///
-/// @param  flow  derivatives at a point
-/// @return       1 / time, with trace zero
+/// (07.5), with trace zero.
 inline VelocityGradient velocity_gradient(const FlowDerivatives& flow) {
   const double stretch = 0.5 * flow.strain.real(), shear = flow.strain.imag();
   return {stretch, 0.5 * (shear - flow.vorticity), 0.5 * (shear + flow.vorticity), -stretch};
 }
 
 /// Computes vorticity and strain from the velocity gradient of a linear flow, or of any flow at a
-/// point, and sets the pressure to zero: inverse of velocity_gradient().
-///
-/// @param  gradient  1 / time; du2_dx2 is taken to be -du1_dx1
-/// @return           pressure zero, vorticity and strain
+/// point, and sets the pressure to zero: inverse of velocity_gradient(). The member du2_dx2 is
+/// taken to be -du1_dx1.
 inline FlowDerivatives flow_derivatives(const VelocityGradient& gradient) {
   return {0.0,
           gradient.du2_dx1 - gradient.du1_dx2,
           {2.0 * gradient.du1_dx1, gradient.du1_dx2 + gradient.du2_dx1}};
 }
 
-/// Computes the energy that is dissipated, \f$ 2\mu\, e:e = \mu|q|^2 \f$ (07.5).
-///
-/// @param  flow  derivatives at a point
-/// @param  mu    viscosity, force time / length^2
-/// @return       per area and time, force / (length time)
+/// Computes the energy that is dissipated per area and time, \f$ 2\mu\, e:e = \mu|q|^2 \f$ (07.5),
+/// force / (length time).
 inline double dissipation_density(const FlowDerivatives& flow, double mu) {
   return mu * std::norm(flow.strain);
 }
 
 /// Computes the largest shear stress over all directions, half the difference of the principal
-/// stresses: \f$ \mu|q| \f$.
-///
-/// @param  flow  derivatives at a point
-/// @param  mu    viscosity, force time / length^2
-/// @return       force / length^2, >= 0
+/// stresses: \f$ \mu|q| \ge 0 \f$.
 inline double largest_shear_stress(const FlowDerivatives& flow, double mu) {
   return mu * std::abs(flow.strain);
 }

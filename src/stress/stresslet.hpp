@@ -15,8 +15,7 @@ namespace stokesbook {
 /// Batchelor's sign. For a rigid body the stresslet is the traceless symmetric part of
 /// \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with \f$ \nu = -n \f$ into the fluid. The rigid part
 /// of the density, the Stokeslet and the rotlet contribute nothing.
-/// @param  curve    N nodes
-/// @param  density  at its nodes, length / time
+/// @param  density  at the nodes, length / time
 /// @param  mu       viscosity, force time / length^2
 /// @return          S_11 + i S_12, force length per unit of depth
 /// @par Accuracy    that of the rule: geometric in N, @ref claim_07_23
@@ -27,7 +26,6 @@ Complex body_stresslet(const Curve& curve, const ComplexVector& density, double 
 /// Computes the same stresslet from the traction of a rigid body,
 /// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product), by (07.14).
 ///
-/// @param  curve     N nodes
 /// @param  centre    c, where a force acts; length
 /// @param  traction  of the whole flow at its nodes, from boundary_traction(), force / length^2
 /// @return           S_11 + i S_12, force length per unit of depth
@@ -46,8 +44,6 @@ Complex stresslet_of_traction(const Curve& curve, Complex centre, const ComplexV
 /// @param  stresslet  sum of the bodies' stresslets, S_11 + i S_12, force length
 /// @param  strain     q = E_11 - E_22 + 2i E_12 of the linear flow, 1 / time, not zero
 /// @param  area       A_b, total area of the bodies, length^2
-/// @param  mu         viscosity of the fluid, force time / length^2
-/// @return            dimensionless
 inline double intrinsic_viscosity(Complex stresslet, Complex strain, double area, double mu) {
   return dot(strain, stresslet) / (mu * std::norm(strain) * area);
 }

@@ -10,7 +10,7 @@ namespace stokesbook {
 namespace {
 
 // Sums by the fast multipole method or directly, whichever is faster for the number of targets.
-PlainSum planned_sum(const Plan& plan) {
+FlowSum planned_sum(const Plan& plan) {
   const auto choice = [=](const SolvedFlow& flow, const ComplexVector& targets) {
     const bool fast = plan.is_fast_at(targets.size(), flow.density().size());
     return fast ? fast_sum(plan.sum_tolerance) : direct_sum();

@@ -80,7 +80,7 @@ std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
   return fmm_.derivatives({density, points.force, points.torque}, workspace_);
 }
 
-PlainSum fast_sum(double tolerance) {
+FlowSum fast_sum(double tolerance) {
   return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
             return FastSum(flow.problem(), targets, tolerance)
                 .velocity(flow.density(), flow.completion().loads);

@@ -75,7 +75,7 @@ class FastSum {
 ///
 /// @param  tolerance  of velocities, relative in the 2-norm, > 0
 /// @return            functions of a flow with n nodes and m targets; every call plans a FastSum
-PlainSum fast_sum(double tolerance);
+FlowSum fast_sum(double tolerance);
 
 /// @}
 
