@@ -14,13 +14,13 @@ namespace stokesbook {
 /// @addtogroup krylov
 /// @{
 
-/// Returns the gauge length of the Stokeslets with which bodies are held in clusters: a hundred
-/// times the largest radius of gyration of all inner components.
+/// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters: a
+/// hundred times the largest radius of gyration a of all inner components.
 ///
-/// With this gauge, a cluster that moves as a whole exerts a force of moderate size, as it does
-/// among other bodies. With their own gauges, the components of a cluster would resist this motion.
-/// @param  problem  problem with at least one inner component
-/// @return          gauge length
+/// A cluster of radius R that moves as a whole at the velocity U exerts the force
+/// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With this gauge the force is about
+/// \f$ \pi\mu U \f$ for a body and its neighbours. With the own gauges \f$ \sqrt e\,a \f$ of the
+/// bodies, the force would be infinite for R = e a, and have the wrong sign for larger clusters.
 double held_gauge(const StokesProblem& problem);
 
 /// The ways in which clusters treat free bodies.

@@ -1,6 +1,11 @@
 // Checks that a cluster that contains all bodies is the inverse, in both forms, for free and held
-// bodies.
+// bodies, and that clusters of held bodies have forces of the right sign and a moderate size.
 #include "krylov/cluster_preconditioner.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
 
 #include "closure/bordered_system.hpp"
 #include "double_layer/double_layer.hpp"
@@ -63,6 +68,33 @@ int iterations(const StokesProblem& problem, ClusterForm form) {
   return result.iterations;
 }
 
+// Places disks of radius 1 at the origin and, unless there is one disk only, at six places around
+// it, at gaps of 0.5. All disks have the velocity (1, 0).
+StokesProblem moving_disks(std::size_t count) {
+  StokesProblem problem;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = std::numbers::pi / 3.0 * static_cast<double>(k);
+    const Complex centre = k == 0 ? Complex{} : std::polar(2.5, angle);
+    const Curve curve = place(sample(Circle{1.0}, 32, Side::fluid_outside), centre, 0.0);
+    const ComplexVector velocity = ComplexVector::Constant(32, 1.0);
+    problem.components.push_back({ComponentKind::prescribed, curve, centre, {}, 0.0, velocity});
+  }
+  return problem;
+}
+
+// Returns the sum of the disks' forces over 4 pi mu, if their Stokeslets have a gauge length.
+double force_of_disks(std::size_t count, double gauge) {
+  StokesProblem problem = moving_disks(count);
+  problem.gauge_length = gauge;
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const VectorXd density = system.matrix.partialPivLu().solve(system.rhs);
+  Complex force;
+  for (const Load& load : complete_dense(problem, ClosureForm::reduced, density).loads) {
+    force += load.force;
+  }
+  return force.real() / (4.0 * std::numbers::pi);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(cluster_preconditioner)
@@ -88,6 +120,20 @@ BOOST_AUTO_TEST_CASE(held_bodies_are_held_in_both_forms) {
   for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
     BOOST_TEST(iterations(pair(ComponentKind::prescribed), form) <= 12);
   }
+}
+
+BOOST_AUTO_TEST_CASE(clusters_need_a_gauge_longer_than_those_of_single_bodies) {
+  const double own = std::sqrt(std::numbers::e), held = held_gauge(moving_disks(7));
+  BOOST_TEST(std::abs(held - 100.0) < 1e-11);
+  // 1 / (log(ell / R) + 1/2) for one disk, R = 1.
+  BOOST_TEST(std::abs(force_of_disks(1, own) - 1.0) < 1e-12);
+  BOOST_TEST(std::abs(force_of_disks(1, held) - 1.0 / (std::log(held) + 0.5)) < 1e-12);
+  // Seven disks are larger than the degenerate scale R = e of the disks' own gauges.
+  const double with_own = force_of_disks(7, own), with_held = force_of_disks(7, held);
+  BOOST_TEST(with_own < -1.0);
+  BOOST_TEST(with_held > 0.2);
+  BOOST_TEST(with_held < 0.3);
+  BOOST_TEST(std::abs(1.0 / with_held - 1.0 / with_own - std::log(held / own)) < 1e-9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
