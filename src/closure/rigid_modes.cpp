@@ -1,7 +1,10 @@
-// Projects densities onto the rigid motions of a curve, by means over the curve (03.9).
+// Projects densities onto the rigid motions of a curve, by means over the curve (03.9), and
+// assembles the matrices of this projection, P = K Pi.
 #include "closure/rigid_modes.hpp"
 
 #include <cmath>
+
+#include "double_layer/double_layer.hpp"
 
 namespace stokesbook {
 
@@ -27,6 +30,28 @@ ComplexVector RigidModes::at_nodes(const RigidMotion& motion) const {
   // U_b + omega (x - b)^perp with U_b = U - omega (c - b)^perp.
   const Complex centroid_velocity = motion.velocity - motion.omega * perp(offset_);
   return (centroid_velocity + motion.omega * turn_.array()).matrix();
+}
+
+RigidModeMatrices rigid_mode_matrices(const Curve& curve, Complex centre) {
+  const RigidModes modes(curve, centre);
+  const Eigen::Index n = curve.size();
+  const double a = modes.gyration_radius();
+  RigidModeMatrices result{a, Eigen::MatrixXd(2 * n, 3), Eigen::MatrixXd(3, 2 * n)};
+  // The columns of K are the velocities of the motions U_1 = 1, U_2 = 1 and a omega = 1.
+  const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const ComplexVector velocity = modes.at_nodes(motions[k]);
+    result.modes.col(k) = interleaved(velocity);
+  }
+  // The columns of Pi are the motions (U_1, U_2, a omega) of unit densities.
+  ComplexVector unit = ComplexVector::Zero(n);
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;
+    const RigidMotion motion = modes.project(unit);
+    result.projection.col(k) << motion.velocity.real(), motion.velocity.imag(), a * motion.omega;
+    unit[k / 2] = 0.0;
+  }
+  return result;
 }
 
 }  // namespace stokesbook

@@ -49,6 +49,19 @@ class RigidModes {
   double gyration_radius_;
 };
 
+/// The rigid motions of a curve with N nodes as matrices.
+///
+/// A motion consists of U_1, U_2 and a omega with the radius of gyration a, so that all three
+/// numbers are velocities.
+struct RigidModeMatrices {
+  double radius = 0.0;         ///< a, length
+  Eigen::MatrixXd modes;       ///< K, 2N x 3: maps motions to velocities at the nodes, interleaved
+  Eigen::MatrixXd projection;  ///< Pi, 3 x 2N: maps densities to motions, P = K Pi
+};
+
+/// Assembles the matrices of a curve's rigid motions about a centre, by O(N^2) operations.
+RigidModeMatrices rigid_mode_matrices(const Curve& curve, Complex centre);
+
 /// @}
 
 }  // namespace stokesbook

@@ -12,7 +12,6 @@
 #include <Eigen/LU>
 
 #include "double_layer/double_layer.hpp"
-#include "krylov/rigid_mode_matrices.hpp"
 #include "null_space/null_space.hpp"
 
 namespace stokesbook {
@@ -29,13 +28,24 @@ MatrixXd own_layer(const Component& component) {
   return layer;
 }
 
+MatrixXd closed_modes(const Closure& closure, const MatrixXd& modes, Index first, Index n) {
+  MatrixXd closed(2 * n, modes.cols());
+  for (Index mode = 0; mode < modes.cols(); ++mode) {
+    ComplexVector density = ComplexVector::Zero(n);
+    density.segment(first, modes.rows() / 2) = deinterleaved(modes.col(mode));
+    const ComplexVector velocity = closure.velocity(density);
+    closed.col(mode) = interleaved(velocity);
+  }
+  return closed;
+}
+
 MatrixXd self_block(const Component& component, std::optional<double> gauge) {
   const Index n = component.curve.size();
   const MatrixXd layer = own_layer(component);
   if (!is_inner(component)) return layer;
   // The closure C of the component alone, in a fluid of this gauge, acts on the component as it
   // does among other components. The block is L (I - P) + C P = L + (C K - L K) Pi, P = K Pi.
-  const RigidModeMatrices rigid = rigid_mode_matrices(component);
+  const RigidModeMatrices rigid = rigid_mode_matrices(component.curve, component.centre);
   const double own_gauge = std::sqrt(std::numbers::e) * rigid.radius;
   StokesProblem alone{{component}, 1.0, {}, gauge.value_or(own_gauge)};
   alone.components[0].velocity = ComplexVector::Zero(n);

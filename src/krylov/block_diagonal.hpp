@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "closure/problem.hpp"
+#include "closure/closure.hpp"
 
 namespace stokesbook {
 
@@ -31,6 +31,17 @@ Eigen::MatrixXd self_block(const Component& component, std::optional<double> gau
 /// Assembles a component's own layer: \f$ -\frac12 + D \f$, with N_0 on an enclosing wall, 2N x 2N,
 /// dimensionless, interleaved.
 Eigen::MatrixXd own_layer(const Component& component);
+
+/// Evaluates C K, the velocities that a closure C adds for the rigid motions of a component: the
+/// closure depends on a density only through the rigid motions in the density.
+///
+/// @param  modes  K of the component, 2N x 3
+/// @param  first  position of the component's first node among all nodes
+/// @param  n      number of all nodes
+/// @return        2n x 3, dimensionless
+/// @par Cost      three times that of Closure::velocity()
+Eigen::MatrixXd closed_modes(const Closure& closure, const Eigen::MatrixXd& modes,
+                             Eigen::Index first, Eigen::Index n);
 
 /// A function, called by several threads at once, that assembles the double layer of one component
 /// at the nodes of another: 2M x 2N, dimensionless, interleaved, in the frame of the plane.

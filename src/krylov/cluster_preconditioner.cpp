@@ -6,18 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "closure/rigid_modes.hpp"
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
-#include "krylov/rigid_mode_matrices.hpp"
 
 namespace stokesbook {
 
@@ -88,7 +86,8 @@ class ClusterOperator {
                   const LayerBlock& layer)
       : problem_(problem), form_(form), alone_(alone), layer_(layer), gauge_(held_gauge(problem)) {
     for (const Component& component : problem.components) {
-      modes_.push_back(is_inner(component) ? rigid_mode_matrices(component) : RigidModeMatrices{});
+      modes_.push_back(is_inner(component) ? rigid_mode_matrices(component.curve, component.centre)
+                                           : RigidModeMatrices{});
     }
   }
 
@@ -140,15 +139,23 @@ class ReducedBlocks {
  public:
   ReducedBlocks(const ClusterOperator& system, const std::vector<Member>& alone,
                 const std::vector<std::vector<std::size_t>>& clusters,
-                const std::vector<MatrixXd>& bases)
-      : pairs_(pairs_within(clusters)), blocks_(pairs_.size()) {
+                const std::vector<MatrixXd>& bases) {
+    for (const std::vector<std::size_t>& cluster : clusters) {
+      for (const std::size_t target : cluster) {
+        for (const std::size_t source : cluster) {
+          if (target != source) blocks_[{target, source}];
+        }
+      }
+    }
     std::vector<MatrixXd> solved(bases.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(alone[k], bases[k]);
+    std::vector<std::pair<const Pair, MatrixXd>*> entries;  // random access for the threads
+    for (auto& entry : blocks_) entries.push_back(&entry);
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const auto [target, source] = pairs_[p];
-      blocks_[p] = bases[target].transpose() * (system.block(pairs_[p]) * solved[source]);
+    for (std::size_t p = 0; p < entries.size(); ++p) {
+      auto& [pair, block] = *entries[p];
+      block = bases[pair.first].transpose() * (system.block(pair) * solved[pair.second]);
     }
   }
 
@@ -161,7 +168,7 @@ class ReducedBlocks {
     for (std::size_t i = 0; i < cluster.size(); ++i) {
       for (std::size_t j = 0; j < cluster.size(); ++j) {
         if (i == j) continue;
-        const MatrixXd& block = between({cluster[i], cluster[j]});
+        const MatrixXd& block = blocks_.at({cluster[i], cluster[j]});
         transposed.block(first[j], first[i], block.cols(), block.rows()) = block.transpose();
       }
     }
@@ -170,25 +177,7 @@ class ReducedBlocks {
   }
 
  private:
-  static std::vector<Pair> pairs_within(const std::vector<std::vector<std::size_t>>& clusters) {
-    std::set<Pair> pairs;
-    for (const std::vector<std::size_t>& cluster : clusters) {
-      for (const std::size_t target : cluster) {
-        for (const std::size_t source : cluster) {
-          if (target != source) pairs.emplace(target, source);
-        }
-      }
-    }
-    return {pairs.begin(), pairs.end()};
-  }
-
-  const MatrixXd& between(const Pair& pair) const {
-    return blocks_[static_cast<std::size_t>(std::ranges::lower_bound(pairs_, pair) -
-                                            pairs_.begin())];
-  }
-
-  std::vector<Pair> pairs_;  // in ascending order
-  std::vector<MatrixXd> blocks_;
+  std::map<Pair, MatrixXd> blocks_;
 };
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseLU>
 
-#include "closure/problem.hpp"
 #include "krylov/block_diagonal.hpp"
 
 namespace stokesbook {
@@ -14,8 +13,8 @@ namespace stokesbook {
 /// @addtogroup krylov
 /// @{
 
-/// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters: a
-/// hundred times the largest radius of gyration a of all inner components.
+/// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters:
+/// a hundred times the largest radius of gyration a of all inner components.
 ///
 /// A cluster of radius R that moves as a whole at the velocity U exerts the force
 /// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With this gauge the force is about

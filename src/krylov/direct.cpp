@@ -2,9 +2,6 @@
 // solves by its LU factorisation (chapter 05, "Bodies that nearly touch").
 #include "krylov/direct.hpp"
 
-#include "closure/closure.hpp"
-#include "krylov/rigid_mode_matrices.hpp"
-
 namespace stokesbook {
 
 using Eigen::Index;
@@ -39,7 +36,7 @@ MatrixXd system_matrix(const StokesProblem& problem, const LayerBlock& layer) {
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& own = problem.components[k];
     if (!is_inner(own)) continue;
-    const RigidModeMatrices rigid = rigid_mode_matrices(own);
+    const RigidModeMatrices rigid = rigid_mode_matrices(own.curve, own.centre);
     auto columns = matrix.middleCols(2 * offsets[k], 2 * own.curve.size());
     const MatrixXd closed = closed_modes(closure, rigid.modes, offsets[k], offsets.back());
     columns += (closed - columns * rigid.modes) * rigid.projection;

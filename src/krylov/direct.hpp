@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "closure/problem.hpp"
 #include "krylov/block_diagonal.hpp"
 
 namespace stokesbook {
