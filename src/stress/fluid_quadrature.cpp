@@ -101,8 +101,7 @@ double strip_width(const std::vector<Curve>& curves) {
   return width;
 }
 
-FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
-                                 const FluidQuadratureSettings& settings) {
+FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves, double points_per_width) {
   const auto encloses = [](const Curve& curve) { return curve.side == Side::fluid_inside; };
   const auto walls = std::ranges::count_if(curves, encloses);
   if (walls != 1) {
@@ -110,7 +109,7 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
         "a quadrature over the fluid requires exactly one enclosing wall, got " +
         std::to_string(walls));
   }
-  const double width = settings.width > 0.0 ? settings.width : strip_width(curves);
+  const double width = strip_width(curves);
   Rule rule;
   std::vector<SmoothCurve> boundary;
   for (const Curve& curve : curves) {
@@ -128,7 +127,7 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
     return share;
   };
   const ComplexVector& wall = std::ranges::find_if(curves, encloses)->x;
-  const double spacing = width / settings.points_a_width;
+  const double spacing = width / points_per_width;
   const auto row = [&](double x) { return std::lround(x / spacing); };
   for (long j = row(wall.imag().minCoeff()); j <= row(wall.imag().maxCoeff()); ++j) {
     for (long i = row(wall.real().minCoeff()); i <= row(wall.real().maxCoeff()); ++i) {

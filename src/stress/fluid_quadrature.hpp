@@ -17,12 +17,6 @@ struct FluidQuadrature {
   Eigen::VectorXd weights;  ///< m weights, > 0, length^2
 };
 
-/// Resolution of fluid_quadrature().
-struct FluidQuadratureSettings {
-  double width = 0.0;            ///< width of the strips, length; 0: that of strip_width()
-  double points_a_width = 18.0;  ///< grid points across a strip
-};
-
 /// Chooses the width of the strips of fluid_quadrature(): half of the smallest gap, but at most
 /// half of the smallest radius of curvature among points whose centre of curvature lies on the
 /// fluid's side.
@@ -38,14 +32,14 @@ double strip_width(const std::vector<Curve>& curves);
 /// curve to 0 at the other edge of the strip (07.12). The rest \f$ (1-\sum\chi)f \f$, extended by
 /// zero, is smooth in the whole plane up to rounding. Sums of this rest over a square grid converge
 /// faster than any power of the spacing (07.13).
-/// @param  curves  bodies, inner walls and one enclosing wall, with enough nodes to resolve them
+/// @param  curves            bodies, inner walls and one enclosing wall, with enough nodes to
+///                           resolve them
+/// @param  points_per_width  P, number of grid points across a strip of strip_width()
 /// @throws std::invalid_argument when there is not exactly one enclosing wall
-/// @par Accuracy   \f$ e^{-0.09 P^2} \f$ with P grid points across a strip, down to 1e-13:
-/// @ref claim_07_22
-/// @par Cost       area times (18 / width)^2 points on the grid, 128 points per node in strips
-/// @par Not for    small gaps, which the grid must resolve
-FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves,
-                                 const FluidQuadratureSettings& settings = {});
+/// @par Accuracy  \f$ e^{-0.09 P^2} \f$, down to 1e-13: @ref claim_07_22
+/// @par Cost      area times (P / width)^2 points on the grid, 128 points per node in strips
+/// @par Not for   small gaps, which the grid must resolve
+FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves, double points_per_width = 18.0);
 
 /// @}
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "double_layer/flow_derivatives.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook {
@@ -21,7 +20,10 @@ namespace stokesbook {
 /// @par Accuracy    that of the rule: geometric in N, @ref claim_07_23
 /// @par Not for     components with a force, whose dipole depends on the point c
 /// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
-Complex body_stresslet(const Curve& curve, const ComplexVector& density, double mu);
+inline Complex body_stresslet(const Curve& curve, const ComplexVector& density, double mu) {
+  const ComplexVector weighted_normal = normals(curve).cwiseProduct(weights(curve));
+  return -mu * weighted_normal.cwiseProduct(density).sum();
+}
 
 /// Computes the same stresslet from the traction of a rigid body,
 /// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product), by (07.14).
@@ -31,7 +33,11 @@ Complex body_stresslet(const Curve& curve, const ComplexVector& density, double 
 /// @return           S_11 + i S_12, force length per unit of depth
 /// @par Accuracy     that of integrated tractions: geometric in N, @ref claim_07_17
 /// @par Not for      walls that deform, whose velocity contributes to the stresslet
-Complex stresslet_of_traction(const Curve& curve, Complex centre, const ComplexVector& traction);
+inline Complex stresslet_of_traction(const Curve& curve, Complex centre,
+                                     const ComplexVector& traction) {
+  const ComplexVector force = traction.cwiseProduct(weights(curve));
+  return -0.5 * force.cwiseProduct((curve.x.array() - centre).matrix()).sum();
+}
 
 /// Computes the intrinsic viscosity of bodies in a linear flow: the relative increase of the
 /// viscosity that the bodies cause, divided by their area fraction \f$ \phi \f$ (07.17),

@@ -28,8 +28,7 @@ struct Dissipation {
     const ComplexVector traction = boundary_traction(problem, flow.derivatives(flow.nodes()));
     by_boundary = sum(boundary_power(flow, traction));
     by_loads = sum(power_of_loads(flow));
-    const FluidQuadrature rule =
-        fluid_quadrature(curves_of(problem), FluidQuadratureSettings{.points_a_width = 14.0});
+    const FluidQuadrature rule = fluid_quadrature(curves_of(problem), 14.0);
     by_volume = volume_dissipation(rule, flow.derivatives(rule.points), problem.viscosity);
   }
 

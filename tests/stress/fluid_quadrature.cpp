@@ -133,9 +133,8 @@ BOOST_AUTO_TEST_CASE(converges_with_the_grid) {
   const Case c = cases()[1];
   const Analytic f{c.poles, 3};
   const double exact = by_boundary(c.curves, f);
-  const auto error = [&](double points_a_width) {
-    const FluidQuadratureSettings settings{.points_a_width = points_a_width};
-    return std::abs(by_rule(fluid_quadrature(c.curves, settings), f) / exact - 1.0);
+  const auto error = [&](double points_per_width) {
+    return std::abs(by_rule(fluid_quadrature(c.curves, points_per_width), f) / exact - 1.0);
   };
   BOOST_TEST(error(3.0) > 1e-6);
   BOOST_TEST(error(9.0) < 1e-2 * error(3.0));

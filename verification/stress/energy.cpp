@@ -214,10 +214,6 @@ constexpr double couette_dissipation = 23.532024971889261;
 
 using Rule = FluidQuadrature (*)(const std::vector<Curve>&, double);
 
-FluidQuadrature blended(const std::vector<Curve>& curves, double points) {
-  return fluid_quadrature(curves, {.points_a_width = points});
-}
-
 /// A planted defect, which is also the naive method: a grid whose points in the fluid have equal
 /// weights.
 FluidQuadrature masked(const std::vector<Curve>& curves, double points) {
@@ -404,7 +400,7 @@ Experiment quadrature() {
       .axes = Axes::semi_log,
       .lines = {{.key = "blended",
                  .label = "strips and grid, smoothly cut off",
-                 .measure = quadrature_errors(blended),
+                 .measure = quadrature_errors(fluid_quadrature),
                  .claim = Claim{.id = "07_22",
                                 .statement = "With P grid points across a strip the sum errs as "
                                              "e^{-(pi P / (2 beta))^2}.",
