@@ -42,14 +42,6 @@ Entry to_entry(const Rectangle& rectangle, std::size_t number) {
   return {to_box(rectangle), number};
 }
 
-std::vector<Entry> to_entries(const std::vector<Rectangle>& rectangles) {
-  std::vector<Entry> entries;
-  for (const Rectangle& rectangle : rectangles) {
-    entries.push_back(to_entry(rectangle, entries.size()));
-  }
-  return entries;
-}
-
 }  // namespace
 
 struct RectangleIndex::Tree {
@@ -70,8 +62,13 @@ Rectangle bounding_rectangle(const Eigen::Ref<const ComplexVector>& points) {
           {points.real().maxCoeff(), points.imag().maxCoeff()}};
 }
 
-RectangleIndex::RectangleIndex(const std::vector<Rectangle>& rectangles)
-    : tree_(new Tree{decltype(Tree::entries)(to_entries(rectangles))}) {}
+RectangleIndex::RectangleIndex(const std::vector<Rectangle>& rectangles) {
+  std::vector<Entry> entries;
+  for (const Rectangle& rectangle : rectangles) {
+    entries.push_back(to_entry(rectangle, entries.size()));
+  }
+  tree_.reset(new Tree{decltype(Tree::entries)(entries)});
+}
 
 RectangleIndex::~RectangleIndex() = default;
 
