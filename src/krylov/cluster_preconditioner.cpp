@@ -29,8 +29,8 @@ using Member = BlockDiagonalPreconditioner::Member;
 using Pair = std::pair<std::size_t, std::size_t>;  // target, source
 
 bool is_held(const Component& component, ClusterForm form) {
-  return component.kind == ComponentKind::prescribed ||
-         (component.kind == ComponentKind::free_body && form == ClusterForm::resistance);
+  return form == ClusterForm::resistance ? is_inner(component)
+                                         : component.kind == ComponentKind::prescribed;
 }
 
 // Returns the tolerance tau of a basis, for a gap relative to the radii of gyration: in tight gaps
@@ -134,51 +134,48 @@ class ClusterOperator {
   std::vector<RigidModeMatrices> modes_;
 };
 
-// The blocks Q^T B Q of all pairs of components that share a cluster.
-class ReducedBlocks {
- public:
-  ReducedBlocks(const ClusterOperator& system, const std::vector<Member>& alone,
-                const std::vector<std::vector<std::size_t>>& clusters,
-                const std::vector<MatrixXd>& bases) {
-    for (const std::vector<std::size_t>& cluster : clusters) {
-      for (const std::size_t target : cluster) {
-        for (const std::size_t source : cluster) {
-          if (target != source) blocks_[{target, source}];
-        }
+// Assembles the blocks Q^T B Q of all pairs of components that share a cluster.
+std::map<Pair, MatrixXd> reduced_blocks(const ClusterOperator& system,
+                                        const std::vector<Member>& alone,
+                                        const std::vector<std::vector<std::size_t>>& clusters,
+                                        const std::vector<MatrixXd>& bases) {
+  std::map<Pair, MatrixXd> blocks;
+  for (const std::vector<std::size_t>& cluster : clusters) {
+    for (const std::size_t target : cluster) {
+      for (const std::size_t source : cluster) {
+        if (target != source) blocks[{target, source}];
       }
     }
-    std::vector<MatrixXd> solved(bases.size());
+  }
+  std::vector<MatrixXd> solved(bases.size());
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(alone[k], bases[k]);
-    std::vector<std::pair<const Pair, MatrixXd>*> entries;  // random access for the threads
-    for (auto& entry : blocks_) entries.push_back(&entry);
+  for (std::size_t k = 0; k < bases.size(); ++k) solved[k] = solved_alone(alone[k], bases[k]);
+  std::vector<std::pair<const Pair, MatrixXd>*> entries;  // random access for the threads
+  for (auto& entry : blocks) entries.push_back(&entry);
 #pragma omp parallel for schedule(dynamic)
-    for (std::size_t p = 0; p < entries.size(); ++p) {
-      auto& [pair, block] = *entries[p];
-      block = bases[pair.first].transpose() * (system.block(pair) * solved[pair.second]);
+  for (std::size_t p = 0; p < entries.size(); ++p) {
+    auto& [pair, block] = *entries[p];
+    block = bases[pair.first].transpose() * (system.block(pair) * solved[pair.second]);
+  }
+  return blocks;
+}
+
+// Returns (I + Q^T B Q)^{-1} - I of a cluster, in the rows of the cluster's first component.
+MatrixXd coupling(const std::map<Pair, MatrixXd>& blocks, const std::vector<std::size_t>& cluster,
+                  const std::vector<MatrixXd>& bases) {
+  std::vector<Index> first{0};
+  for (const std::size_t k : cluster) first.push_back(first.back() + bases[k].cols());
+  MatrixXd transposed = MatrixXd::Identity(first.back(), first.back());
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    for (std::size_t j = 0; j < cluster.size(); ++j) {
+      if (i == j) continue;
+      const MatrixXd& block = blocks.at({cluster[i], cluster[j]});
+      transposed.block(first[j], first[i], block.cols(), block.rows()) = block.transpose();
     }
   }
-
-  // Returns (I + Q^T B Q)^{-1} - I of a cluster, in the rows of the cluster's first component.
-  MatrixXd coupling(const std::vector<std::size_t>& cluster,
-                    const std::vector<MatrixXd>& bases) const {
-    std::vector<Index> first{0};
-    for (const std::size_t k : cluster) first.push_back(first.back() + bases[k].cols());
-    MatrixXd transposed = MatrixXd::Identity(first.back(), first.back());
-    for (std::size_t i = 0; i < cluster.size(); ++i) {
-      for (std::size_t j = 0; j < cluster.size(); ++j) {
-        if (i == j) continue;
-        const MatrixXd& block = blocks_.at({cluster[i], cluster[j]});
-        transposed.block(first[j], first[i], block.cols(), block.rows()) = block.transpose();
-      }
-    }
-    const MatrixXd own = MatrixXd::Identity(first.back(), first[1]);
-    return (transposed.partialPivLu().solve(own) - own).transpose();
-  }
-
- private:
-  std::map<Pair, MatrixXd> blocks_;
-};
+  const MatrixXd own = MatrixXd::Identity(first.back(), first[1]);
+  return (transposed.partialPivLu().solve(own) - own).transpose();
+}
 
 }  // namespace
 
@@ -210,10 +207,10 @@ ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, Clust
   }
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < alone.size(); ++k) bases_[k] = system.basis(k, neighbours[k]);
-  const ReducedBlocks reduced(system, alone, clusters_, bases_);
+  const std::map<Pair, MatrixXd> blocks = reduced_blocks(system, alone, clusters_, bases_);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < alone.size(); ++k) {
-    couplings_[k] = reduced.coupling(clusters_[k], bases_);
+    couplings_[k] = coupling(blocks, clusters_[k], bases_);
   }
   for (std::size_t k = 0; k < alone.size(); ++k) {
     const bool is_free = problem.components[k].kind == ComponentKind::free_body;
