@@ -16,7 +16,7 @@
 #include "cli/run_command.hpp"
 #include "cli/sweep_command.hpp"
 #include "record/record_error.hpp"
-#include "scene/error.hpp"
+#include "scene/scene.hpp"
 #include "suspension/bodies/solver_error.hpp"
 
 namespace stokesbook {

@@ -18,7 +18,6 @@
 #include "record/atomic_file.hpp"
 #include "record/record_error.hpp"
 #include "record/run_directory.hpp"
-#include "scene/error.hpp"
 #include "scene/parse.hpp"
 #include "scene/write.hpp"
 #include "suspension/contact/contact.hpp"

@@ -16,7 +16,7 @@
 #include "cli/run_command.hpp"
 #include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
-#include "scene/error.hpp"
+#include "scene/scene.hpp"
 #include "sweep/batch.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/parse.hpp"

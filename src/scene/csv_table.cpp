@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
-#include "scene/error.hpp"
-#include "scene/rules.hpp"
+#include "text/text_file.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
@@ -59,16 +59,6 @@ std::string header_of(std::string_view line) {
 
 }  // namespace
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = 0; end != std::string_view::npos;) {
-    end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end != std::string_view::npos) text.remove_prefix(end + 1);
-  }
-  return parts;
-}
-
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write this mark
@@ -94,6 +84,14 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name,
                      joined(headers, " or "));
   }
   return table;
+}
+
+CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
+                       std::initializer_list<std::string_view> headers) {
+  const std::filesystem::path path = directory / read(name, csv_file_name);
+  const std::optional<std::string> text = read_text_file(path);
+  if (!text) fail(name, "the file " + path.string() + " does not exist or cannot be read");
+  return parse_csv(*text, path.string(), headers);
 }
 
 }  // namespace stokesbook::scene_text

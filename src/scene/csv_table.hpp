@@ -1,9 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "scene/rules.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -16,25 +19,24 @@ struct CsvRow {
 /// A CSV table: numbers in named columns.
 struct CsvTable {
   std::string header;        ///< without blanks, "x,y,theta"
-  std::vector<CsvRow> rows;  ///< in file order
+  std::vector<CsvRow> rows;  ///< at least one, in file order
 };
-
-/// Splits a text at every separator.
-///
-/// @param  text       any text
-/// @param  separator  the character between two parts
-/// @return            the parts, one more than the text has separators; views of the text
-std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Parses comma-separated numbers below a header line. Blank lines and comments (`#` to the end of
 /// the line) are skipped; lines end in LF or CRLF.
 ///
-/// @param  text       contents of the file
 /// @param  file_name  name of the file in messages
 /// @param  headers    accepted header lines
-/// @return            the table, with at least one row
 /// @throws SceneError that names the file, the line, and the column and value if these are wrong
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers);
+
+/// Rule for a key that names a CSV file.
+inline constexpr Requirement<std::string> csv_file_name{"the name of a CSV file"};
+
+/// Reads the CSV file that a value of the scene names, relative to the folder of the scene file.
+/// @throws SceneError when the file cannot be read, or as parse_csv() does
+CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
+                       std::initializer_list<std::string_view> headers);
 
 }  // namespace stokesbook::scene_text

@@ -1,20 +1,27 @@
-// Parses TOML with the library toml++ into nodes that keep their place in the file for messages.
+// Parses TOML with the library toml++ into nodes that keep their place in the file for messages, and
+// sets values of a document, as the command line's `--set time.dt=0.01` requests.
 #include "scene/document.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
+#include <iterator>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 
 #include <toml++/toml.h>
 
-#include "scene/error.hpp"
-#include "scene/toml_value.hpp"
+#include "scene/write.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
 
 namespace {
+
+// Largest number of parts of a key; a.b.c has three. The limit protects the stack: the parser and the
+// functions for nested tables call themselves once for each part.
+constexpr int most_key_parts = 1000;
 
 using Locate = std::function<std::string(const toml::source_position&)>;
 
@@ -84,8 +91,7 @@ Node convert(const toml::node& source, const std::string& path, const Locate& lo
   return node;
 }
 
-/// Refuses keys of more than most_key_parts parts: the parser calls itself once for each part, and
-/// would exhaust its stack. The parts are counted as dots between characters that end a key.
+// Refuses keys of too many parts, counted as dots between characters that end a key.
 void bound_keys(std::string_view text, const Locate& locate) {
   constexpr std::string_view ends = "\n,=[]{}";
   int dots = 0;
@@ -99,6 +105,67 @@ void bound_keys(std::string_view text, const Locate& locate) {
     at.column = c == '\n' ? 1 : at.column + 1;
     if (c == '\n') ++at.line;
   }
+}
+
+// Parses one TOML value. `path` is its path in the document, `where` its place in messages.
+Node parse_value(std::string_view text, const std::string& path, const std::string& where) {
+  const Locate locate = [&](const toml::source_position&) { return where; };
+  const std::string problem = where + ": " + path + " = " + std::string(text) +
+                              ": must be a TOML value (write text in double quotes)";
+  bound_keys(text, locate);
+  try {
+    const toml::table document = toml::parse("value = " + std::string(text));
+    if (document.size() != 1) throw SceneError(problem);
+    return convert(*document.get("value"), path, locate);
+  } catch (const toml::parse_error&) {
+    throw SceneError(problem);
+  }
+}
+
+// Returns the entry of a table, which is added if it is missing, or the element of an array.
+Node& child(Node& parent, std::string_view name, const std::string& where) {
+  if (auto* table = std::get_if<Table>(&parent.value)) {
+    const auto found = std::ranges::find(table->entries, name, &Node::key);
+    if (found != table->entries.end()) return *found;
+    return table->entries.emplace_back(
+        Node{std::string(name), child_path(parent.path, name), where, where, {}, Table{}});
+  }
+  auto* elements = std::get_if<Array>(&parent.value);
+  if (elements == nullptr) {
+    throw SceneError(where + ": " + parent.path + " = " + parent.text + ": has no '" +
+                     std::string(name) + "' in it");
+  }
+  std::size_t k = 0;
+  const auto [end, status] = std::from_chars(name.data(), name.data() + name.size(), k);
+  if (status != std::errc{} || end != name.data() + name.size() || k >= elements->size()) {
+    throw SceneError(where + ": " + parent.path + " has " + std::to_string(elements->size()) +
+                     " elements, numbered from 0; there is no element '" + std::string(name) + "'");
+  }
+  return (*elements)[k];
+}
+
+// Rewrites a path in the style of messages, bodies[0].n_nodes, as bodies.0.n_nodes.
+std::string with_dots(std::string_view path) {
+  std::string dotted(path);
+  std::ranges::replace(dotted, '[', '.');
+  std::erase(dotted, ']');
+  return dotted;
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// Returns whether a value is a word that lacks quotation marks, such as fmm in
+// solver.summation=fmm. Such a word has letters, digits, _ and -, begins with a letter, and is not
+// a TOML value itself.
+bool is_word(std::string_view text) {
+  constexpr std::string_view values[] = {"true", "false", "inf", "nan"};
+  const auto is_of_word = [](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, is_of_word) &&
+         std::ranges::find(values, text) == std::end(values);
 }
 
 }  // namespace
@@ -116,18 +183,26 @@ Node parse_document(std::string_view text, std::string_view file_name) {
   }
 }
 
-Node parse_value(std::string_view text, const std::string& path, const std::string& where) {
-  const Locate locate = [&](const toml::source_position&) { return where; };
-  const std::string problem = where + ": " + path + " = " + std::string(text) +
-                              ": must be a TOML value (write text in double quotes)";
-  bound_keys(text, locate);
-  try {
-    const toml::table document = toml::parse("value = " + std::string(text));
-    if (document.size() != 1) throw SceneError(problem);
-    return convert(*document.get("value"), path, locate);
-  } catch (const toml::parse_error&) {
-    throw SceneError(problem);
+Node with_override(Node document, std::string_view setting) {
+  const std::size_t equals = setting.find('=');
+  std::string_view path = setting.substr(0, equals);
+  path = path.substr(0, path.find_last_not_of(' ') + 1);  // removes the blank in time.dt = 0.01
+  const std::string where = "--set " + std::string(path);
+  if (path.empty() || equals == std::string_view::npos) {
+    throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");
   }
+  const std::string dotted = with_dots(path);
+  if (std::ranges::count(dotted, '.') >= most_key_parts) {
+    throw SceneError("--set: a key must have at most " + std::to_string(most_key_parts) + " parts");
+  }
+  Node* target = &document;
+  for (const std::string_view name : split(dotted, '.')) target = &child(*target, name, where);
+  std::string text(setting.substr(equals + 1));
+  if (is_word(text)) text = '"' + text + '"';
+  Node value = parse_value(text, target->path, where);
+  value.key = target->key;
+  *target = std::move(value);
+  return document;
 }
 
 std::string child_path(const std::string& path, std::string_view key) {

@@ -33,32 +33,20 @@ struct Node {
   std::variant<bool, std::int64_t, double, std::string, DateTime, Array, Table> value;
 };
 
-/// Largest number of parts of a key; a.b.c has three. The limit protects the stack: the parser and
-/// the functions for nested tables call themselves once for each part.
-inline constexpr int most_key_parts = 1000;
-
-/// Parses a TOML document.
-///
-/// @param  text       TOML
+/// Parses a TOML document; returns a Table.
 /// @param  file_name  name of the file in messages
-/// @return            the whole document, a Table
 /// @throws SceneError when the text is not valid TOML
 Node parse_document(std::string_view text, std::string_view file_name);
 
-/// Parses one TOML value. Messages about errors in the value name the place `where`.
+/// Returns the document with one value set from the command line.
 ///
-/// @param  text   the value
-/// @param  path   path of the value in its document
-/// @param  where  place of the value in messages
-/// @return        the value, without a key
-/// @throws SceneError when the text is not a single TOML value
-Node parse_value(std::string_view text, const std::string& path, const std::string& where);
+/// @param  setting  `time.dt=0.01`, `bodies.0.n_nodes=64` or `bodies[0].n_nodes=64`: path, `=`,
+///                  value in TOML's syntax, or a word without quotation marks; missing tables of
+///                  the path are added
+/// @throws SceneError when the setting has another form, or its path does not fit the document
+Node with_override(Node document, std::string_view setting);
 
-/// Returns the path of an entry of a table.
-///
-/// @param  path  path of the table; empty for the whole document
-/// @param  key   key of the entry
-/// @return       the path of the entry, "time.dt"
+/// Returns the path of an entry of a table, "time.dt"; the path of the whole document is empty.
 std::string child_path(const std::string& path, std::string_view key);
 
 }  // namespace stokesbook::scene_text

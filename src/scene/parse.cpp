@@ -1,12 +1,9 @@
 // Reads a scene file: parses its text, sets the values of the command line, and reads all sections.
 #include "scene/parse.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
-#include "scene/override.hpp"
 #include "scene/sections.hpp"
 #include "text/text_file.hpp"
 
@@ -18,30 +15,24 @@ using namespace scene_text;
 
 constexpr Requirement<std::string> any_text{"text"};
 
-double read_viscosity(const TableReader& root, double unless_given) {
-  const Node* fluid = root.find("fluid");
-  if (fluid == nullptr) return unless_given;
-  return TableReader(*fluid, {"viscosity"})
-      .get("viscosity", positive_number)
-      .value_or(unless_given);
-}
-
 SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   const TableReader root(node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists",
                                 "fill", "solver", "time", "contact", "output"});
   SceneFile file;
   auto& [scene, fills] = file;
-  scene.title = root.get("title", any_text).value_or("");
-  scene.seed = static_cast<std::uint64_t>(root.get("seed", any_seed).value_or(0));
-  scene.viscosity = read_viscosity(root, scene.viscosity);
+  scene.title = root.get("title", any_text, scene.title);
+  scene.seed = static_cast<std::uint64_t>(root.get("seed", any_seed, std::int64_t{0}));
+  if (const Node* fluid = root.find("fluid")) {
+    const TableReader table(*fluid, {"viscosity"});
+    scene.viscosity = table.get("viscosity", positive_number, scene.viscosity);
+  }
   scene.walls = read_walls(root, directory);
-  const bool enclosed = std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
+  const bool enclosed = is_enclosed(scene);
   FlowSection flow = read_flow(root, enclosed);
   scene.flow = flow.flow;
   scene.gauge_length = flow.gauge_length;
   scene.reverse_at = std::move(flow.reverse_at);
   scene.bodies = read_bodies(root, directory);
-  std::ranges::move(read_body_lists(root, directory), std::back_inserter(scene.bodies));
   fills = read_fills(root, directory, enclosed);
   scene.solver = read_solver(root);
   scene.time = read_time(root);

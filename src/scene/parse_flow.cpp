@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <string>
 
 #include "scene/sections.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -47,9 +47,9 @@ BackgroundFlow read_linear(const Node& node) {
   // The flow is incompressible: div(G x) = tr G = 0, up to rounding.
   const double trace = flow.gradient.trace();
   if (std::abs(trace) > rounding * flow.gradient.cwiseAbs().maxCoeff()) {
-    std::ostringstream problem;
-    problem << "must have trace 0, as the fluid is incompressible; its trace is " << trace;
-    fail(*table.find("gradient"), problem.str());
+    fail(*table.find("gradient"),
+         "must have trace 0, as the fluid is incompressible; its trace is " +
+             short_number(trace, 6));
   }
   return flow;
 }
@@ -77,9 +77,9 @@ FlowSection read_flow(const TableReader& root, bool enclosed) {
   if (node == nullptr) return {};
   const TableReader table(*node);
   const FlowReader read_kind =
-      enclosed ? read_enclosed : table.get("kind", flow_kinds).value_or(read_quiescent);
+      enclosed ? read_enclosed : table.get("kind", flow_kinds, FlowReader{read_quiescent});
   return {read_kind(*node), table.get("gauge_length", positive_number),
-          table.get("reverse_at", ascending_times).value_or(std::vector<double>{})};
+          table.get("reverse_at", ascending_times, std::vector<double>{})};
 }
 
 }  // namespace stokesbook::scene_text

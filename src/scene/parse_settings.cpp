@@ -1,4 +1,8 @@
-// Reads the sections [solver], [time] and [output] of a scene file.
+// Reads the sections [solver], [time], [contact] and [output] of a scene file. [contact] is checked
+// against the bodies and time steps, which must allow contact.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <string>
 
 #include "scene/sections.hpp"
@@ -10,19 +14,33 @@ namespace {
 
 constexpr Requirement<double> accuracy{"a number from 1e-14 to 0.1",
                                        [](const double& x) { return x >= 1e-14 && x <= 0.1; }};
-constexpr Requirement<double> residual{"a number > 0 and < 1",
-                                       [](const double& x) { return x > 0.0 && x < 1.0; }};
 constexpr Requirement<int> resolution{
     "an integer from 2 to 2000: points along the box's longer side",
     [](const int& k) { return k >= 2 && k <= 2000; }};
 constexpr Requirement<double> step_tolerance{
     "a number from 1e-13 to 0.1", [](const double& x) { return x >= 1e-13 && x <= 0.1; }};
 
+/// Reads a list of one or more distinct words.
+template <class T, std::size_t N>
+std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
+  const std::string expected = "a list of one or more of " + list_of(words);
+  std::vector<T> meanings;
+  for (const Node& element : elements_of(node, expected)) {
+    const T meaning = read(element, words);
+    if (std::ranges::find(meanings, meaning) != meanings.end()) {
+      fail(element, "is repeated in the list");
+    }
+    meanings.push_back(meaning);
+  }
+  if (meanings.empty()) fail(node, "must be " + expected);
+  return meanings;
+}
+
 FieldSettings read_fields(const Node& node) {
   const TableReader table(node, {"box", "resolution", "quantities"});
   FieldSettings fields;
   fields.box = table.require("box", any_box);
-  fields.resolution = table.get("resolution", resolution).value_or(fields.resolution);
+  fields.resolution = table.get("resolution", resolution, fields.resolution);
   if (const Node* quantities = table.find("quantities")) {
     fields.quantities = read_distinct(*quantities, field_quantities);
   }
@@ -67,6 +85,36 @@ void check_limits(const TableReader& table, const TimeSettings& time) {
   ordered(time.dt, time.dt_max, "dt_max", "must be at least time.dt");
 }
 
+const std::string separation = "a number > 0: a length, or node spacings as in \"0.05h\"";
+
+// Returns the number of node spacings in a text such as "0.05h"; not a number for other texts.
+double spacings_in(const std::string& text) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && std::string_view(rest, end) == "h" ? number : std::nan("");
+}
+
+ContactSettings read_separation(const Node& node) {
+  ContactSettings contact;
+  const auto* text = std::get_if<std::string>(&node.value);
+  contact.in_spacings = text != nullptr;
+  contact.minimum_separation = text ? spacings_in(*text) : value_as<double>(node, separation);
+  if (!std::isfinite(contact.minimum_separation) || contact.minimum_separation <= 0.0) {
+    fail(node, "must be " + separation);
+  }
+  return contact;
+}
+
+bool has_automatic_nodes(const auto& bodies) {
+  return std::ranges::any_of(bodies,
+                             [](const auto& body) { return body.n_nodes == automatic_nodes; });
+}
+
+bool resolves_contact(SteppingMethod method) {
+  return method == SteppingMethod::euler || method == SteppingMethod::heun;
+}
+
 }  // namespace
 
 SolverSettings read_solver(const TableReader& root) {
@@ -75,16 +123,14 @@ SolverSettings read_solver(const TableReader& root) {
   if (node == nullptr) return solver;
   const TableReader table(*node, {"tolerance", "gmres_tol", "gmres_max_iterations", "summation",
                                   "near_singular", "preconditioner", "coupling"});
-  solver.tolerance = table.get("tolerance", accuracy).value_or(solver.tolerance);
-  solver.gmres_tol = table.get("gmres_tol", residual);
+  solver.tolerance = table.get("tolerance", accuracy, solver.tolerance);
+  solver.gmres_tol = table.get("gmres_tol", proper_fraction);
   solver.gmres_max_iterations =
-      table.get("gmres_max_iterations", positive_integer).value_or(solver.gmres_max_iterations);
-  solver.summation = table.get("summation", summations).value_or(solver.summation);
-  solver.near_singular =
-      table.get("near_singular", near_singular_schemes).value_or(solver.near_singular);
-  solver.preconditioner =
-      table.get("preconditioner", preconditioners).value_or(solver.preconditioner);
-  solver.coupling = table.get("coupling", couplings).value_or(solver.coupling);
+      table.get("gmres_max_iterations", positive_integer, solver.gmres_max_iterations);
+  solver.summation = table.get("summation", summations, solver.summation);
+  solver.near_singular = table.get("near_singular", near_singular_schemes, solver.near_singular);
+  solver.preconditioner = table.get("preconditioner", preconditioners, solver.preconditioner);
+  solver.coupling = table.get("coupling", couplings, solver.coupling);
   return solver;
 }
 
@@ -96,20 +142,18 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   const bool contact = root.find("contact") != nullptr;
   TimeSettings time;
   time.t_final = table.require("t_final", positive_number);
-  const std::optional<SteppingMethod> method = table.get("method", stepping_methods);
-  if (contact) time.method = SteppingMethod::heun;
-  time.method = method.value_or(time.method);
+  time.method = table.get("method", stepping_methods, contact ? SteppingMethod::heun : time.method);
   if (is_embedded(time.method)) {
     table.refuse({"effort"},
                  "requires a method with fixed steps, such as \"euler\"; this method adapts steps "
                  "to the error");
     time.dt = table.get("dt", positive_number);
-    time.tolerance = table.get("tolerance", step_tolerance).value_or(default_step_tolerance);
+    time.tolerance = table.get("tolerance", step_tolerance, default_step_tolerance);
   } else {
     if (time.method == SteppingMethod::heun && contact) {
       time.tolerance = table.get("tolerance", step_tolerance);
       // Contact with neither method, tolerance nor effort given: Heun's method adapts its steps.
-      const bool by_default = !method && table.find("effort") == nullptr;
+      const bool by_default = table.find("method") == nullptr && table.find("effort") == nullptr;
       if (by_default && !time.tolerance) time.tolerance = default_contact_step_tolerance;
     } else {
       table.refuse({"tolerance"}, "requires one of " + adaptive_methods() +
@@ -132,6 +176,28 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
     refuse_endless(table, key, *table.find("t_final"));
   }
   return time;
+}
+
+std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file) {
+  const auto& [scene, fills] = file;
+  const Node* node = root.find("contact");
+  if (node == nullptr) return std::nullopt;
+  const TableReader table(*node, {"minimum_separation", "allow_close"});
+  const Node& given = table.at("minimum_separation", separation);
+  ContactSettings contact = read_separation(given);
+  contact.allow_close = table.get("allow_close", any_flag, contact.allow_close);
+  if (scene.bodies.empty() && fills.empty()) {
+    fail_at_key(*node, "there are no bodies; add [[bodies]] or remove [contact]");
+  }
+  if (contact.in_spacings && (has_automatic_nodes(scene.bodies) || has_automatic_nodes(fills))) {
+    fail(given,
+         "requires numbers for all n_nodes, since h is the node spacing; a body has \"auto\"");
+  }
+  if (scene.time && !resolves_contact(scene.time->method)) {
+    fail(*TableReader(*root.find("time")).find("method"),
+         "contact is resolved with \"euler\" and \"heun\"");
+  }
+  return contact;
 }
 
 OutputSettings read_output(const TableReader& root) {

@@ -4,8 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "scene/csv_file.hpp"
-#include "scene/error.hpp"
+#include "scene/csv_table.hpp"
 #include "scene/polygon.hpp"
 #include "scene/sections.hpp"
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include "text/number_text.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -58,10 +59,9 @@ std::optional<PolygonFault> find_crossing(const ComplexVector& points) {
     for (Eigen::Index other = k + 2; other < n; ++other) {
       const bool neighbours = k == 0 && other == n - 1;
       if (neighbours || !meet(edge(points, k), edge(points, other))) continue;
-      std::ostringstream problem;
-      problem << "the edge to the next point meets the edge that starts at ["
-              << points[other].real() << ", " << points[other].imag() << "]";
-      return PolygonFault{k, problem.str()};
+      return PolygonFault{k, "the edge to the next point meets the edge that starts at [" +
+                                 short_number(points[other].real(), 6) + ", " +
+                                 short_number(points[other].imag(), 6) + "]"};
     }
   }
   return std::nullopt;

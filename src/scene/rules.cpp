@@ -2,11 +2,9 @@
 #include "scene/rules.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <concepts>
 #include <limits>
 #include <utility>
-
-#include "scene/error.hpp"
 
 namespace stokesbook::scene_text {
 
@@ -27,13 +25,6 @@ const Array& elements_of(const Node& node, std::string_view expected, std::size_
   const Array& elements = elements_of(node, expected);
   if (elements.size() != count) fail_type(node, expected);
   return elements;
-}
-
-template <class T>
-T scalar_as(const Node& node, std::string_view expected) {
-  const T* value = std::get_if<T>(&node.value);
-  if (value == nullptr) fail_type(node, expected);
-  return *value;
 }
 
 std::string problem_of(const Node& node, const std::string& problem) {
@@ -61,73 +52,63 @@ const Array& elements_of(const Node& node, std::string_view expected) {
   return *elements;
 }
 
-template <>
-bool value_as(const Node& node, std::string_view expected) {
-  return scalar_as<bool>(node, expected);
-}
-
-template <>
-std::string value_as(const Node& node, std::string_view expected) {
-  return scalar_as<std::string>(node, expected);
-}
-
-template <>
-std::int64_t value_as(const Node& node, std::string_view expected) {
-  return scalar_as<std::int64_t>(node, expected);
-}
-
-template <>
-int value_as(const Node& node, std::string_view expected) {
-  const std::int64_t value = value_as<std::int64_t>(node, expected);
-  if (!std::in_range<int>(value)) {
+template <class T>
+T value_as(const Node& node, std::string_view expected) {
+  if constexpr (std::same_as<T, int>) {
+    const auto value = value_as<std::int64_t>(node, expected);
+    if (std::in_range<int>(value)) return static_cast<int>(value);
     fail(node, "must be " + std::string(expected) + ", and no larger than " +
                    std::to_string(std::numeric_limits<int>::max()));
+  } else if constexpr (std::same_as<T, double>) {
+    if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
+      return static_cast<double>(*integer);
+    }
+    const auto* number = std::get_if<double>(&node.value);
+    if (number == nullptr) fail_type(node, expected);
+    if (!std::isfinite(*number)) fail(node, "must be " + std::string(expected) + ", and finite");
+    const double size = std::abs(*number);
+    if (size != 0.0 && (size < smallest_number || size > largest_number)) {
+      fail(node, "must be 0 or have a magnitude from 1e-100 to 1e100; change the units");
+    }
+    return *number;
+  } else if constexpr (std::same_as<T, Complex>) {
+    const Array& parts = elements_of(node, expected, 2);
+    return {read(parts[0], any_number), read(parts[1], any_number)};
+  } else if constexpr (std::same_as<T, Eigen::Matrix2d>) {
+    const Array& rows = elements_of(node, expected, 2);
+    const auto first = value_as<Complex>(rows[0], "a row of two numbers");
+    const auto second = value_as<Complex>(rows[1], "a row of two numbers");
+    return Eigen::Matrix2d{{first.real(), first.imag()}, {second.real(), second.imag()}};
+  } else if constexpr (std::same_as<T, std::array<double, 4>>) {
+    const Array& corners = elements_of(node, expected, 4);
+    return {read(corners[0], any_number), read(corners[1], any_number),
+            read(corners[2], any_number), read(corners[3], any_number)};
+  } else if constexpr (std::same_as<T, std::vector<double>>) {
+    std::vector<double> values;
+    for (const Node& element : elements_of(node, expected)) {
+      values.push_back(read(element, any_number));
+    }
+    return values;
+  } else {  // a type of TOML
+    const T* value = std::get_if<T>(&node.value);
+    if (value == nullptr) fail_type(node, expected);
+    return *value;
   }
-  return static_cast<int>(value);
 }
 
-template <>
-double value_as(const Node& node, std::string_view expected) {
-  if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
-    return static_cast<double>(*integer);
-  }
-  const double value = scalar_as<double>(node, expected);
-  if (!std::isfinite(value)) fail(node, "must be " + std::string(expected) + ", and finite");
-  if (value != 0.0 && (std::abs(value) < smallest_number || std::abs(value) > largest_number)) {
-    fail(node, "must be 0 or have a magnitude from 1e-100 to 1e100; change the units");
-  }
-  return value;
-}
+template bool value_as(const Node&, std::string_view);
+template int value_as(const Node&, std::string_view);
+template std::int64_t value_as(const Node&, std::string_view);
+template double value_as(const Node&, std::string_view);
+template std::string value_as(const Node&, std::string_view);
+template Complex value_as(const Node&, std::string_view);
+template Eigen::Matrix2d value_as(const Node&, std::string_view);
+template std::array<double, 4> value_as(const Node&, std::string_view);
+template std::vector<double> value_as(const Node&, std::string_view);
 
-template <>
-Complex value_as(const Node& node, std::string_view expected) {
-  const Array& parts = elements_of(node, expected, 2);
-  return {read(parts[0], any_number), read(parts[1], any_number)};
-}
-
-template <>
-Eigen::Matrix2d value_as(const Node& node, std::string_view expected) {
-  const Array& rows = elements_of(node, expected, 2);
-  const Complex first = value_as<Complex>(rows[0], "a row of two numbers");
-  const Complex second = value_as<Complex>(rows[1], "a row of two numbers");
-  return Eigen::Matrix2d{{first.real(), first.imag()}, {second.real(), second.imag()}};
-}
-
-template <>
-std::array<double, 4> value_as(const Node& node, std::string_view expected) {
-  std::array<double, 4> values{};
-  std::ranges::transform(elements_of(node, expected, values.size()), values.begin(),
-                         [](const Node& element) { return read(element, any_number); });
-  return values;
-}
-
-template <>
-std::vector<double> value_as(const Node& node, std::string_view expected) {
-  std::vector<double> values;
-  for (const Node& element : elements_of(node, expected)) {
-    values.push_back(read(element, any_number));
-  }
-  return values;
+std::string describe(NodeCount) {
+  return "an even integer >= " + std::to_string(fewest_nodes) + " or \"" +
+         std::string(automatic_word) + "\"";
 }
 
 int read(const Node& node, NodeCount rule) {
@@ -140,11 +121,6 @@ int read(const Node& node, NodeCount rule) {
     fail(node, "must be " + describe(rule) + " (try " + std::to_string(next) + ")");
   }
   return static_cast<int>(count);
-}
-
-std::string describe(NodeCount) {
-  return "an even integer >= " + std::to_string(fewest_nodes) + " or \"" +
-         std::string(automatic_word) + "\"";
 }
 
 }  // namespace stokesbook::scene_text

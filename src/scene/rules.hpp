@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,66 +16,28 @@
 
 namespace stokesbook::scene_text {
 
-/// Throws the SceneError `where: path = value: problem` with the place of the value.
-///
-/// @param  node     the value
-/// @param  problem  what is wrong with the value
-/// @throws SceneError always
+/// Throws the SceneError `where: path = value: problem` with the place of a value.
 [[noreturn]] void fail(const Node& node, const std::string& problem);
 
 /// Throws the same error with the place of the key, for a key that is not allowed.
-///
-/// @param  node     the value of the key
-/// @param  problem  what is wrong with the key
-/// @throws SceneError always
 [[noreturn]] void fail_at_key(const Node& node, const std::string& problem);
 
 /// Throws the SceneError "must be `expected`, not a string", with the actual type of the value.
-///
-/// @param  node      the value
-/// @param  expected  completes "must be ..."
-/// @throws SceneError always
 [[noreturn]] void fail_type(const Node& node, std::string_view expected);
 
-/// Converts a value to the type T, which must be one of the specialisations. An integer is accepted
-/// as a double, which must be finite; a Complex is [x, y], a matrix is the list of its rows.
+/// Returns the elements of an array.
+/// @param  expected  completes "must be ..." in the error for other values
+const Array& elements_of(const Node& node, std::string_view expected);
+
+/// Converts a value to bool, int, std::int64_t, double, std::string, Complex, given as [x, y],
+/// Eigen::Matrix2d, given as the list of its rows, or a list of four or any number of doubles.
+/// An integer is accepted as a double.
 ///
-/// @param  node      the value
 /// @param  expected  completes "must be ..."
-/// @return           the value
 /// @throws SceneError when the value has another type, which the message names, or a number is not
 ///         finite or too small or large
 template <class T>
 T value_as(const Node& node, std::string_view expected);
-
-/// @cond
-template <>
-bool value_as(const Node& node, std::string_view expected);
-template <>
-int value_as(const Node& node, std::string_view expected);
-template <>
-std::int64_t value_as(const Node& node, std::string_view expected);
-template <>
-double value_as(const Node& node, std::string_view expected);
-template <>
-std::string value_as(const Node& node, std::string_view expected);
-template <>
-Complex value_as(const Node& node, std::string_view expected);
-template <>
-Eigen::Matrix2d value_as(const Node& node, std::string_view expected);
-template <>
-std::array<double, 4> value_as(const Node& node, std::string_view expected);
-template <>
-std::vector<double> value_as(const Node& node, std::string_view expected);
-/// @endcond
-
-/// Returns the elements of an array.
-///
-/// @param  node      the value
-/// @param  expected  completes "must be ..."
-/// @return           the elements, which the node owns
-/// @throws SceneError when the value is not an array
-const Array& elements_of(const Node& node, std::string_view expected);
 
 /// @name Size of numbers
 /// The solver squares and multiplies the numbers of a scene. Beyond these bounds the products would
@@ -99,115 +60,51 @@ struct Requirement {
   bool (*holds)(const T&) = [](const T&) { return true; };
 };
 
-/// Reads a value that meets a requirement.
-///
-/// @param  node  the value
-/// @param  rule  the requirement
-/// @return       the value as T
-/// @throws SceneError when the value has another type or the condition does not hold
-template <class T>
-T read(const Node& node, const Requirement<T>& rule) {
-  T value = value_as<T>(node, rule.expected);
-  if (!rule.holds(value)) fail(node, "must be " + std::string(rule.expected));
-  return value;
-}
-
 /// Describes a requirement.
-///
-/// @param  rule  the requirement
-/// @return       text that completes "must be ..."
 template <class T>
 std::string describe(const Requirement<T>& rule) {
   return std::string(rule.expected);
 }
 
-/// Lists the names of words.
-///
-/// @param  words  the words that a key accepts
-/// @return        the names in order, "outer, inner"
-template <class T, std::size_t N>
-std::string list_of(const Words<T, N>& words) {
-  std::vector<std::string_view> names;
-  for (const Word<T>& word : words) names.push_back(word.name);
-  return joined(names);
+/// Reads a value that meets a requirement.
+template <class T>
+T read(const Node& node, const Requirement<T>& rule) {
+  T value = value_as<T>(node, rule.expected);
+  if (!rule.holds(value)) fail(node, "must be " + describe(rule));
+  return value;
 }
 
 /// Describes the words that a key accepts.
-///
-/// @param  words  the words
-/// @return        text that completes "must be ..."
 template <class T, std::size_t N>
 std::string describe(const Words<T, N>& words) {
   return "one of " + list_of(words);
 }
 
-/// Reads a word that stands for a value of type T.
-///
-/// @param  node   the value
-/// @param  words  the words that the key accepts
-/// @return        the meaning of the word
-/// @throws SceneError when the word is unknown
+/// Reads a word, and returns its meaning.
 template <class T, std::size_t N>
 T read(const Node& node, const Words<T, N>& words) {
-  const std::string expected = describe(words);
-  const std::string name = value_as<std::string>(node, expected);
+  const std::string name = value_as<std::string>(node, describe(words));
   for (const Word<T>& word : words) {
     if (word.name == name) return word.meaning;
   }
-  fail(node, "must be " + expected);
+  fail(node, "must be " + describe(words));
 }
 
-/// Reads a list of one or more distinct words.
-///
-/// @param  node   the value
-/// @param  words  the words that the list accepts
-/// @return        the meanings of the words, in order
-/// @throws SceneError when the value is not a list, the list is empty, or a word is unknown or
-///         repeated
-template <class T, std::size_t N>
-std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
-  const std::string expected = "a list of one or more of " + list_of(words);
-  std::vector<T> meanings;
-  for (const Node& element : elements_of(node, expected)) {
-    const T meaning = read(element, words);
-    if (std::ranges::find(meanings, meaning) != meanings.end()) {
-      fail(element, "is repeated in the list");
-    }
-    meanings.push_back(meaning);
-  }
-  if (meanings.empty()) fail(node, "must be " + expected);
-  return meanings;
-}
-
-/// The type of the rule for numbers of collocation nodes of a curve.
+/// The rule for numbers of collocation nodes of a curve: an even integer from 8 to 1000000, or the
+/// word "auto". The message about another number suggests the next valid one.
 struct NodeCount {};
 
-/// The rule for numbers of collocation nodes of a curve.
-inline constexpr NodeCount node_count;
-
-/// Reads a number of collocation nodes.
-///
-/// @param  node  the value
-/// @param  rule  #node_count
-/// @return       number of nodes, or automatic_nodes
-/// @throws SceneError when the value is neither "auto" nor an even integer from 8 to 1000000; the
-///         message names the nearest valid number
-int read(const Node& node, NodeCount rule);
+inline constexpr NodeCount node_count;  ///< the rule for `n_nodes`
 
 /// Describes the valid numbers of nodes.
-///
-/// @param  rule  #node_count
-/// @return       text that completes "must be ..."
 std::string describe(NodeCount rule);
 
-/// A truth value.
-inline constexpr Requirement<bool> any_flag{"true or false"};
+/// Reads a number of nodes; automatic_nodes for "auto".
+int read(const Node& node, NodeCount rule);
 
-/// A finite number.
-inline constexpr Requirement<double> any_number{"a number"};
-
-/// A plane vector.
-inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};
+inline constexpr Requirement<bool> any_flag{"true or false"};            ///< a truth value
+inline constexpr Requirement<double> any_number{"a number"};             ///< a finite number
+inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};  ///< a plane vector
 
 /// A 2 x 2 matrix.
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
@@ -224,6 +121,10 @@ inline constexpr Requirement<std::array<double, 4>> any_box{
 /// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",
                                                      [](const double& x) { return x > 0.0; }};
+
+/// A part of a whole.
+inline constexpr Requirement<double> proper_fraction{
+    "a number > 0 and < 1", [](const double& x) { return x > 0.0 && x < 1.0; }};
 
 /// A seed of random numbers.
 inline constexpr Requirement<std::int64_t> any_seed{"an integer >= 0",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,53 +18,49 @@ namespace stokesbook {
 /// @addtogroup scene
 /// @{
 
+/// A scene that cannot be used. The message names the place, the wrong value and a right one:
+/// `couette.toml:12:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try 32)`.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;  ///< takes the message
+};
+
 /// @name Background flows, in units of the user; x = (x, y)
 /// @{
 
 /// Fluid at rest: u = 0
 struct QuiescentFlow {
-  /// @return true when all members are equal
-  bool operator==(const QuiescentFlow&) const = default;
+  bool operator==(const QuiescentFlow&) const = default;  ///< compares all members
 };
 
 /// Uniform flow: u = velocity
 struct UniformFlow {
-  Complex velocity{};  ///< length / time
-
-  /// @return true when all members are equal
-  bool operator==(const UniformFlow&) const = default;
+  Complex velocity{};                                   ///< length / time
+  bool operator==(const UniformFlow&) const = default;  ///< compares all members
 };
 
 /// Simple shear: u = (rate y, 0)
 struct ShearFlow {
-  double rate = 0.0;  ///< 1 / time
-
-  /// @return true when all members are equal
-  bool operator==(const ShearFlow&) const = default;
+  double rate = 0.0;                                  ///< 1 / time
+  bool operator==(const ShearFlow&) const = default;  ///< compares all members
 };
 
 /// Planar extension: u = rate (x, -y)
 struct ExtensionalFlow {
-  double rate = 0.0;  ///< 1 / time
-
-  /// @return true when all members are equal
-  bool operator==(const ExtensionalFlow&) const = default;
+  double rate = 0.0;                                        ///< 1 / time
+  bool operator==(const ExtensionalFlow&) const = default;  ///< compares all members
 };
 
 /// Taylor-Green vortices: u = rate (cos x sin y, -sin x cos y), with x and y in the user's unit
 struct TaylorGreenFlow {
-  double rate = 0.0;  ///< largest velocity, length / time
-
-  /// @return true when all members are equal
-  bool operator==(const TaylorGreenFlow&) const = default;
+  double rate = 0.0;                                        ///< largest velocity, length / time
+  bool operator==(const TaylorGreenFlow&) const = default;  ///< compares all members
 };
 
 /// Linear flow: u = gradient x, where the gradient has trace zero
 struct LinearFlow {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
-
-  /// @return true when all members are equal
-  bool operator==(const LinearFlow&) const = default;
+  bool operator==(const LinearFlow&) const = default;  ///< compares all members
 };
 /// @}
 
@@ -76,40 +73,31 @@ using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, Exten
 
 /// Wall at rest: u = 0 on the wall
 struct FixedWall {
-  /// @return true when all members are equal
-  bool operator==(const FixedWall&) const = default;
+  bool operator==(const FixedWall&) const = default;  ///< compares all members
 };
 
 /// Rigid rotation about the wall's position
 struct RotatingWall {
-  double omega = 0.0;  ///< counter-clockwise, 1 / time
-
-  /// @return true when all members are equal
-  bool operator==(const RotatingWall&) const = default;
+  double omega = 0.0;                                    ///< counter-clockwise, 1 / time
+  bool operator==(const RotatingWall&) const = default;  ///< compares all members
 };
 
 /// Translation: u = velocity on the wall
 struct TranslatingWall {
-  Complex velocity{};  ///< length / time
-
-  /// @return true when all members are equal
-  bool operator==(const TranslatingWall&) const = default;
+  Complex velocity{};                                       ///< length / time
+  bool operator==(const TranslatingWall&) const = default;  ///< compares all members
 };
 
 /// Linear velocity: u = gradient x on the wall, x in the laboratory frame; the curve does not move
 struct LinearWall {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
-
-  /// @return true when all members are equal
-  bool operator==(const LinearWall&) const = default;
+  bool operator==(const LinearWall&) const = default;  ///< compares all members
 };
 
 /// Normal velocity `speed` into the fluid, on circles only; the curve does not move
 struct RadialWall {
-  double speed = 0.0;  ///< length / time
-
-  /// @return true when all members are equal
-  bool operator==(const RadialWall&) const = default;
+  double speed = 0.0;                                  ///< length / time
+  bool operator==(const RadialWall&) const = default;  ///< compares all members
 };
 /// @}
 
@@ -127,15 +115,13 @@ inline constexpr int automatic_nodes = 0;
 
 /// A closed curve on which the velocity of the fluid is given.
 struct Wall {
-  WallRole role = WallRole::inner;  ///< the side on which the fluid lies
-  Shape shape{};                    ///< in its own frame
-  Complex position{};               ///< position of the frame's origin, length
-  double orientation = 0.0;         ///< radians, counter-clockwise
-  int n_nodes = automatic_nodes;    ///< collocation nodes, even, >= 8, or automatic
-  WallMotion motion{};              ///< velocity on the curve
-
-  /// @return true when all members are equal
-  bool operator==(const Wall&) const = default;
+  WallRole role = WallRole::inner;               ///< the side on which the fluid lies
+  Shape shape{};                                 ///< in its own frame
+  Complex position{};                            ///< position of the frame's origin, length
+  double orientation = 0.0;                      ///< radians, counter-clockwise
+  int n_nodes = automatic_nodes;                 ///< collocation nodes, even, >= 8, or automatic
+  WallMotion motion{};                           ///< velocity on the curve
+  bool operator==(const Wall&) const = default;  ///< compares all members
 };
 
 /// A rigid body: free under a given load, or held at a given velocity.
@@ -148,10 +134,8 @@ struct Body {
   bool held = false;         ///< true: velocity and omega are given, force and torque are results
   Complex velocity{};        ///< velocity of a held body, length / time
   double omega = 0.0;        ///< rotation of a held body, counter-clockwise, 1 / time
-  int n_nodes = automatic_nodes;  ///< collocation nodes, even, >= 8, or automatic
-
-  /// @return true when all members are equal
-  bool operator==(const Body&) const = default;
+  int n_nodes = automatic_nodes;                 ///< collocation nodes, even, >= 8, or automatic
+  bool operator==(const Body&) const = default;  ///< compares all members
 };
 
 /// A request for equal bodies at random places without overlap, reproducible by the seed.
@@ -162,9 +146,7 @@ struct Fill {
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
   int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
-
-  /// @return true when all members are equal
-  bool operator==(const Fill&) const = default;
+  bool operator==(const Fill&) const = default;  ///< compares all members
 };
 
 /// Method that evaluates the sums over all nodes.
@@ -194,11 +176,10 @@ enum class PreconditionerKind {
 /// Coupling of the components at one instant.
 enum class Coupling {
   global,  ///< one system for the densities of all components
-  local    ///< each density is solved for with the other densities of the instant before, see
-           ///< SuspensionSolver::solve_lagged(); for comparison
+  local    ///< each density by itself, see SuspensionSolver::solve_lagged(); for comparison
 };
 
-/// A kind of file that a run writes.
+/// Kind of files that a run writes.
 enum class OutputFormat {
   csv,  ///< tables of bodies and walls
   vtk,  ///< polygons with data, for ParaView
@@ -224,9 +205,7 @@ struct SolverSettings {
   NearSingular near_singular = NearSingular::automatic;               ///< corrections near curves
   PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< of GMRES
   Coupling coupling = Coupling::global;                               ///< of components
-
-  /// @return true when all members are equal
-  bool operator==(const SolverSettings&) const = default;
+  bool operator==(const SolverSettings&) const = default;             ///< compares all members
 };
 
 /// Bounds on the GMRES iterations of a step, by which the step length is adapted: the heuristic of
@@ -234,9 +213,7 @@ struct SolverSettings {
 struct EffortBounds {
   int few = 0;   ///< dt doubles after a step with fewer iterations
   int many = 0;  ///< dt halves after a step with more iterations; > few
-
-  /// @return true when all members are equal
-  bool operator==(const EffortBounds&) const = default;
+  bool operator==(const EffortBounds&) const = default;  ///< compares all members
 };
 
 /// Default of TimeSettings::tolerance for embedded methods.
@@ -248,28 +225,24 @@ inline constexpr double default_contact_step_tolerance = 1e-3;
 
 /// Settings for the time steps of a run.
 struct TimeSettings {
-  double t_final = 0.0;        ///< end of the run, > 0; the run starts at 0
-  std::optional<double> dt{};  ///< longest step, > 0, time; the first step if steps are adapted;
-                               ///< none: chosen by the method
+  double t_final = 0.0;  ///< end of the run, > 0; the run starts at 0
+  /// Longest step, > 0; the first step if steps are adapted; none: chosen by the method
+  std::optional<double> dt{};
   SteppingMethod method = SteppingMethod::dormand_prince54;  ///< method that advances the bodies
   /// Error to which steps are adapted: the error of positions, in units of the largest body's
   /// radius, and of angles, in radians. If none is given, embedded methods use
   /// default_step_tolerance, and Heun's method, which adapts steps in scenes with contact only,
   /// takes fixed steps.
   std::optional<double> tolerance{};
-  std::optional<double> dt_min{};        ///< shortest step, > 0; none: a millionth of the
-                                         ///< smallest of t_final, dt and dt_max
+  /// Shortest step, > 0; none: a millionth of the smallest of t_final, dt and dt_max
+  std::optional<double> dt_min{};
   std::optional<double> dt_max{};        ///< longest step where steps are adapted
   std::optional<EffortBounds> effort{};  ///< for methods of fixed steps; none: dt is not adapted
-
-  /// @return true when all members are equal
-  bool operator==(const TimeSettings&) const = default;
+  bool operator==(const TimeSettings&) const = default;  ///< compares all members
 };
 
-/// Returns whether steps are adapted to their error.
-///
-/// @param  time  settings
-/// @return       true for embedded methods, and for Heun's method with a tolerance
+/// Returns whether steps are adapted to their error: by embedded methods, and by Heun's method with
+/// a tolerance.
 constexpr bool adapts_steps(const TimeSettings& time) {
   return is_embedded(time.method) || time.tolerance.has_value();
 }
@@ -277,23 +250,18 @@ constexpr bool adapts_steps(const TimeSettings& time) {
 /// Settings for the forces that keep components apart.
 struct ContactSettings {
   double minimum_separation = 0.0;  ///< least gap of all pairs, > 0: a length, or node spacings
-  bool in_spacings =
-      false;  ///< true: minimum_separation is in units of the bodies' mean node spacing, "0.05h"
+  bool in_spacings = false;         ///< true: in units of the bodies' mean node spacing, "0.05h"
   bool allow_close = false;  ///< true: narrower gaps are accepted at the start and do not narrow
-
-  /// @return true when all members are equal
-  bool operator==(const ContactSettings&) const = default;
+  bool operator==(const ContactSettings&) const = default;  ///< compares all members
 };
 
 /// Fields that a run writes, on the grid that field_grid() makes.
 struct FieldSettings {
   std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, length
   int resolution = 200;         ///< points along the longer side, 2 to 2000
-  std::vector<FieldQuantity> quantities = {FieldQuantity::velocity,
-                                           FieldQuantity::pressure};  ///< distinct, at least one
-
-  /// @return true when all members are equal
-  bool operator==(const FieldSettings&) const = default;
+  /// Distinct, at least one
+  std::vector<FieldQuantity> quantities = {FieldQuantity::velocity, FieldQuantity::pressure};
+  bool operator==(const FieldSettings&) const = default;  ///< compares all members
 };
 
 /// Settings for the files of a run.
@@ -301,9 +269,7 @@ struct OutputSettings {
   std::optional<double> dt_write{};  ///< time between frames; none: every step
   std::vector<OutputFormat> formats = {OutputFormat::csv};  ///< distinct, at least one
   std::optional<FieldSettings> fields{};                    ///< none: no fields
-
-  /// @return true when all members are equal
-  bool operator==(const OutputSettings&) const = default;
+  bool operator==(const OutputSettings&) const = default;   ///< compares all members
 };
 
 /// A scene: everything that a solver requires.
@@ -317,23 +283,28 @@ struct Scene {
   std::vector<Wall> walls{};             ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
   SolverSettings solver{};     ///< for the solve at one instant
-  std::optional<TimeSettings> time{};        ///< none: one solve at t = 0
-  std::optional<ContactSettings> contact{};  ///< none: an overlap stops the run
-  OutputSettings output{};                   ///< for the files of the run
-
-  /// @return true when all members are equal
-  bool operator==(const Scene&) const = default;
+  std::optional<TimeSettings> time{};             ///< none: one solve at t = 0
+  std::optional<ContactSettings> contact{};       ///< none: an overlap stops the run
+  OutputSettings output{};                        ///< for the files of the run
+  bool operator==(const Scene&) const = default;  ///< compares all members
 };
 
-/// The contents of a scene file, checked, with defaults filled in. place_fills() turns a SceneFile
-/// into a Scene.
+/// Contents of a scene file, checked, with defaults filled in; place_fills() makes it a Scene.
 struct SceneFile {
-  Scene scene{};              ///< without the bodies of the fills
-  std::vector<Fill> fills{};  ///< in file order
-
-  /// @return true when all members are equal
-  bool operator==(const SceneFile&) const = default;
+  Scene scene{};                                      ///< without the bodies of the fills
+  std::vector<Fill> fills{};                          ///< in file order
+  bool operator==(const SceneFile&) const = default;  ///< compares all members
 };
+
+/// Returns whether a wall encloses the fluid.
+bool is_enclosed(const Scene& scene);
+
+/// Returns the only wall with a given role; null if there is none, or more than one.
+const Wall* only_wall(const Scene& scene, WallRole role);
+
+/// Returns whether a scene is a Couette cell, in which the torque on the inner wall measures an
+/// effective viscosity: one outer and one inner wall, each fixed or rotating, at different rates.
+bool is_couette_cell(const Scene& scene);
 
 /// @}
 

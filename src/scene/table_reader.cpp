@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "scene/error.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
@@ -19,7 +18,7 @@ const std::vector<Node>& entries_of(const Node& node) {
 
 TableReader::TableReader(const Node& node) : node_(node), entries_(entries_of(node)) {}
 
-TableReader::TableReader(const Node& node, std::span<const std::string_view> known)
+TableReader::TableReader(const Node& node, const std::vector<std::string_view>& known)
     : TableReader(node) {
   for (const Node& entry : entries_) {
     if (std::ranges::find(known, entry.key) != known.end()) continue;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/scene.hpp"
+#include "text/word_list.hpp"
 
 /// The words of the scene file that stand for enumerators.
 namespace stokesbook::scene_text {
@@ -20,14 +23,18 @@ struct Word {
 template <class T, std::size_t N>
 using Words = std::array<Word<T>, N>;
 
-/// Returns the word for an enumerator.
-///
-/// @param  meaning  the enumerator, which must have a word
-/// @param  words    all words that the key accepts
-/// @return          its name
+/// Returns the word for a meaning, which must be one of the meanings of the words.
 template <class T, std::size_t N>
 std::string_view name_of(T meaning, const Words<T, N>& words) {
   return std::ranges::find(words, meaning, &Word<T>::meaning)->name;
+}
+
+/// Lists the names of words in order, "outer, inner".
+template <class T, std::size_t N>
+std::string list_of(const Words<T, N>& words) {
+  std::vector<std::string_view> names;
+  for (const Word<T>& word : words) names.push_back(word.name);
+  return joined(names);
 }
 
 /// The word for automatic_nodes in `n_nodes`.

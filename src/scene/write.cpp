@@ -1,64 +1,194 @@
-// Writes a scene file as TOML, section by section. Defaults are written like given values.
+// Writes a scene file as TOML, section by section. Defaults are written like given values, and
+// numbers so that reading restores them exactly.
 #include "scene/write.hpp"
 
-#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
-#include "scene/toml_value.hpp"
 #include "scene/words.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
+
+namespace scene_text {
+
+std::string toml_value(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  const std::string text(digits.data(), end);
+  // Digits alone would be an integer in TOML, with 64 bits only. A point, an exponent, inf and nan
+  // make the text a float.
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string toml_value(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') {
+      quoted += {'\\', letter};
+    } else if (code < 0x20 || code == 0x7f) {  // TOML requires control characters to be escaped
+      std::array<char, 8> escape{};
+      std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(code));
+      quoted += escape.data();
+    } else {
+      quoted += letter;
+    }
+  }
+  return quoted + '"';
+}
+
+}  // namespace scene_text
 
 namespace {
 
 using namespace scene_text;
 
+// Returns a number, a text, a vector, a matrix or a list in TOML's syntax.
+std::string text_of(const auto& value) {
+  using T = std::remove_cvref_t<decltype(value)>;
+  if constexpr (requires { toml_value(value); }) {
+    return toml_value(value);
+  } else if constexpr (std::same_as<T, Complex>) {
+    return text_of(std::array{value.real(), value.imag()});
+  } else if constexpr (std::same_as<T, Eigen::Matrix2d>) {
+    return text_of(
+        std::array{Complex{value(0, 0), value(0, 1)}, Complex{value(1, 0), value(1, 1)}});
+  } else {
+    std::vector<std::string> texts;
+    for (const auto& element : value) texts.push_back(text_of(element));
+    return std::string("[").append(joined(texts)) + "]";
+  }
+}
+
+std::vector<std::string_view> names_of(const auto& meanings, const auto& words) {
+  std::vector<std::string_view> names;
+  for (const auto meaning : meanings) names.push_back(name_of(meaning, words));
+  return names;
+}
+
+struct Entry;
+using Entries = std::vector<Entry>;
+
+// An entry of a table, the text `key = value`. The text is empty if an optional value is missing.
+struct Entry {
+  Entry(std::string_view key, const auto& value)
+      : text(std::string(key).append(" = ") + text_of(value)) {}
+  template <class T>
+  Entry(std::string_view key, const std::optional<T>& value)
+      : text(value ? Entry(key, *value).text : "") {}
+  Entry(std::string_view key, const Entries& table);
+
+  std::string text;
+};
+
+Entry::Entry(std::string_view key, const Entries& table) {
+  std::vector<std::string_view> texts;
+  for (const Entry& entry : table) texts.push_back(entry.text);
+  text = std::string(key).append(" = { ") + joined(texts) + " }";
+}
+
 Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
-std::string own_entries(const QuiescentFlow&) {
-  return lines({{"kind", "quiescent"}});
+Entries entries_of(const Circle& circle) {
+  return {{"kind", "circle"}, {"radius", circle.radius}};
 }
 
-std::string own_entries(const UniformFlow& flow) {
-  return lines({{"kind", "uniform"}, {"velocity", flow.velocity}});
+Entries entries_of(const Ellipse& ellipse) {
+  return {{"kind", "ellipse"}, {"semi_axes", Complex{ellipse.a, ellipse.b}}};
 }
 
-std::string own_entries(const ShearFlow& flow) {
-  return lines({{"kind", "shear"}, {"rate", flow.rate}});
+Entries entries_of(const Star& star) {
+  return {{"kind", "star"},
+          {"radius", star.radius},
+          {"amplitude", star.amplitude},
+          {"arms", star.arms}};
 }
 
-std::string own_entries(const ExtensionalFlow& flow) {
-  return lines({{"kind", "extensional"}, {"rate", flow.rate}});
+Entries entries_of(const Superellipse& curve) {
+  return {
+      {"kind", "superellipse"}, {"semi_axes", Complex{curve.a, curve.b}}, {"power", curve.power}};
 }
 
-std::string own_entries(const TaylorGreenFlow& flow) {
-  return lines({{"kind", "taylor_green"}, {"rate", flow.rate}});
+Entries entries_of(const NodalCurve& curve) {
+  return {{"kind", "nodes"}, {"points", curve.points}};
 }
 
-std::string own_entries(const LinearFlow& flow) {
-  return lines({{"kind", "linear"}, {"gradient", flow.gradient}});
+Entries entries_of(const FixedWall&) {
+  return {{"kind", "fixed"}};
+}
+
+Entries entries_of(const RotatingWall& wall) {
+  return {{"kind", "rotating"}, {"omega", wall.omega}};
+}
+
+Entries entries_of(const TranslatingWall& wall) {
+  return {{"kind", "translating"}, {"velocity", wall.velocity}};
+}
+
+Entries entries_of(const LinearWall& wall) {
+  return {{"kind", "linear"}, {"gradient", wall.gradient}};
+}
+
+Entries entries_of(const RadialWall& wall) {
+  return {{"kind", "radial"}, {"speed", wall.speed}};
+}
+
+Entries entries_of(const QuiescentFlow&) {
+  return {{"kind", "quiescent"}};
+}
+
+Entries entries_of(const UniformFlow& flow) {
+  return {{"kind", "uniform"}, {"velocity", flow.velocity}};
+}
+
+Entries entries_of(const ShearFlow& flow) {
+  return {{"kind", "shear"}, {"rate", flow.rate}};
+}
+
+Entries entries_of(const ExtensionalFlow& flow) {
+  return {{"kind", "extensional"}, {"rate", flow.rate}};
+}
+
+Entries entries_of(const TaylorGreenFlow& flow) {
+  return {{"kind", "taylor_green"}, {"rate", flow.rate}};
+}
+
+Entries entries_of(const LinearFlow& flow) {
+  return {{"kind", "linear"}, {"gradient", flow.gradient}};
+}
+
+template <class... Kinds>
+Entries entries_of(const std::variant<Kinds...>& variant) {
+  return std::visit([](const auto& kind) { return entries_of(kind); }, variant);
+}
+
+std::string lines(const Entries& entries) {
+  std::string text;
+  for (const Entry& entry : entries) text += entry.text.empty() ? "" : entry.text + "\n";
+  return text;
 }
 
 std::string flow_section(const Scene& scene) {
-  std::string text = "\n[flow]\n";
-  const bool enclosed = std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
-  if (!enclosed) {
-    text += std::visit([](const auto& flow) { return own_entries(flow); }, scene.flow);
-  }
-  if (scene.gauge_length) text += lines({{"gauge_length", *scene.gauge_length}});
-  if (!scene.reverse_at.empty()) text += lines({{"reverse_at", scene.reverse_at}});
-  return text;
+  return "\n[flow]\n" + (is_enclosed(scene) ? "" : lines(entries_of(scene.flow))) +
+         lines({{"gauge_length", scene.gauge_length}}) +
+         (scene.reverse_at.empty() ? "" : lines({{"reverse_at", scene.reverse_at}}));
 }
 
 std::string section(const Wall& wall) {
   return "\n[[walls]]\n" + lines({{"role", name_of(wall.role, wall_roles)},
-                                  {"shape", wall.shape},
+                                  {"shape", entries_of(wall.shape)},
                                   {"position", wall.position},
                                   {"orientation", wall.orientation},
                                   node_entry(wall.n_nodes),
-                                  {"motion", wall.motion}});
+                                  {"motion", entries_of(wall.motion)}});
 }
 
 std::string section(const Body& body) {
@@ -66,41 +196,44 @@ std::string section(const Body& body) {
       body.held ? lines({{"held", true}, {"velocity", body.velocity}, {"omega", body.omega}})
                 : lines({{"force", body.force}, {"torque", body.torque}});
   return "\n[[bodies]]\n" +
-         lines({{"shape", body.shape},
+         lines({{"shape", entries_of(body.shape)},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
          driving + lines({node_entry(body.n_nodes)});
 }
 
 std::string section(const Fill& fill) {
-  std::string text = "\n[[fill]]\n" + lines({{"shape", fill.shape}});
-  if (fill.area_fraction) text += lines({{"area_fraction", *fill.area_fraction}});
-  if (fill.count) text += lines({{"count", *fill.count}});
-  if (fill.box) text += "region = " + inline_table({{"box", *fill.box}}) + "\n";
-  return text + lines({{"clearance", fill.clearance}, node_entry(fill.n_nodes)});
+  std::optional<Entries> region;
+  if (fill.box) region = Entries{{"box", *fill.box}};
+  return "\n[[fill]]\n" + lines({{"shape", entries_of(fill.shape)},
+                                 {"area_fraction", fill.area_fraction},
+                                 {"count", fill.count},
+                                 {"region", region},
+                                 {"clearance", fill.clearance},
+                                 node_entry(fill.n_nodes)});
 }
 
 std::string section(const SolverSettings& solver) {
-  std::string text = "\n[solver]\n" + lines({{"tolerance", solver.tolerance}});
-  if (solver.gmres_tol) text += lines({{"gmres_tol", *solver.gmres_tol}});
-  return text + lines({{"gmres_max_iterations", solver.gmres_max_iterations},
-                       {"summation", name_of(solver.summation, summations)},
-                       {"near_singular", name_of(solver.near_singular, near_singular_schemes)},
-                       {"preconditioner", name_of(solver.preconditioner, preconditioners)},
-                       {"coupling", name_of(solver.coupling, couplings)}});
+  return "\n[solver]\n" +
+         lines({{"tolerance", solver.tolerance},
+                {"gmres_tol", solver.gmres_tol},
+                {"gmres_max_iterations", solver.gmres_max_iterations},
+                {"summation", name_of(solver.summation, summations)},
+                {"near_singular", name_of(solver.near_singular, near_singular_schemes)},
+                {"preconditioner", name_of(solver.preconditioner, preconditioners)},
+                {"coupling", name_of(solver.coupling, couplings)}});
 }
 
 std::string section(const TimeSettings& time) {
-  std::string text = "\n[time]\n" + lines({{"t_final", time.t_final},
-                                           {"method", name_of(time.method, stepping_methods)}});
-  if (time.tolerance) text += lines({{"tolerance", *time.tolerance}});
-  if (time.dt) text += lines({{"dt", *time.dt}});
-  if (time.dt_min) text += lines({{"dt_min", *time.dt_min}});
-  if (time.dt_max) text += lines({{"dt_max", *time.dt_max}});
-  if (const std::optional<EffortBounds>& effort = time.effort) {
-    text += "effort = " + inline_table({{"few", effort->few}, {"many", effort->many}}) + "\n";
-  }
-  return text;
+  std::optional<Entries> effort;
+  if (time.effort) effort = Entries{{"few", time.effort->few}, {"many", time.effort->many}};
+  return "\n[time]\n" + lines({{"t_final", time.t_final},
+                               {"method", name_of(time.method, stepping_methods)},
+                               {"tolerance", time.tolerance},
+                               {"dt", time.dt},
+                               {"dt_min", time.dt_min},
+                               {"dt_max", time.dt_max},
+                               {"effort", effort}});
 }
 
 std::string section(const ContactSettings& contact) {
@@ -112,17 +245,15 @@ std::string section(const ContactSettings& contact) {
 }
 
 std::string section(const OutputSettings& output) {
-  std::string text = "\n[output]\n";
-  if (output.dt_write) text += lines({{"dt_write", *output.dt_write}});
-  text += lines({{"formats", output.formats}});
-  if (const std::optional<FieldSettings>& fields = output.fields) {
-    text += "fields = " +
-            inline_table({{"box", fields->box},
-                          {"resolution", fields->resolution},
-                          {"quantities", fields->quantities}}) +
-            "\n";
+  std::optional<Entries> fields;
+  if (output.fields) {
+    fields = Entries{{"box", output.fields->box},
+                     {"resolution", output.fields->resolution},
+                     {"quantities", names_of(output.fields->quantities, field_quantities)}};
   }
-  return text;
+  return "\n[output]\n" + lines({{"dt_write", output.dt_write},
+                                 {"formats", names_of(output.formats, output_formats)},
+                                 {"fields", fields}});
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <string_view>
 
 #include "scene/scene.hpp"
 
@@ -11,11 +13,28 @@ namespace stokesbook {
 
 /// Writes a scene file that needs no other file: `parse_scene(to_toml(file), ...)` equals `file`,
 /// bit for bit. Points of nodal curves are written out.
-///
 /// @param  file  a valid scene file, as parse_scene() returns it
-/// @return       the text of the file
 std::string to_toml(const SceneFile& file);
 
 /// @}
+
+namespace scene_text {
+
+/// Writes a number as the shortest float that restores it exactly, `1.0`.
+std::string toml_value(double number);
+
+/// Writes text in double quotes, in which quotes, backslashes and control characters are escaped.
+std::string toml_value(std::string_view text);
+
+/// Writes an integer, or true or false.
+std::string toml_value(std::integral auto value) {
+  if constexpr (std::same_as<decltype(value), bool>) {
+    return value ? "true" : "false";
+  } else {
+    return std::to_string(value);
+  }
+}
+
+}  // namespace scene_text
 
 }  // namespace stokesbook

@@ -8,7 +8,7 @@
 #include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
 #include "record/record_error.hpp"
-#include "scene/error.hpp"
+#include "scene/scene.hpp"
 #include "scene/write.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"

@@ -9,9 +9,8 @@
 #include <string_view>
 
 #include "record/csv.hpp"
-#include "scene/csv_table.hpp"
 #include "scene/table_reader.hpp"
-#include "scene/toml_value.hpp"
+#include "scene/write.hpp"
 #include "sweep/results.hpp"
 #include "sweep/task.hpp"
 #include "text/number_text.hpp"
@@ -151,7 +150,7 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
 
 void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
   header.remove_suffix(1);  // the end of the line
-  const std::vector<std::string_view> columns = scene_text::split(header, ',');
+  const std::vector<std::string_view> columns = split(header, ',');
   const Node& node = table.at("column", "a column of " + quantity.table);
   quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
   if (std::ranges::find(columns, quantity.column) == columns.end()) {

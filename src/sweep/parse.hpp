@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scene/error.hpp"
+#include "scene/scene.hpp"
 #include "sweep/sweep.hpp"
 
 namespace stokesbook {

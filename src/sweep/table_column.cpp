@@ -11,8 +11,8 @@
 
 #include "record/atomic_file.hpp"
 #include "record/record_error.hpp"
-#include "scene/csv_table.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -39,7 +39,7 @@ Column read_column(const std::filesystem::path& path, const Quantity& quantity) 
   const auto next_line = [&] {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    return scene_text::split(line, ',');
+    return split(line, ',');
   };
   const std::vector<std::string_view> header = next_line();
   const auto found = std::ranges::find(header, quantity.column);

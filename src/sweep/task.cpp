@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/error.hpp"
 #include "scene/parse.hpp"
 #include "text/number_text.hpp"
 

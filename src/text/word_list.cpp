@@ -1,10 +1,9 @@
-// Finds the valid word that is nearest to a misspelt one, by Levenshtein's edit distance.
+// Splits texts, and finds the valid word nearest to a misspelt one by Levenshtein's edit distance.
 #include "text/word_list.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace stokesbook {
 
@@ -28,6 +27,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
 
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> candidates) {

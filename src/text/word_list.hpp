@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stokesbook {
 
@@ -22,12 +23,14 @@ std::string joined(const auto& words, std::string_view separator = ", ") {
   return text;
 }
 
-/// Returns the candidate that was probably meant: the candidate nearest to a misspelt word.
+/// Splits a text at every separator. The parts are views of the text.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// Returns the candidate that is nearest to a misspelt word; none if all are too far.
 ///
 /// The distance of two words is the least number of single-letter insertions, deletions and
 /// replacements that turn one into the other. A candidate is too far if its distance exceeds about
 /// a third of the word's letters.
-/// @return  the nearest candidate, a view of it; none if all are too far
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> candidates);
 

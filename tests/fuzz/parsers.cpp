@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "scene/csv_table.hpp"
-#include "scene/error.hpp"
 #include "scene/parse.hpp"
 #include "scene/write.hpp"
 

@@ -12,7 +12,7 @@ using namespace stokesbook::test;
 
 namespace {
 
-const std::string octagon = "x,y\n2,0\n1,1\n0,1\n-1,1\n-2,0\n-1,-1\n0,-1\n1,-1\n";
+const std::string octagon_csv = "x,y\n2,0\n1,1\n0,1\n-1,1\n-2,0\n-1,-1\n0,-1\n1,-1\n";
 const std::string nodal_body = body_with_shape("{ kind = 'nodes', file = 'a.csv' }");
 const std::string list =
     "[[body_lists]]\nfile = 'a.csv'\nshape = { kind = 'circle', radius = 0.5 }\nn_nodes = 32\n";
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(files_are_relative_to_the_scene) {
 
 BOOST_AUTO_TEST_CASE(nodal_curve) {
   const Folder folder;
-  folder.write("a.csv", octagon);
+  folder.write("a.csv", octagon_csv);
   const Scene scene = parse(nodal_body, {}, folder.path());
   const auto& curve = std::get<NodalCurve>(scene.bodies.at(0).shape);
   BOOST_REQUIRE(curve.points.size() == 8);
@@ -197,9 +197,9 @@ BOOST_AUTO_TEST_CASE(bad_nodal_curves) {
              "a.csv:1: header = x,y,theta: must be x,y");
   BOOST_TEST(error_with_csv(nodal_body, "x,y\n1,0\n0,1\n-1,0\n") ==
              "s.toml:2:34: bodies[0].shape.file = \"a.csv\": must be at least 8 points, not 3");
-  BOOST_TEST(error_with_csv(nodal_body, octagon + "2,0\n") ==
+  BOOST_TEST(error_with_csv(nodal_body, octagon_csv + "2,0\n") ==
              "a.csv:10: is the same point as the next one (the last joins the first)");
-  BOOST_TEST(error_with_csv(nodal_body, octagon + "0,3\n") ==
+  BOOST_TEST(error_with_csv(nodal_body, octagon_csv + "0,3\n") ==
              "a.csv:3: the edge to the next point meets the edge that starts at [1, -1]");
   BOOST_TEST(error_with_csv(nodal_body, "x,y\n5,0\n4,1\n3,1\n2,1\n1,0\n2,-1\n3,-1\n4,-1\n") ==
              "s.toml:2:34: bodies[0].shape.file = \"a.csv\": the curve must go around the origin: "

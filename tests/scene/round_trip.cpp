@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "scene/toml_value.hpp"
 #include "scene/write.hpp"
 #include "scene_text.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "suspension/solver/rheology.hpp"
 
-#include "scene/couette_cell.hpp"
+#include "scene/scene.hpp"
 #include "suspension/expected.hpp"
 #include "suspension/trajectories.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene/error.hpp"
+#include "scene/scene.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep_files.hpp"
 

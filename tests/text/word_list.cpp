@@ -1,7 +1,9 @@
-// Tests the guess of the key that a misspelt key of a scene file most likely stands for.
+// Tests the parts of texts, and the guess of the key that a misspelt key most likely stands for.
 #include "text/word_list.hpp"
 
 #include <array>
+#include <string_view>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,6 +21,13 @@ std::string_view guess(std::string_view word) {
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(nearest_word_suite)
+
+BOOST_AUTO_TEST_CASE(splits_at_every_separator) {
+  using Parts = std::vector<std::string_view>;
+  BOOST_TEST((stokesbook::split("x,y,theta", ',') == Parts{"x", "y", "theta"}));
+  BOOST_TEST((stokesbook::split(",a,", ',') == Parts{"", "a", ""}));
+  BOOST_TEST((stokesbook::split("", ',') == Parts{""}));
+}
 
 BOOST_AUTO_TEST_CASE(finds_what_was_meant) {
   BOOST_TEST(guess("radis") == "radius");    // a letter left out

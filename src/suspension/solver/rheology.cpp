@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "scene/couette_cell.hpp"
+#include "scene/scene.hpp"
 #include "stress/dissipation.hpp"
 #include "stress/stresslet.hpp"
 #include "suspension/bodies/background_flow.hpp"

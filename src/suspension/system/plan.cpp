@@ -6,7 +6,7 @@
 
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm_settings.hpp"
-#include "scene/couette_cell.hpp"
+#include "scene/scene.hpp"
 #include "scene/words.hpp"
 #include "suspension/bodies/field_grid.hpp"
 #include "text/number_text.hpp"

@@ -1,9 +1,8 @@
-// Recognises Couette cells, in which the torque on the inner wall measures an effective viscosity
-// (chapter 12).
-#include "scene/couette_cell.hpp"
+// Answers questions about the walls of a scene. In Couette cells, the torque on the inner wall
+// measures an effective viscosity (chapter 12).
+#include "scene/scene.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace stokesbook {
 
@@ -18,10 +17,13 @@ std::optional<double> rotation(const Wall& wall) {
 
 }  // namespace
 
+bool is_enclosed(const Scene& scene) {
+  return std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
+}
+
 const Wall* only_wall(const Scene& scene, WallRole role) {
-  const auto is_one = [&](const Wall& wall) { return wall.role == role; };
-  if (std::ranges::count_if(scene.walls, is_one) != 1) return nullptr;
-  return &*std::ranges::find_if(scene.walls, is_one);
+  if (std::ranges::count(scene.walls, role, &Wall::role) != 1) return nullptr;
+  return &*std::ranges::find(scene.walls, role, &Wall::role);
 }
 
 bool is_couette_cell(const Scene& scene) {

@@ -1,0 +1,201 @@
+// Reads the sections of a scene file that place curves in the plane: [[walls]], [[bodies]],
+// [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
+// place_fills() places later.
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "scene/csv_table.hpp"
+#include "scene/sections.hpp"
+#include "scene/write.hpp"
+
+namespace stokesbook::scene_text {
+
+namespace {
+
+using MotionReader = WallMotion (*)(const Node&);
+
+WallMotion read_fixed(const Node& node) {
+  const TableReader table(node, {"kind"});
+  return FixedWall{};
+}
+
+WallMotion read_rotating(const Node& node) {
+  return RotatingWall{TableReader(node, {"kind", "omega"}).require("omega", any_number)};
+}
+
+WallMotion read_translating(const Node& node) {
+  return TranslatingWall{TableReader(node, {"kind", "velocity"}).require("velocity", any_vector)};
+}
+
+WallMotion read_linear_motion(const Node& node) {
+  return LinearWall{TableReader(node, {"kind", "gradient"}).require("gradient", any_gradient)};
+}
+
+WallMotion read_radial(const Node& node) {
+  return RadialWall{TableReader(node, {"kind", "speed"}).require("speed", any_number)};
+}
+
+constexpr Words<MotionReader, 5> motion_kinds{{
+    {"fixed", read_fixed},
+    {"rotating", read_rotating},
+    {"translating", read_translating},
+    {"linear", read_linear_motion},
+    {"radial", read_radial},
+}};
+
+WallMotion read_motion(const TableReader& wall, const Shape& shape) {
+  const Node* node = wall.find("motion");
+  if (node == nullptr) return FixedWall{};
+  const MotionReader read_kind = TableReader(*node).require("kind", motion_kinds);
+  const WallMotion motion = read_kind(*node);
+  if (std::holds_alternative<RadialWall>(motion) && !std::holds_alternative<Circle>(shape)) {
+    fail(*node, "radial motion requires a wall whose shape is a circle");
+  }
+  return motion;
+}
+
+Wall read_wall(const Node& node, const std::filesystem::path& directory) {
+  const TableReader table(node, {"role", "shape", "position", "orientation", "n_nodes", "motion"});
+  Wall wall;
+  wall.role = table.require("role", wall_roles);
+  wall.shape = read_shape(table, directory);
+  wall.position = table.get("position", any_vector, wall.position);
+  wall.orientation = table.get("orientation", any_number, wall.orientation);
+  wall.n_nodes = table.require("n_nodes", node_count);
+  wall.motion = read_motion(table, wall.shape);
+  return wall;
+}
+
+Body read_body(const Node& node, const std::filesystem::path& directory) {
+  const TableReader table(node, {"shape", "position", "orientation", "force", "torque", "held",
+                                 "velocity", "omega", "n_nodes"});
+  Body body;
+  body.shape = read_shape(table, directory);
+  body.position = table.get("position", any_vector, body.position);
+  body.orientation = table.get("orientation", any_number, body.orientation);
+  body.held = table.get("held", any_flag, body.held);
+  if (body.held) {
+    table.refuse({"force", "torque"},
+                 "force and torque of a held body are results; remove them, or set held = false");
+  } else {
+    table.refuse({"velocity", "omega"},
+                 "velocity and omega of a free body are results; remove them, or set held = true");
+  }
+  body.force = table.get("force", any_vector, body.force);
+  body.torque = table.get("torque", any_number, body.torque);
+  body.velocity = table.get("velocity", any_vector, body.velocity);
+  body.omega = table.get("omega", any_number, body.omega);
+  body.n_nodes = table.require("n_nodes", node_count);
+  return body;
+}
+
+constexpr std::string_view placements_header = "x,y,theta";
+constexpr std::string_view ellipses_header = "cx,cy,semi_a,semi_b,theta";
+
+double semi_axis(const CsvRow& row, std::size_t column, const std::string& name) {
+  const double length = row.values[column];
+  if (positive_number.holds(length)) return length;
+  throw SceneError(row.where + ": " + name + " = " + toml_value(length) + ": must be " +
+                   describe(positive_number));
+}
+
+Ellipse ellipse_of(const CsvRow& row) {
+  return {semi_axis(row, 2, "semi_a"), semi_axis(row, 3, "semi_b")};
+}
+
+std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& directory) {
+  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes"});
+  const CsvTable rows = read_csv_file(table.at("file", describe(csv_file_name)), directory,
+                                      {placements_header, ellipses_header});
+  const bool ellipses = rows.header == ellipses_header;
+  Body body;
+  if (ellipses) {
+    table.refuse({"shape"}, "the file gives each body its own ellipse; remove shape");
+  } else {
+    body.shape = read_shape(table, directory);
+  }
+  body.force = table.get("force", any_vector, body.force);
+  body.torque = table.get("torque", any_number, body.torque);
+  body.n_nodes = table.require("n_nodes", node_count);
+
+  std::vector<Body> bodies;
+  for (const CsvRow& row : rows.rows) {
+    if (ellipses) body.shape = ellipse_of(row);
+    body.position = {row.values[0], row.values[1]};
+    body.orientation = row.values.back();
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return x >= 0.0; }};
+
+/// Returns the box, or no value if the region is the whole fluid.
+std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
+  const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
+  const std::string expected =
+      enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" requires an outer wall)";
+  const Node* given = fill.find("region");
+  if (given == nullptr && enclosed) return std::nullopt;
+  const Node& region = fill.at("region", expected);
+  if (std::holds_alternative<Table>(region.value)) {
+    return TableReader(region, {"box"}).require("box", any_box);
+  }
+  if (value_as<std::string>(region, expected) != "fluid" || !enclosed) {
+    fail(region, "must be " + expected);
+  }
+  return std::nullopt;
+}
+
+Fill read_fill(const Node& node, const std::filesystem::path& directory, bool enclosed) {
+  const TableReader table(node,
+                          {"shape", "area_fraction", "count", "region", "clearance", "n_nodes"});
+  Fill fill;
+  fill.shape = read_shape(table, directory);
+  fill.area_fraction = table.get("area_fraction", proper_fraction);
+  fill.count = table.get("count", positive_integer);
+  if (fill.area_fraction.has_value() == fill.count.has_value()) {
+    fail(node, "must hold area_fraction or count, and not both");
+  }
+  fill.box = read_region(table, enclosed);
+  fill.clearance = table.get("clearance", gap, fill.clearance);
+  fill.n_nodes = table.require("n_nodes", node_count);
+  return fill;
+}
+
+}  // namespace
+
+std::vector<Wall> read_walls(const TableReader& root, const std::filesystem::path& directory) {
+  std::vector<Wall> walls;
+  const Node* outer = nullptr;
+  for (const Node& node : root.tables("walls")) {
+    walls.push_back(read_wall(node, directory));
+    if (walls.back().role != WallRole::outer) continue;
+    if (outer != nullptr) {
+      fail(*TableReader(node).find("role"), "must be inner: the outer wall is " + outer->path);
+    }
+    outer = &node;
+  }
+  return walls;
+}
+
+std::vector<Body> read_bodies(const TableReader& root, const std::filesystem::path& directory) {
+  std::vector<Body> bodies;
+  for (const Node& node : root.tables("bodies")) bodies.push_back(read_body(node, directory));
+  for (const Node& node : root.tables("body_lists")) {
+    std::ranges::move(read_body_list(node, directory), std::back_inserter(bodies));
+  }
+  return bodies;
+}
+
+std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::path& directory,
+                             bool enclosed) {
+  std::vector<Fill> fills;
+  for (const Node& node : root.tables("fill")) {
+    fills.push_back(read_fill(node, directory, enclosed));
+  }
+  return fills;
+}
+
+}  // namespace stokesbook::scene_text
