@@ -51,12 +51,6 @@ CsvRow parse_row(std::string_view line, const std::string& header, const std::st
   return row;
 }
 
-std::string header_of(std::string_view line) {
-  std::vector<std::string_view> columns = split(line, ',');
-  std::ranges::transform(columns, columns.begin(), trim);
-  return joined(columns, ",");
-}
-
 }  // namespace
 
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
@@ -73,7 +67,9 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name,
       table.rows.push_back(parse_row(line, table.header, where));
       continue;
     }
-    table.header = header_of(line);
+    std::vector<std::string_view> columns = split(line, ',');
+    std::ranges::transform(columns, columns.begin(), trim);
+    table.header = joined(columns, ",");
     if (std::ranges::find(headers, table.header) == headers.end()) {
       throw SceneError(where + ": header = " + std::string(line) + ": must be " +
                        joined(headers, " or "));

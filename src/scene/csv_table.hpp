@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/rules.hpp"
+#include "scene/table_reader.hpp"
 
 namespace stokesbook::scene_text {
 

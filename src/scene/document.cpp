@@ -1,5 +1,5 @@
-// Parses TOML with the library toml++ into nodes that keep their place in the file for messages, and
-// sets values of a document, as the command line's `--set time.dt=0.01` requests.
+// Parses TOML with the library toml++ into nodes that keep their place in the file for messages.
+// Sets values of a document, as the command line's `--set time.dt=0.01` requests.
 #include "scene/document.hpp"
 
 #include <algorithm>
@@ -19,32 +19,19 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-// Largest number of parts of a key; a.b.c has three. The limit protects the stack: the parser and the
-// functions for nested tables call themselves once for each part.
+// Largest number of parts of a key; a.b.c has three. The limit protects the stack: the parser and
+// the functions for nested tables call themselves once for each part.
 constexpr int most_key_parts = 1000;
 
 using Locate = std::function<std::string(const toml::source_position&)>;
 
 Node convert(const toml::node& source, const std::string& path, const Locate& locate);
 
-Array convert_elements(const toml::array& source, const std::string& path, const Locate& locate) {
-  Array elements;
-  for (const toml::node& element : source) {
-    elements.push_back(
-        convert(element, path + "[" + std::to_string(elements.size()) + "]", locate));
-  }
-  return elements;
-}
-
 Table convert_entries(const toml::table& source, const std::string& path, const Locate& locate) {
   using Entry = std::pair<const toml::key*, const toml::node*>;
   std::vector<Entry> in_file_order;
   for (const auto& [key, node] : source) in_file_order.emplace_back(&key, &node);
-  const auto position = [](const Entry& entry) {
-    const toml::source_position& begin = entry.first->source().begin;
-    return std::pair(begin.line, begin.column);
-  };
-  std::ranges::sort(in_file_order, {}, position);
+  std::ranges::sort(in_file_order, {}, [](const Entry& e) { return e.first->source().begin; });
 
   Table table;
   for (const auto& [key, node] : in_file_order) {
@@ -75,7 +62,11 @@ Node convert(const toml::node& source, const std::string& path, const Locate& lo
     if constexpr (std::is_same_v<Type, toml::table>) {
       node.value = convert_entries(typed, path, locate);
     } else if constexpr (std::is_same_v<Type, toml::array>) {
-      Array elements = convert_elements(typed, path, locate);
+      Array elements;
+      for (const toml::node& element : typed) {
+        const std::string index = "[" + std::to_string(elements.size()) + "]";
+        elements.push_back(convert(element, path + index, locate));
+      }
       node.text = shown(elements);
       node.value = std::move(elements);
     } else if constexpr (toml::is_chronological<Type>) {
@@ -144,24 +135,13 @@ Node& child(Node& parent, std::string_view name, const std::string& where) {
   return (*elements)[k];
 }
 
-// Rewrites a path in the style of messages, bodies[0].n_nodes, as bodies.0.n_nodes.
-std::string with_dots(std::string_view path) {
-  std::string dotted(path);
-  std::ranges::replace(dotted, '[', '.');
-  std::erase(dotted, ']');
-  return dotted;
-}
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 // Returns whether a value is a word that lacks quotation marks, such as fmm in
 // solver.summation=fmm. Such a word has letters, digits, _ and -, begins with a letter, and is not
 // a TOML value itself.
 bool is_word(std::string_view text) {
   constexpr std::string_view values[] = {"true", "false", "inf", "nan"};
-  const auto is_of_word = [](char c) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_of_word = [&](char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
   return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, is_of_word) &&
@@ -191,7 +171,9 @@ Node with_override(Node document, std::string_view setting) {
   if (path.empty() || equals == std::string_view::npos) {
     throw SceneError(where + ": must have the form key=value, such as time.dt=0.01");
   }
-  const std::string dotted = with_dots(path);
+  std::string dotted(path);  // bodies[0].n_nodes becomes bodies.0.n_nodes
+  std::ranges::replace(dotted, '[', '.');
+  std::erase(dotted, ']');
   if (std::ranges::count(dotted, '.') >= most_key_parts) {
     throw SceneError("--set: a key must have at most " + std::to_string(most_key_parts) + " parts");
   }

@@ -36,13 +36,11 @@ WallMotion read_radial(const Node& node) {
   return RadialWall{TableReader(node, {"kind", "speed"}).require("speed", any_number)};
 }
 
-constexpr Words<MotionReader, 5> motion_kinds{{
-    {"fixed", read_fixed},
-    {"rotating", read_rotating},
-    {"translating", read_translating},
-    {"linear", read_linear_motion},
-    {"radial", read_radial},
-}};
+constexpr Words<MotionReader, 5> motion_kinds{{{"fixed", read_fixed},
+                                               {"rotating", read_rotating},
+                                               {"translating", read_translating},
+                                               {"linear", read_linear_motion},
+                                               {"radial", read_radial}}};
 
 WallMotion read_motion(const TableReader& wall, const Shape& shape) {
   const Node* node = wall.find("motion");
@@ -100,10 +98,6 @@ double semi_axis(const CsvRow& row, std::size_t column, const std::string& name)
                    describe(positive_number));
 }
 
-Ellipse ellipse_of(const CsvRow& row) {
-  return {semi_axis(row, 2, "semi_a"), semi_axis(row, 3, "semi_b")};
-}
-
 std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& directory) {
   const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes"});
   const CsvTable rows = read_csv_file(table.at("file", describe(csv_file_name)), directory,
@@ -121,7 +115,7 @@ std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& 
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
-    if (ellipses) body.shape = ellipse_of(row);
+    if (ellipses) body.shape = Ellipse{semi_axis(row, 2, "semi_a"), semi_axis(row, 3, "semi_b")};
     body.position = {row.values[0], row.values[1]};
     body.orientation = row.values.back();
     bodies.push_back(body);

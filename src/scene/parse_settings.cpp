@@ -55,10 +55,8 @@ std::string adaptive_methods() {
   return joined(names);
 }
 
-std::optional<EffortBounds> read_effort(const TableReader& time) {
-  const Node* node = time.find("effort");
-  if (node == nullptr) return std::nullopt;
-  const TableReader table(*node, {"few", "many"});
+EffortBounds read_effort(const Node& node) {
+  const TableReader table(node, {"few", "many"});
   const EffortBounds effort{table.require("few", positive_integer),
                             table.require("many", positive_integer)};
   if (effort.few >= effort.many) fail(*table.find("many"), "must be more than few");
@@ -111,10 +109,6 @@ bool has_automatic_nodes(const auto& bodies) {
                              [](const auto& body) { return body.n_nodes == automatic_nodes; });
 }
 
-bool resolves_contact(SteppingMethod method) {
-  return method == SteppingMethod::euler || method == SteppingMethod::heun;
-}
-
 }  // namespace
 
 SolverSettings read_solver(const TableReader& root) {
@@ -164,7 +158,7 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
       table.refuse({"effort"},
                    "cannot be combined with time.tolerance, which adapts steps to the error");
     }
-    time.effort = read_effort(table);
+    if (const Node* effort = table.find("effort")) time.effort = read_effort(*effort);
     if (!adapts_steps(time) && !time.effort) {
       table.refuse({"dt_max"}, "requires one of " + adaptive_methods() + ", or time.effort");
     }
@@ -193,7 +187,8 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
     fail(given,
          "requires numbers for all n_nodes, since h is the node spacing; a body has \"auto\"");
   }
-  if (scene.time && !resolves_contact(scene.time->method)) {
+  if (scene.time && scene.time->method != SteppingMethod::euler &&
+      scene.time->method != SteppingMethod::heun) {
     fail(*TableReader(*root.find("time")).find("method"),
          "contact is resolved with \"euler\" and \"heun\"");
   }

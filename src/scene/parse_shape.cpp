@@ -84,13 +84,11 @@ Shape read_nodes(const Node& node, const std::filesystem::path& directory) {
   return inline_nodes(*points);
 }
 
-constexpr Words<ShapeReader, 5> shape_kinds{{
-    {"circle", read_circle},
-    {"ellipse", read_ellipse},
-    {"star", read_star},
-    {"superellipse", read_superellipse},
-    {"nodes", read_nodes},
-}};
+constexpr Words<ShapeReader, 5> shape_kinds{{{"circle", read_circle},
+                                             {"ellipse", read_ellipse},
+                                             {"star", read_star},
+                                             {"superellipse", read_superellipse},
+                                             {"nodes", read_nodes}}};
 
 }  // namespace
 

@@ -7,9 +7,9 @@
 #include "scene/scene.hpp"
 #include "scene/table_reader.hpp"
 
-/// Readers for the sections of a scene file, one function for each section. Each throws a SceneError
-/// at the first error. `root` is the whole scene, `directory` the folder that file names are
-/// relative to; lists are in file order, and missing sections have their defaults.
+/// Readers for the larger sections of a scene file, one function for each section. Each throws a
+/// SceneError at the first error. `root` is the whole scene, `directory` the folder that file names
+/// are relative to. Lists are in file order, and missing sections have their defaults.
 namespace stokesbook::scene_text {
 
 /// Reads the key `shape` of a wall, body, body list or fill.
@@ -25,17 +25,6 @@ std::vector<Body> read_bodies(const TableReader& root, const std::filesystem::pa
 /// @param  enclosed  whether there is an outer wall
 std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::path& directory,
                              bool enclosed);
-
-/// The section [flow]: the background flow, and the times at which all driving changes sign.
-struct FlowSection {
-  BackgroundFlow flow;                 ///< quiescent if a wall encloses the fluid
-  std::optional<double> gauge_length;  ///< length in the Stokeslets' -log(r / gauge_length)
-  std::vector<double> reverse_at;      ///< ascending times > 0
-};
-
-/// Reads [flow].
-/// @param  enclosed  whether there is an outer wall
-FlowSection read_flow(const TableReader& root, bool enclosed);
 
 /// Reads [solver].
 SolverSettings read_solver(const TableReader& root);

@@ -15,7 +15,7 @@ namespace stokesbook::scene_text {
 /// A word of the scene file and its meaning.
 template <class T>
 struct Word {
-  std::string_view name;  ///< the word as it is written
+  std::string_view name;  ///< as it is written
   T meaning;              ///< the value that the word stands for
 };
 
@@ -41,67 +41,54 @@ std::string list_of(const Words<T, N>& words) {
 inline constexpr std::string_view automatic_word = "auto";
 
 /// Words of `role` in [[walls]].
-inline constexpr Words<WallRole, 2> wall_roles{{
-    {"outer", WallRole::outer},
-    {"inner", WallRole::inner},
-}};
+inline constexpr Words<WallRole, 2> wall_roles{
+    {{"outer", WallRole::outer}, {"inner", WallRole::inner}}};
 
 /// Words of `summation` in [solver].
-inline constexpr Words<Summation, 3> summations{{
-    {"auto", Summation::automatic},
-    {"direct", Summation::direct},
-    {"fmm", Summation::fmm},
-}};
+inline constexpr Words<Summation, 3> summations{
+    {{"auto", Summation::automatic}, {"direct", Summation::direct}, {"fmm", Summation::fmm}}};
 
 /// Words of `near_singular` in [solver].
-inline constexpr Words<NearSingular, 4> near_singular_schemes{{
-    {"auto", NearSingular::automatic},
-    {"cauchy", NearSingular::cauchy},
-    {"interpolation", NearSingular::interpolation},
-    {"off", NearSingular::off},
-}};
+inline constexpr Words<NearSingular, 4> near_singular_schemes{
+    {{"auto", NearSingular::automatic},
+     {"cauchy", NearSingular::cauchy},
+     {"interpolation", NearSingular::interpolation},
+     {"off", NearSingular::off}}};
 
 /// Words of `preconditioner` in [solver].
-inline constexpr Words<PreconditionerKind, 5> preconditioners{{
-    {"auto", PreconditionerKind::automatic},
-    {"none", PreconditionerKind::none},
-    {"block_diagonal", PreconditionerKind::block_diagonal},
-    {"clusters", PreconditionerKind::clusters},
-    {"direct", PreconditionerKind::direct},
-}};
+inline constexpr Words<PreconditionerKind, 5> preconditioners{
+    {{"auto", PreconditionerKind::automatic},
+     {"none", PreconditionerKind::none},
+     {"block_diagonal", PreconditionerKind::block_diagonal},
+     {"clusters", PreconditionerKind::clusters},
+     {"direct", PreconditionerKind::direct}}};
 
 /// Words of `coupling` in [solver].
-inline constexpr Words<Coupling, 2> couplings{{
-    {"global", Coupling::global},
-    {"local", Coupling::local},
-}};
+inline constexpr Words<Coupling, 2> couplings{
+    {{"global", Coupling::global}, {"local", Coupling::local}}};
 
 /// Words of `method` in [time].
-inline constexpr Words<SteppingMethod, 7> stepping_methods{{
-    {"euler", SteppingMethod::euler},
-    {"adams_bashforth2", SteppingMethod::adams_bashforth2},
-    {"heun", SteppingMethod::heun},
-    {"rk4", SteppingMethod::rk4},
-    {"bogacki_shampine32", SteppingMethod::bogacki_shampine32},
-    {"dormand_prince54", SteppingMethod::dormand_prince54},
-    {"prince_dormand87", SteppingMethod::prince_dormand87},
-}};
+inline constexpr Words<SteppingMethod, 7> stepping_methods{
+    {{"euler", SteppingMethod::euler},
+     {"adams_bashforth2", SteppingMethod::adams_bashforth2},
+     {"heun", SteppingMethod::heun},
+     {"rk4", SteppingMethod::rk4},
+     {"bogacki_shampine32", SteppingMethod::bogacki_shampine32},
+     {"dormand_prince54", SteppingMethod::dormand_prince54},
+     {"prince_dormand87", SteppingMethod::prince_dormand87}}};
 
 /// Words of `formats` in [output].
-inline constexpr Words<OutputFormat, 4> output_formats{{
-    {"csv", OutputFormat::csv},
-    {"vtk", OutputFormat::vtk},
-    {"svg", OutputFormat::svg},
-    {"html", OutputFormat::html},
-}};
+inline constexpr Words<OutputFormat, 4> output_formats{{{"csv", OutputFormat::csv},
+                                                        {"vtk", OutputFormat::vtk},
+                                                        {"svg", OutputFormat::svg},
+                                                        {"html", OutputFormat::html}}};
 
 /// Words of `quantities` in `fields` of [output].
-inline constexpr Words<FieldQuantity, 5> field_quantities{{
-    {"velocity", FieldQuantity::velocity},
-    {"pressure", FieldQuantity::pressure},
-    {"vorticity", FieldQuantity::vorticity},
-    {"shear_stress", FieldQuantity::shear_stress},
-    {"dissipation", FieldQuantity::dissipation},
-}};
+inline constexpr Words<FieldQuantity, 5> field_quantities{
+    {{"velocity", FieldQuantity::velocity},
+     {"pressure", FieldQuantity::pressure},
+     {"vorticity", FieldQuantity::vorticity},
+     {"shear_stress", FieldQuantity::shear_stress},
+     {"dissipation", FieldQuantity::dissipation}}};
 
 }  // namespace stokesbook::scene_text
