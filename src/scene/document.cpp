@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
-#include <iterator>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -139,13 +138,10 @@ Node& child(Node& parent, std::string_view name, const std::string& where) {
 // solver.summation=fmm. Such a word has letters, digits, _ and -, begins with a letter, and is not
 // a TOML value itself.
 bool is_word(std::string_view text) {
-  constexpr std::string_view values[] = {"true", "false", "inf", "nan"};
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto is_of_word = [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, is_of_word) &&
-         std::ranges::find(values, text) == std::end(values);
+  const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  return text.find_first_of(letters) == 0 &&
+         text.find_first_not_of(letters + "0123456789_-") == std::string_view::npos &&
+         text != "true" && text != "false" && text != "inf" && text != "nan";
 }
 
 }  // namespace

@@ -18,8 +18,6 @@ namespace {
 
 using namespace scene_text;
 
-constexpr Requirement<std::string> any_text{"text"};
-
 using FlowReader = BackgroundFlow (*)(const Node&);
 
 constexpr Requirement<std::vector<double>> ascending_times{
@@ -85,7 +83,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
                                 "fill", "solver", "time", "contact", "output"});
   SceneFile file;
   auto& [scene, fills] = file;
-  scene.title = root.get("title", any_text, scene.title);
+  scene.title = root.get("title", Requirement<std::string>{"text"}, scene.title);
   scene.seed = static_cast<std::uint64_t>(root.get("seed", any_seed, std::int64_t{0}));
   if (const Node* fluid = root.find("fluid")) {
     const TableReader table(*fluid, {"viscosity"});

@@ -22,9 +22,7 @@ namespace stokesbook {
 SceneFile read_scene(const std::filesystem::path& path,
                      std::span<const std::string> overrides = {});
 
-/// Reads a scene from its text, as read_scene() does.
-/// @param  file_name  name of the text in messages
-/// @param  directory  folder that files named in the text are relative to
+/// Reads a scene from its text, as read_scene() does from a file of this name in this directory.
 SceneFile parse_scene(std::string_view text, std::string_view file_name,
                       const std::filesystem::path& directory,
                       std::span<const std::string> overrides = {});

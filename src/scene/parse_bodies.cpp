@@ -60,7 +60,7 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   wall.shape = read_shape(table, directory);
   wall.position = table.get("position", any_vector, wall.position);
   wall.orientation = table.get("orientation", any_number, wall.orientation);
-  wall.n_nodes = table.require("n_nodes", node_count);
+  wall.n_nodes = table.require("n_nodes", NodeCount{});
   wall.motion = read_motion(table, wall.shape);
   return wall;
 }
@@ -84,7 +84,7 @@ Body read_body(const Node& node, const std::filesystem::path& directory) {
   body.torque = table.get("torque", any_number, body.torque);
   body.velocity = table.get("velocity", any_vector, body.velocity);
   body.omega = table.get("omega", any_number, body.omega);
-  body.n_nodes = table.require("n_nodes", node_count);
+  body.n_nodes = table.require("n_nodes", NodeCount{});
   return body;
 }
 
@@ -111,7 +111,7 @@ std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& 
   }
   body.force = table.get("force", any_vector, body.force);
   body.torque = table.get("torque", any_number, body.torque);
-  body.n_nodes = table.require("n_nodes", node_count);
+  body.n_nodes = table.require("n_nodes", NodeCount{});
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
@@ -154,7 +154,7 @@ Fill read_fill(const Node& node, const std::filesystem::path& directory, bool en
   }
   fill.box = read_region(table, enclosed);
   fill.clearance = table.get("clearance", gap, fill.clearance);
-  fill.n_nodes = table.require("n_nodes", node_count);
+  fill.n_nodes = table.require("n_nodes", NodeCount{});
   return fill;
 }
 

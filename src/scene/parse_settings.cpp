@@ -72,15 +72,12 @@ void refuse_endless(const TableReader& table, std::string_view key, const Node& 
   fail(*table.find(key), "must be at least 1e-12 time.t_final, which is " + t_final.text);
 }
 
-// Checks dt_min <= dt <= dt_max for the keys that are given.
-void check_limits(const TableReader& table, const TimeSettings& time) {
-  const auto ordered = [&](std::optional<double> low, std::optional<double> high,
-                           std::string_view key, const std::string& problem) {
-    if (low && high && *low > *high) fail(*table.find(key), problem);
-  };
-  ordered(time.dt_min, time.dt, "dt_min", "must be at most time.dt");
-  ordered(time.dt_min, time.dt_max, "dt_min", "must be at most time.dt_max");
-  ordered(time.dt, time.dt_max, "dt_max", "must be at least time.dt");
+// Checks dt_min <= dt <= dt_max for the lengths that are given; a missing one is less than others.
+void check_order(const TableReader& table, const TimeSettings& time) {
+  const std::optional<double> dt = time.dt, dt_min = time.dt_min, dt_max = time.dt_max;
+  if (dt && dt_min > dt) fail(*table.find("dt_min"), "must be at most time.dt");
+  if (dt_max && dt_min > dt_max) fail(*table.find("dt_min"), "must be at most time.dt_max");
+  if (dt_max && dt > dt_max) fail(*table.find("dt_max"), "must be at least time.dt");
 }
 
 const std::string separation = "a number > 0: a length, or node spacings as in \"0.05h\"";
@@ -165,7 +162,7 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   }
   time.dt_min = table.get("dt_min", positive_number);
   time.dt_max = table.get("dt_max", positive_number);
-  check_limits(table, time);
+  check_order(table, time);
   for (const std::string_view key : {"dt", "dt_min", "dt_max"}) {
     refuse_endless(table, key, *table.find("t_final"));
   }

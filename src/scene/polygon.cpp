@@ -13,8 +13,7 @@ namespace stokesbook::scene_text {
 namespace {
 
 struct Edge {
-  Complex from;
-  Complex to;
+  Complex from, to;
   Complex step() const { return to - from; }
 };
 

@@ -13,11 +13,10 @@ struct PolygonFault {
   std::string problem;                ///< description of the fault, for messages
 };
 
-/// Checks that points form the closed curve of a body: at least 8 points, distinct from their
-/// neighbours, joined by straight edges that do not meet and that go around the origin.
-///
+/// Finds the first fault of points that should form the closed curve of a body: at least 8 points,
+/// distinct from their neighbours, joined by straight edges that do not meet and that go around the
+/// origin once.
 /// @param  points  in order along the curve, either sense
-/// @return         the first fault; none if the points form a closed curve
 /// @par Cost       quadratic in the number of points
 std::optional<PolygonFault> find_fault(const ComplexVector& points);
 

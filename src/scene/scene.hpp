@@ -25,81 +25,73 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;  ///< takes the message
 };
 
-/// @name Background flows, in units of the user; x = (x, y)
-/// @{
-
-/// Fluid at rest: u = 0
+/// Background flow of a fluid at rest: u = 0.
 struct QuiescentFlow {
   bool operator==(const QuiescentFlow&) const = default;  ///< compares all members
 };
 
-/// Uniform flow: u = velocity
+/// Uniform flow: u = velocity.
 struct UniformFlow {
   Complex velocity{};                                   ///< length / time
   bool operator==(const UniformFlow&) const = default;  ///< compares all members
 };
 
-/// Simple shear: u = (rate y, 0)
+/// Simple shear: u = (rate y, 0).
 struct ShearFlow {
   double rate = 0.0;                                  ///< 1 / time
   bool operator==(const ShearFlow&) const = default;  ///< compares all members
 };
 
-/// Planar extension: u = rate (x, -y)
+/// Planar extension: u = rate (x, -y).
 struct ExtensionalFlow {
   double rate = 0.0;                                        ///< 1 / time
   bool operator==(const ExtensionalFlow&) const = default;  ///< compares all members
 };
 
-/// Taylor-Green vortices: u = rate (cos x sin y, -sin x cos y), with x and y in the user's unit
+/// Taylor-Green vortices: u = rate (cos x sin y, -sin x cos y), with x and y in the user's unit.
 struct TaylorGreenFlow {
   double rate = 0.0;                                        ///< largest velocity, length / time
   bool operator==(const TaylorGreenFlow&) const = default;  ///< compares all members
 };
 
-/// Linear flow: u = gradient x, where the gradient has trace zero
+/// Linear flow: u = gradient x, where the gradient has trace zero.
 struct LinearFlow {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
   bool operator==(const LinearFlow&) const = default;  ///< compares all members
 };
-/// @}
 
 /// Flow far from the bodies, in a scene without an outer wall.
 using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, ExtensionalFlow,
                                     TaylorGreenFlow, LinearFlow>;
 
-/// @name Motions of a wall
-/// @{
-
-/// Wall at rest: u = 0 on the wall
+/// Wall at rest: u = 0 on the wall.
 struct FixedWall {
   bool operator==(const FixedWall&) const = default;  ///< compares all members
 };
 
-/// Rigid rotation about the wall's position
+/// Rigid rotation of a wall about its position.
 struct RotatingWall {
   double omega = 0.0;                                    ///< counter-clockwise, 1 / time
   bool operator==(const RotatingWall&) const = default;  ///< compares all members
 };
 
-/// Translation: u = velocity on the wall
+/// Translation of a wall: u = velocity on the wall.
 struct TranslatingWall {
   Complex velocity{};                                       ///< length / time
   bool operator==(const TranslatingWall&) const = default;  ///< compares all members
 };
 
-/// Linear velocity: u = gradient x on the wall, x in the laboratory frame; the curve does not move
+/// Linear velocity: u = gradient x on the wall, x in the laboratory frame; the curve does not move.
 struct LinearWall {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
   bool operator==(const LinearWall&) const = default;  ///< compares all members
 };
 
-/// Normal velocity `speed` into the fluid, on circles only; the curve does not move
+/// Normal velocity `speed` into the fluid, on circles only; the curve does not move.
 struct RadialWall {
   double speed = 0.0;                                  ///< length / time
   bool operator==(const RadialWall&) const = default;  ///< compares all members
 };
-/// @}
 
 /// Velocity of the fluid on a wall.
 using WallMotion = std::variant<FixedWall, RotatingWall, TranslatingWall, LinearWall, RadialWall>;

@@ -3,6 +3,7 @@
 #include "scene/table_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <utility>

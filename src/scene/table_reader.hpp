@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -89,8 +88,6 @@ T read(const Node& node, const Words<T, N>& words) {
 /// word "auto". The message about another number suggests the next valid one.
 struct NodeCount {};
 
-inline constexpr NodeCount node_count;  ///< the rule for `n_nodes`
-
 /// Describes the valid numbers of nodes.
 std::string describe(NodeCount rule);
 
@@ -105,13 +102,10 @@ inline constexpr Requirement<Complex> any_vector{"two numbers [x, y]"};  ///< a 
 inline constexpr Requirement<Eigen::Matrix2d> any_gradient{
     "two rows of two numbers [[a, b], [c, d]]"};
 
-/// Corners of a box whose sides are positive and finite.
+/// Corners of a box with positive sides.
 inline constexpr Requirement<std::array<double, 4>> any_box{
-    "[xmin, ymin, xmax, ymax] with finite sides, xmin < xmax and ymin < ymax",
-    [](const std::array<double, 4>& box) {
-      const double width = box[2] - box[0], height = box[3] - box[1];
-      return width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height);
-    }};
+    "[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax",
+    [](const std::array<double, 4>& box) { return box[0] < box[2] && box[1] < box[3]; }};
 
 /// A finite number > 0.
 inline constexpr Requirement<double> positive_number{"a number > 0",
