@@ -91,10 +91,10 @@ std::vector<Step> run(const SteppingSettings& settings, const Rate& rate, const 
   StepMemory memory;
   std::vector<Step> steps;
   while (now.t < t_end) {
-    Advance advance = stepper.advance(now, std::move(memory), t_end);
-    now = advance.step.end;
-    memory = std::move(advance.memory);
-    steps.push_back(std::move(advance.step));
+    StepResult taken = stepper.advance(now, std::move(memory), t_end);
+    now = taken.step.end;
+    memory = std::move(taken.memory);
+    steps.push_back(std::move(taken.step));
   }
   return steps;
 }

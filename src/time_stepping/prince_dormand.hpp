@@ -1,6 +1,6 @@
 #pragma once
 
-#include "time_stepping/rate.hpp"
+#include "time_stepping/step.hpp"
 
 namespace stokesbook {
 
@@ -22,7 +22,6 @@ struct EstimatedEnd {
 /// @param  f      right-hand side; exceptions of f are passed on to the caller
 /// @param  start  start of the step, n numbers
 /// @param  dt     h, length of the step, time
-/// @return        state at t + h and the estimate of its error
 /// @par Accuracy  order 8, @ref claim_09_7; the estimate is a fifth of GSL's estimate, which is the
 ///                error of the lower order alone, of order h^8, @ref claim_09_19
 /// @par Cost      12 evaluations of f

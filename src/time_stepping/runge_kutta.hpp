@@ -1,6 +1,6 @@
 #pragma once
 
-#include "time_stepping/rate.hpp"
+#include "time_stepping/step.hpp"
 
 namespace stokesbook {
 
@@ -22,43 +22,36 @@ struct Tableau {
   Eigen::VectorXd bubble = {};  ///< s + 1 weights of the bubble in Step; empty: no bubble
 };
 
-/// Returns the explicit Euler scheme.
-/// @return order 1, one stage
+/// Returns the explicit Euler scheme: order 1, one stage.
 const Tableau& euler();
 
-/// Returns Heun's scheme, the trapezoid rule with an Euler step as predictor (09.4).
-/// @return order 2, two stages
+/// Returns Heun's scheme, the trapezoid rule with an Euler step as predictor (09.4): order 2, two
+/// stages.
 const Tableau& heun();
 
-/// Returns the classical Runge-Kutta scheme.
+/// Returns the classical Runge-Kutta scheme: order 4 with an estimate of order 3, four stages.
 ///
 /// The estimate is the difference between the end and another end of order 3, in which the rate at
 /// the end replaces the last stage. GSL's scheme has the same stages, but repeats every step by two
 /// halves for its estimate, which takes three times as many evaluations.
-/// @return order 4 with an estimate of order 3, four stages
 const Tableau& runge_kutta4();
 
-/// Returns the pair of Bogacki and Shampine.
+/// Returns the pair of Bogacki and Shampine: order 3 with an estimate of order 2, three stages.
 ///
-/// @return order 3 with an estimate of order 2, three stages
 /// @sa source: Bogacki, Shampine, Appl. Math. Lett. 2 (1989), 321
 const Tableau& bogacki_shampine32();
 
-/// Returns the pair of Dormand and Prince with the interpolant of order 4.
+/// Returns the pair of Dormand and Prince with the interpolant of order 4: order 5 with an estimate
+/// of order 4, six stages. GSL has neither this pair nor an interpolant for any pair.
 ///
-/// GSL has neither this pair nor an interpolant for any pair.
-/// @return order 5 with an estimate of order 4, six stages
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.5 and II.6
 const Tableau& dormand_prince54();
 
-/// Evaluates the stages of a step (09.6).
+/// Evaluates the s stages (09.6) of a step of length h = dt.
 ///
-/// @param  tableau  scheme of s stages
-/// @param  f        right-hand side
-/// @param  start    start of the step, n numbers; its rate is the first stage
-/// @param  dt       h, length of the step, time
-/// @return          n x s rates, one stage per column
-/// @par Cost        s - 1 evaluations of f
+/// @param  start  start of the step, n numbers; its rate is the first stage
+/// @return        n x s rates, one stage per column
+/// @par Cost      s - 1 evaluations of f
 Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
                                    double dt);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "time_stepping/rate.hpp"
+#include "time_stepping/step.hpp"
 
 namespace stokesbook {
 
@@ -12,14 +12,11 @@ struct ErrorBound {
   double tolerance = 0.0;  ///< error allowed, in units of the scale, > 0
   Eigen::VectorXd scale;   ///< n numbers > 0: the unit of each number's error
 
-  /// Measures an error in units of the scale.
-  /// @param  error  n numbers
-  /// @return        the largest |error_i| / scale_i
+  /// Returns the largest |error_i| / scale_i.
   double in_units_of_scale(const Eigen::VectorXd& error) const;
 
-  /// Measures an error relative to the error that is allowed (09.8).
-  /// @param  error  n numbers
-  /// @return        the largest |error_i| / (tolerance scale_i)
+  /// Returns the error over the error that is allowed (09.8): the largest
+  /// |error_i| / (tolerance scale_i).
   double operator()(const Eigen::VectorXd& error) const {
     return in_units_of_scale(error) / tolerance;
   }
@@ -43,9 +40,6 @@ double step_factor(double error, double previous, int order);
 /// A trial step by Euler's scheme yields the second derivative of q. The length of this trial step
 /// is a hundredth of the time in which q changes by its scale. The first step is the step whose
 /// estimated error is a hundredth of the error allowed, but at most a hundred trial steps.
-/// @param  f      right-hand side
-/// @param  start  start of the step, n numbers
-/// @param  bound  bound of a step's error
 /// @param  order  k: a step's estimate is of order h^k
 /// @return        h > 0, time; infinite if the rate is zero; the trial step if this step meets an
 ///                InadmissibleState

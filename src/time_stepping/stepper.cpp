@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "time_stepping/adams_moulton.hpp"
 #include "time_stepping/prince_dormand.hpp"
 #include "time_stepping/runge_kutta.hpp"
 
@@ -42,18 +41,18 @@ StepError too_short(double dt, double error) {
 
 }  // namespace
 
-double evened_end(double t, double event, double longest) {
+double choose_step_end(double t, double event, double longest) {
   // A remainder below 1e-9 of a step is rounding, and needs no further step.
   const double steps = std::ceil((event - t) / longest - 1e-9);
   return steps > 1.0 ? t + (event - t) / steps : event;
 }
 
 // The end by (09.6), and an estimate of the form (09.7) that includes the rate at the end.
-Stepper::Try Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) const {
+StepResult Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) const {
   const Tableau& tableau = tableau_of(settings_.method);
   const double dt = t_end - start.t;
   const MatrixXd stages = runge_kutta_stages(tableau, rates_.within, start, dt);
-  Try result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}, {}};
+  StepResult result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}};
   TimePoint& end = result.step.end;
   end.rate = rates_.at_end(t_end, end.state);
   const auto combined = [&](const VectorXd& weights) -> VectorXd {
@@ -64,10 +63,9 @@ Stepper::Try Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) 
   return result;
 }
 
-Stepper::Try Stepper::attempt(const TimePoint& start, double t_end,
-                              const StepMemory& memory) const {
+StepResult Stepper::attempt(const TimePoint& start, double t_end, const StepMemory& memory) const {
   const double dt = t_end - start.t;
-  Try result{{start, {t_end, {}, {}}}, {}};
+  StepResult result{{start, {t_end, {}, {}}}};
   TimePoint& end = result.step.end;
   if (settings_.method == SteppingMethod::prince_dormand87) {
     EstimatedEnd estimated = prince_dormand87_step(rates_.within, start, dt);
@@ -86,7 +84,7 @@ Stepper::Try Stepper::attempt(const TimePoint& start, double t_end,
   return result;
 }
 
-int Stepper::power_of_estimate() const {
+int Stepper::order_of_estimate() const {
   if (settings_.method == SteppingMethod::prince_dormand87) return 8;
   return tableau_of(settings_.method).estimate_order + 1;
 }
@@ -94,44 +92,49 @@ int Stepper::power_of_estimate() const {
 double Stepper::longest_step(const TimePoint& start, const StepMemory& memory) const {
   if (memory.dt) return *memory.dt;
   if (settings_.dt) return *settings_.dt;
-  return first_step(rates_.within, start, settings_.bound, power_of_estimate());
+  return first_step(rates_.within, start, settings_.bound, order_of_estimate());
 }
 
-StepMemory Stepper::after(const Try& tried, double scaled_error, double longest, bool rejected,
-                          StepMemory memory) const {
-  const double dt = tried.step.dt();
-  // The error of a step that an event has cut short is no basis for the length of longer steps.
-  const bool cut = dt < 0.5 * longest;
+StepMemory Stepper::update(StepMemory memory, const Step& step, double scaled_error, double longest,
+                           bool rejected) const {
+  const double dt = step.dt();
   if (is_embedded(settings_.method)) {
-    const double factor = step_factor(scaled_error, memory.error, power_of_estimate());
+    // The error of a step that an event has cut short is no basis for the length of longer steps.
+    const bool cut = dt < 0.5 * longest;
+    const double factor = step_factor(scaled_error, memory.error, order_of_estimate());
     memory.dt = cut ? longest : dt * (rejected ? std::min(factor, 1.0) : factor);
     if (!cut) memory.error = scaled_error;
-  } else if (memory.detour) {
-    const bool over = tried.step.end.t >= memory.detour->end;
-    memory.dt = over ? memory.detour->dt : longest;
-    if (over) memory.detour.reset();
+    return memory;
   }
-  if (!is_embedded(settings_.method)) memory.previous = PreviousStep{dt, tried.step.start.rate};
+  if (memory.reduced) {
+    const bool over = step.end.t >= memory.reduced->until;
+    memory.dt = over ? memory.reduced->dt_after : longest;
+    if (over) memory.reduced.reset();
+  }
+  memory.previous = PreviousStep{dt, step.start.rate};
   return memory;
 }
 
-Advance Stepper::advance(const TimePoint& start, StepMemory memory, double event) const {
+StepResult Stepper::advance(const TimePoint& start, StepMemory memory, double event) const {
   double longest = std::min(longest_step(start, memory), settings_.dt_max);
   for (int rejected = 0;; ++rejected) {
-    const double stop = memory.detour ? std::min(event, memory.detour->end) : event;
-    const double t_end = evened_end(start.t, stop, longest);
+    const double stop = memory.reduced ? std::min(event, memory.reduced->until) : event;
+    const double t_end = choose_step_end(start.t, stop, longest);
     const double dt = t_end - start.t;
     try {
-      Try tried = attempt(start, t_end, memory);
-      const double error = is_embedded(settings_.method) ? settings_.bound(tried.error) : 0.0;
+      StepResult result = attempt(start, t_end, memory);
+      const double error = is_embedded(settings_.method) ? settings_.bound(result.error) : 0.0;
       if (error <= 1.0) {
-        memory = after(tried, error, longest, rejected > 0, std::move(memory));
-        return {std::move(tried.step), std::move(tried.error), std::move(memory), rejected};
+        result.memory = update(std::move(memory), result.step, error, longest, rejected > 0);
+        result.rejected = rejected;
+        return result;
       }
-      longest = dt * step_factor(error, memory.error, power_of_estimate());
+      longest = dt * step_factor(error, memory.error, order_of_estimate());
       if (longest < settings_.dt_min) throw too_short(dt, error);
     } catch (const InadmissibleState&) {
-      if (!is_embedded(settings_.method) && !memory.detour) memory.detour = Detour{t_end, longest};
+      if (!is_embedded(settings_.method) && !memory.reduced) {
+        memory.reduced = ReducedSteps{t_end, longest};
+      }
       longest = 0.5 * dt;
       if (longest < settings_.dt_min) throw;
     }

@@ -3,8 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "time_stepping/adams_bashforth.hpp"
-#include "time_stepping/step.hpp"
+#include "time_stepping/adams.hpp"
 #include "time_stepping/step_control.hpp"
 #include "time_stepping/stepping_method.hpp"
 
@@ -22,10 +21,10 @@ struct SteppingSettings {
   ErrorBound bound{};  ///< bound of each step's estimated error, for embedded methods
 };
 
-/// Shorter steps around an InadmissibleState.
-struct Detour {
-  double end = 0.0;  ///< time at which the step that met this state was to end
-  double dt = 0.0;   ///< longest step after this time
+/// Steps that are shorter than the settings say, because a longer one met an InadmissibleState.
+struct ReducedSteps {
+  double until = 0.0;     ///< time at which the step that met this state was to end
+  double dt_after = 0.0;  ///< longest step after this time
 };
 
 /// Data of the previous steps. Together with time and state they determine all steps that follow.
@@ -33,8 +32,8 @@ struct StepMemory {
   std::optional<double> dt{};  ///< longest next step; none: that of the settings
   double error = 1.0;          ///< scaled error of the last step that was taken
   std::optional<PreviousStep>
-      previous{};                  ///< for methods of fixed steps, unless the rate has jumped
-  std::optional<Detour> detour{};  ///< for methods of fixed steps, while steps are halved
+      previous{};  ///< for methods of fixed steps, unless the rate has jumped
+  std::optional<ReducedSteps> reduced{};  ///< for methods of fixed steps, while steps are halved
 };
 
 /// The right-hand side, as a function for each kind of evaluation.
@@ -51,21 +50,16 @@ class StepError : public std::runtime_error {
 };
 
 /// A step that was taken, with its estimated error, and the memory for the next step.
-struct Advance {
-  Step step;              ///< the next step begins at the end of this step
-  Eigen::VectorXd error;  ///< estimated error of the step, n numbers
-  StepMemory memory;      ///< memory for the next step
-  int rejected = 0;       ///< number of longer steps that were tried and rejected
+struct StepResult {
+  Step step;                   ///< the next step begins at the end of this step
+  Eigen::VectorXd error = {};  ///< estimated error of the step, n numbers
+  StepMemory memory = {};      ///< memory for the next step
+  int rejected = 0;            ///< number of longer steps that were tried and rejected
 };
 
-/// Divides the time to an event into equal steps, none longer than a given length, and returns the
-/// end of the first step.
-///
-/// @param  t        start
-/// @param  event    > t, time
-/// @param  longest  longest step, > 0
-/// @return          end of the first step, time; the event itself if one step is enough
-double evened_end(double t, double event, double longest);
+/// Divides the time from t to a later event into equal steps, none longer than `longest` > 0, and
+/// returns the end of the first step: the event itself if one step is enough.
+double choose_step_end(double t, double event, double longest);
 
 /// Advances \f$ \dot q = f(t, q) \f$ step by step. A Stepper stores nothing between steps.
 ///
@@ -88,7 +82,6 @@ double evened_end(double t, double event, double longest);
 class Stepper {
  public:
   /// Stores settings and right-hand side.
-  ///
   /// @param  settings  with a bound for embedded methods, and with dt for all others
   /// @param  rates     right-hand side; the same function twice if it does not distinguish the two
   Stepper(SteppingSettings settings, Rates rates)
@@ -98,29 +91,21 @@ class Stepper {
   ///
   /// @param  start   start of the step, with its rate
   /// @param  memory  memory of the previous step; a new StepMemory for the first step
-  /// @param  event   time > start.t that no step may pass
-  /// @return         the step, which ends at the event if the event is near enough
+  /// @param  event   time > start.t that no step may pass; the step ends there if it is near enough
   /// @throws InadmissibleState when all steps down to dt_min meet such a state
   /// @throws StepError when all steps down to dt_min have errors above the bound
   /// @par Cost       for each step that is tried, one evaluation of f at the end and those of the
   ///                 stages; the cost of first_step() if no length of the first step is given
-  Advance advance(const TimePoint& start, StepMemory memory, double event) const;
+  StepResult advance(const TimePoint& start, StepMemory memory, double event) const;
 
  private:
-  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
-  // not write.
-  /// @cond
-  struct Try {
-    Step step;
-    Eigen::VectorXd error;
-  };
-  /// @endcond
-  Try attempt(const TimePoint& start, double t_end, const StepMemory& memory) const;
-  Try attempt_runge_kutta(const TimePoint& start, double t_end) const;
+  // Try one step, without memory for the next step.
+  StepResult attempt(const TimePoint& start, double t_end, const StepMemory& memory) const;
+  StepResult attempt_runge_kutta(const TimePoint& start, double t_end) const;
   double longest_step(const TimePoint& start, const StepMemory& memory) const;
-  int power_of_estimate() const;  // the estimate of a step is of this order in h
-  StepMemory after(const Try& tried, double scaled_error, double longest, bool rejected,
-                   StepMemory memory) const;
+  int order_of_estimate() const;  // the estimate of a step is of this order in h
+  StepMemory update(StepMemory memory, const Step& step, double scaled_error, double longest,
+                    bool rejected) const;
 
   SteppingSettings settings_;
   Rates rates_;

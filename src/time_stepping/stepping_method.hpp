@@ -17,19 +17,13 @@ enum class SteppingMethod {
 };
 
 /// Returns whether a method is an embedded pair, which adapts its steps to an estimate of their
-/// error.
-///
-/// @param  method  any
-/// @return         true for the last three
+/// error: true for the last three methods.
 constexpr bool is_embedded(SteppingMethod method) {
   return method >= SteppingMethod::bogacki_shampine32;
 }
 
 /// Returns whether interpolate() is as accurate within a step as the method is at its end, so that
 /// steps need not end where the state is required.
-///
-/// @param  method  any
-/// @return         true for bogacki_shampine32 and dormand_prince54
 constexpr bool has_dense_output(SteppingMethod method) {
   return method == SteppingMethod::bogacki_shampine32 || method == SteppingMethod::dormand_prince54;
 }

@@ -94,12 +94,12 @@ BOOST_AUTO_TEST_CASE(few_steps_are_rejected) {
     StepMemory memory;
     int steps = 0, rejected = 0;
     while (now.t < 8.0) {
-      const Advance advance = stepper.advance(now, memory, 8.0);
-      BOOST_TEST(advance.memory.error <= 1.0);
-      now = advance.step.end;
-      memory = advance.memory;
+      const StepResult taken = stepper.advance(now, memory, 8.0);
+      BOOST_TEST(taken.memory.error <= 1.0);
+      now = taken.step.end;
+      memory = taken.memory;
       ++steps;
-      rejected += advance.rejected;
+      rejected += taken.rejected;
     }
     BOOST_TEST(10 * rejected <= steps);
   }
@@ -111,14 +111,14 @@ BOOST_AUTO_TEST_CASE(steps_to_an_event_are_even_and_the_last_hits_it) {
   for (int trial = 0; trial < 100; ++trial) {
     const double t = 2.0 * uniform(random) - 1.0, event = t + uniform(random),
                  longest = 0.3 * uniform(random);
-    BOOST_TEST(evened_end(t, event, event - t) == event);
-    BOOST_TEST(evened_end(t, event, 2.0) == event);
+    BOOST_TEST(choose_step_end(t, event, event - t) == event);
+    BOOST_TEST(choose_step_end(t, event, 2.0) == event);
     int steps = 1;
-    double now = evened_end(t, event, longest);
+    double now = choose_step_end(t, event, longest);
     const double first = now - t;
     BOOST_TEST(first <= longest * (1.0 + 1e-8));
     for (; now < event; ++steps) {
-      const double next = evened_end(now, event, longest);
+      const double next = choose_step_end(now, event, longest);
       BOOST_TEST(std::abs(next - now - first) <= 1e-12);
       now = next;
     }
@@ -134,11 +134,10 @@ BOOST_AUTO_TEST_CASE(the_next_step_follows_from_the_order_of_the_estimate) {
     SteppingSettings settings = to_tolerance(method, 1e-5);
     settings.dt = 0.02;
     const Stepper stepper(settings, {problem_rate, problem_rate});
-    const Advance advance = stepper.advance(problem_at(0.0), {}, 10.0);
-    BOOST_REQUIRE_EQUAL(advance.rejected, 0);
-    const double factor = step_factor(advance.memory.error, 1.0, power);
-    BOOST_TEST(*advance.memory.dt == factor * advance.step.dt(),
-               boost::test_tools::tolerance(1e-12));
+    const StepResult taken = stepper.advance(problem_at(0.0), {}, 10.0);
+    BOOST_REQUIRE_EQUAL(taken.rejected, 0);
+    const double factor = step_factor(taken.memory.error, 1.0, power);
+    BOOST_TEST(*taken.memory.dt == factor * taken.step.dt(), boost::test_tools::tolerance(1e-12));
   }
 }
 
@@ -188,7 +187,7 @@ BOOST_AUTO_TEST_CASE(embedded_methods_halve_steps_that_meet_an_inadmissible_stat
   for (const SteppingMethod method : embedded) {
     SteppingSettings settings{.method = method, .dt = 2.0, .dt_min = 1e-3};
     settings.bound = {1e-3, VectorXd::Ones(1)};
-    const Advance first = Stepper(settings, {fast, fast}).advance(decay_start(), {}, 2.0);
+    const StepResult first = Stepper(settings, {fast, fast}).advance(decay_start(), {}, 2.0);
     BOOST_TEST(first.rejected >= 1);
     BOOST_TEST(first.step.end.t < 1.0);
     BOOST_TEST(first.step.end.state[0] > 0.0);
@@ -209,9 +208,9 @@ BOOST_AUTO_TEST_CASE(a_state_that_no_short_step_avoids_stops_the_steps) {
     StepMemory memory;
     const auto go_on = [&] {
       while (true) {
-        Advance advance = stepper.advance(now, memory, 0.29);
-        now = advance.step.end;
-        memory = advance.memory;
+        StepResult taken = stepper.advance(now, memory, 0.29);
+        now = taken.step.end;
+        memory = taken.memory;
       }
     };
     BOOST_CHECK_THROW(go_on(), InadmissibleState);
@@ -245,9 +244,9 @@ BOOST_AUTO_TEST_CASE(memory_and_moment_are_all_that_the_next_step_depends_on) {
     SteppingSettings settings = to_tolerance(method, 1e-6);
     settings.dt = 0.1;
     const Stepper stepper(settings, {problem_rate, problem_rate});
-    Advance at = stepper.advance(problem_at(0.0), {}, 8.0);
+    StepResult at = stepper.advance(problem_at(0.0), {}, 8.0);
     for (int k = 0; k < 5; ++k) at = stepper.advance(at.step.end, at.memory, 8.0);
-    const Advance next = stepper.advance(at.step.end, at.memory, 8.0);
+    const StepResult next = stepper.advance(at.step.end, at.memory, 8.0);
     const Stepper another(settings, {problem_rate, problem_rate});
     BOOST_TEST(same(next.step, another.advance(at.step.end, at.memory, 8.0).step));
   }

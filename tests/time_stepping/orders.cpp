@@ -73,7 +73,7 @@ void check_order(SteppingMethod method, int fewest_steps, double order) {
   }
 }
 
-Advance one_step(SteppingMethod method, double h) {
+StepResult one_step(SteppingMethod method, double h) {
   SteppingSettings settings = unlimited(method);
   settings.dt = h;
   return Stepper(settings, {problem_rate, problem_rate}).advance(problem_at(0.7), {}, 0.7 + h);

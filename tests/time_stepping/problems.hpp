@@ -47,10 +47,10 @@ inline std::vector<Step> steps_through(const Stepper& stepper, TimePoint now,
   StepMemory memory;
   for (const double t : times) {
     while (now.t < t) {
-      Advance advance = stepper.advance(now, memory, t);
-      now = advance.step.end;
-      memory = advance.memory;
-      steps.push_back(std::move(advance.step));
+      StepResult taken = stepper.advance(now, memory, t);
+      now = taken.step.end;
+      memory = taken.memory;
+      steps.push_back(std::move(taken.step));
     }
   }
   return steps;

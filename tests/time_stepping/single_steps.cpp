@@ -40,8 +40,8 @@ int exact_components(const TimePoint& end) {
   return count;
 }
 
-Advance one_step(SteppingMethod method, const Rate& f, const TimePoint& start,
-                 const StepMemory& memory = {}) {
+StepResult one_step(SteppingMethod method, const Rate& f, const TimePoint& start,
+                    const StepMemory& memory = {}) {
   SteppingSettings settings = unlimited(method);
   settings.bound.scale = VectorXd::Ones(start.state.size());
   return Stepper(settings, {f, f}).advance(start, memory, start.t + dt);
@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(exact_for_polynomials_in_time) {
   }
   for (const double before : {0.1, 0.5, 2.0}) {
     const StepMemory memory{.previous = PreviousStep{before, monomials(t0 - before, {})}};
-    const Advance advance = one_step(SteppingMethod::adams_bashforth2, monomials, start, memory);
-    BOOST_TEST(exact_components(advance.step.end) == 2);
+    const StepResult taken = one_step(SteppingMethod::adams_bashforth2, monomials, start, memory);
+    BOOST_TEST(exact_components(taken.step.end) == 2);
   }
 }
 
@@ -104,10 +104,10 @@ BOOST_AUTO_TEST_CASE(evaluations_are_counted_and_the_last_is_at_the_end) {
                         BOOST_TEST(t == 1.25);
                         return problem_rate(t, q);
                       }};
-    const Advance advance = Stepper(unlimited(method), rates).advance(problem_at(1.0), {}, 1.25);
+    const StepResult taken = Stepper(unlimited(method), rates).advance(problem_at(1.0), {}, 1.25);
     BOOST_TEST(at_end == 1);
     BOOST_TEST(within == expected - 1);
-    const auto& [t, state, rate] = advance.step.end;
+    const auto& [t, state, rate] = taken.step.end;
     BOOST_TEST((rate - problem_rate(t, state)).norm() == 0.0);
   }
 }

@@ -26,8 +26,8 @@ FromExact one_step(SteppingMethod method, double h, std::optional<double> ratio)
     memory.previous = PreviousStep{before, problem_at(t - before).rate};
   }
   const Stepper stepper(unlimited(method), {problem_rate, problem_rate});
-  const Advance advance = stepper.advance(problem_at(t), memory, t + h);
-  return {advance.error, problem_solution(t + h) - advance.step.end.state};
+  const StepResult taken = stepper.advance(problem_at(t), memory, t + h);
+  return {taken.error, problem_solution(t + h) - taken.step.end.state};
 }
 
 }  // namespace

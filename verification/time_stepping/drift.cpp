@@ -37,9 +37,9 @@ Measure errors(SteppingMethod method, double tolerance, bool hastens = false) {
     std::vector<Measurement> measurements;
     for (const int turns : {1, 2, 5, 10, 20, 50, 100}) {
       while (now.t < turns * turn) {
-        Advance advance = stepper.advance(now, memory, turns * turn);
-        now = std::move(advance.step.end);
-        memory = std::move(advance.memory);
+        StepResult taken = stepper.advance(now, memory, turns * turn);
+        now = std::move(taken.step.end);
+        memory = std::move(taken.memory);
       }
       // After whole turns the exact angle is known without rounding errors of the formula.
       const double error = std::abs(now.state[0] + 2.0 * std::numbers::pi * turns);

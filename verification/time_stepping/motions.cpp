@@ -50,9 +50,9 @@ std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   std::map<double, VectorXd> states;
   for (const double t : motion.known_at) {
     while (now.t < t) {
-      Advance advance = stepper.advance(now, std::move(memory), t);
-      now = std::move(advance.step.end);
-      memory = std::move(advance.memory);
+      StepResult taken = stepper.advance(now, std::move(memory), t);
+      now = std::move(taken.step.end);
+      memory = std::move(taken.memory);
     }
     states[t] = motion.compared(now.state);
   }

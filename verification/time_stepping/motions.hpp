@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "time_stepping/rate.hpp"
+#include "time_stepping/step.hpp"
 
 namespace stokesbook::verification::time_stepping {
 

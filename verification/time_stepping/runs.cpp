@@ -30,12 +30,12 @@ RunResult run(const Motion& motion, const SteppingSettings& settings,
   result.estimate = VectorXd::Zero(motion.start.size());
   while (now.t < motion.t_final) {
     const Stepper stepper(settings, make_rates(counted.rate(), now));
-    Advance advance = stepper.advance(now, std::move(memory), next_event(now.t));
-    result.error = std::max(result.error, error_of(motion, settings.method, advance.step));
-    result.estimate += advance.error;
-    result.last_estimate = std::move(advance.error);
-    now = std::move(advance.step.end);
-    memory = std::move(advance.memory);
+    StepResult taken = stepper.advance(now, std::move(memory), next_event(now.t));
+    result.error = std::max(result.error, error_of(motion, settings.method, taken.step));
+    result.estimate += taken.error;
+    result.last_estimate = std::move(taken.error);
+    now = std::move(taken.step.end);
+    memory = std::move(taken.memory);
   }
   result.evaluations = counted.evaluations();
   result.state = now.state;

@@ -109,7 +109,7 @@ double ContactSteps::planned_dt(const StepMemory& memory) const {
 // The contact of the last frame is that of a step after the end of the run.
 double ContactSteps::planned_end(const RunState& state) const {
   const double t = state.now.t, dt = planned_dt(state.steps);
-  return t < schedule_.t_final() ? evened_end(t, schedule_.next_event(t), dt) : t + dt;
+  return t < schedule_.t_final() ? choose_step_end(t, schedule_.next_event(t), dt) : t + dt;
 }
 
 // The search for contact along a path takes the longer, the longer the path: no path is much longer

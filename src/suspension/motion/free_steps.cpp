@@ -66,17 +66,17 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
     return to_rate(last->solution);
   };
   const TimePoint now{state.now.t, state.now.state, to_rate(first.solution)};
-  Advance advance =
+  StepResult taken =
       take_step(now, state.steps, {shorter_on_error(within), shorter_on_error(at_end)});
-  statistics_.totals.rejected_steps += advance.rejected;
-  info.t = advance.step.end.t;
-  info.dt = advance.step.dt();
-  return {std::move(advance.step), std::move(advance.memory), std::move(*last), {}, info,
-          std::move(advance.error)};
+  statistics_.totals.rejected_steps += taken.rejected;
+  info.t = taken.step.end.t;
+  info.dt = taken.step.dt();
+  return {std::move(taken.step), std::move(taken.memory), std::move(*last), {}, info,
+          std::move(taken.error)};
 }
 
-Advance FreeSteps::take_step(const TimePoint& start, const StepMemory& memory,
-                             const Rates& rates) const {
+StepResult FreeSteps::take_step(const TimePoint& start, const StepMemory& memory,
+                                const Rates& rates) const {
   const std::string dt_min = "time.dt_min = " + short_number(settings_.dt_min);
   try {
     return Stepper(settings_, rates).advance(start, memory, schedule_.next_event(start.t));

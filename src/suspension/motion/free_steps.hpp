@@ -44,7 +44,7 @@ class FreeSteps {
   TakenStep advance(const RunState& state, StepStart start);
 
  private:
-  Advance take_step(const TimePoint& start, const StepMemory& memory, const Rates& rates) const;
+  StepResult take_step(const TimePoint& start, const StepMemory& memory, const Rates& rates) const;
 
   const OutputSchedule& schedule_;
   InstantSolver& instants_;

@@ -119,7 +119,7 @@ TimedSolution Simulation::reverse() {
 void Simulation::adapt_to_effort(const StepInfo& step) {
   const TimeSettings& time = *solver_.scene().time;
   StepMemory& memory = state_.steps;
-  if (!time.effort || memory.detour) return;
+  if (!time.effort || memory.reduced) return;
   const SteppingSettings settings = stepping_settings(solver_);
   double dt = memory.dt.value_or(*time.dt);
   if (step.gmres_iterations < time.effort->few) dt = std::min(2.0 * dt, settings.dt_max);

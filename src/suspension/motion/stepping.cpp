@@ -80,9 +80,9 @@ History to_history(const StepMemory& memory) {
     history["previous_dt"] = one(memory.previous->dt);
     history["previous_rate"] = memory.previous->rate;
   }
-  if (memory.detour) {
-    history["detour_end"] = one(memory.detour->end);
-    history["detour_dt"] = one(memory.detour->dt);
+  if (memory.reduced) {
+    history["detour_end"] = one(memory.reduced->until);
+    history["detour_dt"] = one(memory.reduced->dt_after);
   }
   return history;
 }
@@ -95,7 +95,7 @@ StepMemory to_memory(const History& history) {
     memory.previous = PreviousStep{number("previous_dt"), history.at("previous_rate")};
   }
   if (history.contains("detour_end")) {
-    memory.detour = Detour{number("detour_end"), number("detour_dt")};
+    memory.reduced = ReducedSteps{number("detour_end"), number("detour_dt")};
   }
   return memory;
 }

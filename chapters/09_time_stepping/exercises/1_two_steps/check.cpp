@@ -2,7 +2,7 @@
 // of the library.
 #include "chapters/check.hpp"
 
-#include "time_stepping/adams_bashforth.hpp"
+#include "time_stepping/adams.hpp"
 #include "time_stepping/runge_kutta.hpp"
 
 using namespace stokesbook;
