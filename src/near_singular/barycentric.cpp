@@ -26,10 +26,15 @@ struct Nodes {
   double own;
 };
 
+// Real and imaginary parts of f, g and h at the nodes, in separate vectors.
+struct Functions {
+  Eigen::VectorXd fx, fy, gx, gy, hx, hy;
+};
+
 // Computes the sums for two targets at once. Both targets share one division per node, because the
 // divisions limit the speed of the loop.
-void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex target_0,
-            Complex target_1, Sums& sums_0, Sums& sums_1) {
+void add_up(const Nodes& nodes, const Functions& functions, Complex target_0, Complex target_1,
+            Sums& sums_0, Sums& sums_1) {
   const double x0 = target_0.real(), y0 = target_0.imag();
   const double x1 = target_1.real(), y1 = target_1.imag();
   const double *x = nodes.x, *y = nodes.y, *cx = nodes.cx, *cy = nodes.cy;
@@ -71,11 +76,6 @@ void add_up(const Nodes& nodes, const BarycentricFunctions& functions, Complex t
 
 }  // namespace
 
-BarycentricFunctions::BarycentricFunctions(const Eigen::Ref<const ComplexVector>& f,
-                                           const Eigen::Ref<const ComplexVector>& g,
-                                           const Eigen::Ref<const ComplexVector>& h)
-    : fx(f.real()), fy(f.imag()), gx(g.real()), gy(g.imag()), hx(h.real()), hy(h.imag()) {}
-
 Barycentric::Barycentric(const Curve& curve)
     : x_(curve.x.real()), y_(curve.x.imag()), own_(curve.side == Side::fluid_outside ? 1.0 : 0.0) {
   // c_j = s t'_j h / (2 pi i) with h = 2 pi / N
@@ -92,8 +92,11 @@ Index Barycentric::node_at(Complex target) const {
   return nearest;
 }
 
-std::vector<BarycentricValues> Barycentric::operator()(const BarycentricFunctions& functions,
+std::vector<BarycentricValues> Barycentric::operator()(const Eigen::Ref<const ComplexVector>& f,
+                                                       const Eigen::Ref<const ComplexVector>& g,
+                                                       const Eigen::Ref<const ComplexVector>& h,
                                                        const ComplexVector& targets) const {
+  const Functions functions{f.real(), f.imag(), g.real(), g.imag(), h.real(), h.imag()};
   const Nodes nodes{x_.data(), y_.data(), cx_.data(), cy_.data(), size(), own_};
   const Index m = targets.size();
   std::vector<BarycentricValues> values(static_cast<std::size_t>(m));
@@ -104,7 +107,7 @@ std::vector<BarycentricValues> Barycentric::operator()(const BarycentricFunction
     } else {
       // The target is a node, or so close to one that rho^2 underflows.
       const Index k = node_at(targets[i]);
-      value = {{functions.fx[k], functions.fy[k]}, {functions.gx[k], functions.gy[k]}};
+      value = {f[k], g[k]};
     }
   };
   for (Index i = 0; i < m; i += 2) {

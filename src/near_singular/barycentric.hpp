@@ -9,25 +9,6 @@ namespace stokesbook {
 /// @addtogroup near_singular
 /// @{
 
-/// Node values of three complex functions, with real and imaginary parts in separate vectors.
-struct BarycentricFunctions {
-  /// Separates three functions into real and imaginary parts.
-  ///
-  /// @param  f  N node values
-  /// @param  g  N node values
-  /// @param  h  N node values, unit of g / length
-  BarycentricFunctions(const Eigen::Ref<const ComplexVector>& f,
-                       const Eigen::Ref<const ComplexVector>& g,
-                       const Eigen::Ref<const ComplexVector>& h);
-
-  Eigen::VectorXd fx,  ///< real part of f
-      fy,              ///< imaginary part of f
-      gx,              ///< real part of g
-      gy,              ///< imaginary part of g
-      hx,              ///< real part of h
-      hy;              ///< imaginary part of h
-};
-
 /// The two sums that a barycentric evaluation computes at a target z.
 struct BarycentricValues {
   Complex first,  ///< \f$ \sum_j w_j f_j \f$
@@ -46,33 +27,29 @@ struct BarycentricValues {
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class Barycentric {
  public:
-  /// Stores the nodes of a curve and the factors of its Cauchy integrals.
-  /// @param  curve  N nodes
+  /// Stores the N nodes of a curve and the factors of its Cauchy integrals.
   explicit Barycentric(const Curve& curve);
 
   /// Evaluates both sums at targets on the fluid's side of the curve or on its nodes.
   ///
-  /// @param  functions  f, g and h at the N nodes
-  /// @param  targets    m points, length
-  /// @return            values at the m targets, units of f and g
-  /// @par Cost          35 N operations and N / 2 divisions per target
-  std::vector<BarycentricValues> operator()(const BarycentricFunctions& functions,
+  /// @param  f        N node values
+  /// @param  g        N node values
+  /// @param  h        N node values, unit of g / length
+  /// @param  targets  m points, length
+  /// @return          values at the m targets, units of f and g
+  /// @par Cost        35 N operations and N / 2 divisions per target
+  std::vector<BarycentricValues> operator()(const Eigen::Ref<const ComplexVector>& f,
+                                            const Eigen::Ref<const ComplexVector>& g,
+                                            const Eigen::Ref<const ComplexVector>& h,
                                             const ComplexVector& targets) const;
 
-  /// Evaluates the weights of all nodes at targets.
-  ///
-  /// @param  targets  m points on the fluid's side or on nodes, length
-  /// @return          w, m x N
-  /// @par Cost        10 N operations per target
+  /// Evaluates the weights w, m x N, at m targets on the fluid's side or on nodes, with 10 N
+  /// operations per target.
   Eigen::MatrixXcd weights(const ComplexVector& targets) const;
 
   /// Evaluates \f$ \mathrm{Re}\,\Delta \f$. If the curve is resolved, this number is greater than
   /// 1/2 in the fluid, tending to 1 away from the curve, and less than 1/2 on the other side,
-  /// tending to 0 (06.15). On a node the number is infinite.
-  ///
-  /// @param  point  length
-  /// @return        dimensionless
-  /// @par Cost      5 N operations
+  /// tending to 0 (06.15). On a node the number is infinite. The cost is 5 N operations.
   double side(Complex point) const;
 
  private:

@@ -88,7 +88,7 @@ ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
   const auto phi = data.phi.col(column);
   const ComplexVector chi = (phi - data.limit.col(column)).conjugate();
   const std::vector<BarycentricValues> values =
-      barycentric_({phi, chi, data.dphi.col(column)}, targets);
+      barycentric_(phi, chi, data.dphi.col(column), targets);
   ComplexVector result(targets.size());
   std::ranges::transform(values, result.begin(), [](const BarycentricValues& at) {
     return at.first - std::conj(at.second);
@@ -130,8 +130,8 @@ CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const 
 std::vector<FlowDerivatives> CauchyCurve::derivatives(const CauchyDerivativeData& data,
                                                       Index column,
                                                       const ComplexVector& targets) const {
-  const std::vector<BarycentricValues> values = barycentric_(
-      {data.dphi.col(column), data.stress.col(column), data.ddphi.col(column)}, targets);
+  const std::vector<BarycentricValues> values =
+      barycentric_(data.dphi.col(column), data.stress.col(column), data.ddphi.col(column), targets);
   std::vector<FlowDerivatives> result(values.size());
   std::ranges::transform(
       values, result.begin(), [](const BarycentricValues& at) -> FlowDerivatives {

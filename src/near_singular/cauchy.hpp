@@ -49,23 +49,18 @@ struct CauchyDerivativeData {
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class CauchyCurve {
  public:
-  /// Prepares the matrices of one curve.
-  ///
-  /// @param  reference  N nodes, in the curve's own frame
-  /// @par Cost          O(N^2 log N) operations, 64 N^2 bytes
+  /// Prepares the matrices of one curve of N nodes in its own frame: O(N^2 log N) operations,
+  /// 64 N^2 bytes.
   explicit CauchyCurve(const Curve& reference);
 
   /// Computes the node values for densities in the curve's frame, one density per column.
   ///
   /// @param  densities  N x k, length / time
-  /// @return            limit and phi, N x k, length / time; dphi, N x k, 1 / time
   /// @par Cost          12 N^2 k real multiplications
   CauchyData data(const Eigen::MatrixXcd& densities) const;
 
   /// Evaluates the velocity on the fluid's side, at any distance or on a node.
   ///
-  /// @param  data     from data()
-  /// @param  column   index of the density
   /// @param  targets  m points, in the curve's frame, length
   /// @return          m velocities in the curve's frame, length / time
   /// @par Cost        35 N operations and N / 2 divisions per target
@@ -80,18 +75,13 @@ class CauchyCurve {
   /// @par Cost        16 N^2 real multiplications per target, as matrix products
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
-  /// Computes the node values for the derivatives of the flow.
-  ///
-  /// @param  data  from data(), k densities
-  /// @return       three functions, N x k each
-  /// @par Cost     O(N k log N)
+  /// Computes the node values for the derivatives of the flow, from data() of k densities, with
+  /// O(N k log N) operations.
   CauchyDerivativeData derivative_data(const CauchyData& data) const;
 
   /// Evaluates pressure, vorticity and strain on the fluid's side, at any distance or on a node. On
   /// a node the values are the limits from the fluid.
   ///
-  /// @param  data     from derivative_data()
-  /// @param  column   index of the density
   /// @param  targets  m points, in the curve's frame, length
   /// @return          m values in the curve's frame, 1 / time
   /// @par Accuracy  1e-11 relative at any distance, once the density is resolved: @ref claim_06_8,
@@ -100,19 +90,16 @@ class CauchyCurve {
   std::vector<FlowDerivatives> derivatives(const CauchyDerivativeData& data, Eigen::Index column,
                                            const ComplexVector& targets) const;
 
-  /// Returns whether a point lies on the fluid's side of the curve:
-  /// \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
+  /// Returns whether a point of the curve's frame lies on the fluid's side of the curve or on a
+  /// node: \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
   ///
-  /// @param  point  in the curve's frame, length
-  /// @return        true in the fluid and on a node
   /// @par Accuracy  the border between true and false is the curve, also between nodes, once the
   /// shape is resolved: @ref claim_06_25; the distance of the border from the curve, as a function
   /// of N: @ref claim_06_28
   /// @par Cost      O(N)
   bool in_fluid(Complex point) const { return barycentric_.side(point) > 0.5; }
 
-  /// Returns the nodes.
-  /// @return N nodes, in the curve's own frame
+  /// Returns the nodes, in the curve's own frame.
   const Curve& curve() const { return curve_; }
 
  private:

@@ -20,17 +20,10 @@ struct SmoothCurve {
   double orientation = 0.0;                      ///< radians, counter-clockwise
   std::vector<GradedParameter> parameters = {};  ///< of the nodes; empty if they are equidistant
 
-  /// Returns the parameter of a node.
-  ///
-  /// @param  node  index of the node
-  /// @return       parameter, radians
+  /// Returns the parameter of a node, radians.
   double parameter(Eigen::Index node) const;
 
-  /// Evaluates point and derivatives at a parameter, in the plane.
-  ///
-  /// @param  t  parameter, radians
-  /// @return    x, x' and x'' at t, length
-  /// @par Cost  that of the parametrisation
+  /// Evaluates x, x' and x'' at the parameter t, in the plane.
   TrigonometricPolynomial::Jet at(double t) const;
 };
 
@@ -48,7 +41,6 @@ struct Foot {
 /// @param  point    z, length
 /// @param  guess    parameter near that of the foot, radians
 /// @param  longest  longest step allowed, radians, for example the distance between nodes
-/// @return          the foot
 /// @par Accuracy    rounding of the positions, if the point is nearer to the curve than the centre
 /// of curvature, @ref claim_06_36
 /// @par Cost        a few evaluations of the curve, 31 at most
@@ -71,21 +63,15 @@ struct ClosestPoints {
 /// wherever it turns from falling to rising. Therefore all minima are found, also if their heights
 /// hardly differ, and curves that touch or overlap are distinguished from curves that are only
 /// near, wherever the nodes are.
-/// @param  a  one curve, N_a nodes
-/// @param  b  the other curve, N_b nodes
-/// @return    gap, and the points between which it lies
 /// @par Accuracy  rounding of the positions, gaps of 1e-8 included: @ref claim_06_36
-/// @par Cost      N_a N_b distances, and some twenty evaluations of the curves for each node that
-/// may be next to the closest point
+/// @par Cost      N_a N_b distances between nodes, and some twenty evaluations of the curves for
+/// each node that may be next to the closest point
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 
 /// Descends from a pair of points of two curves to a local minimum of the distance between them.
 ///
-/// @param  a  one curve, N_a nodes
-/// @param  b  the other curve, N_b nodes
 /// @param  s  parameter of a point of curve a, radians
 /// @param  t  parameter on curve b near the foot of this point, radians
-/// @return    gap, and the points between which it lies
 /// @par Accuracy  as closest_points(), @ref claim_06_36
 /// @par Cost      about five evaluations of the curves per Newton step
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);

@@ -32,18 +32,13 @@ struct InterpolationSettings {
   /// Returns the parameters of the published code: m = 6, beta = 1.1, \f$ \sigma = \lceil\sqrt
   /// N\rceil \f$ and the mean spacing.
   ///
-  /// @param  n_nodes  N
-  /// @return          settings
   /// @sa source: Bystricky, Shanbhag, Quaife, Int. J. Numer. Meth. Fluids 92 (2020)
   static InterpolationSettings published(Eigen::Index n_nodes);
 
   /// Returns parameters that meet a tolerance, provided that the node spacing also resolves the
   /// flow away from the curve: \f$ \sigma\beta = \ln(100/\varepsilon)/2\pi \f$, with steps of one
   /// spacing for tolerances down to 1e-6, and steps of half a spacing and a higher degree for
-  /// smaller ones.
-  ///
-  /// @param  tolerance  relative to the density, > 0
-  /// @return            settings
+  /// smaller ones. The tolerance > 0 is relative to the density.
   static InterpolationSettings for_tolerance(double tolerance);
 };
 
@@ -68,10 +63,8 @@ struct InterpolationData {
 /// Phys. 274 (2014), 403
 class InterpolationCurve {
  public:
-  /// Prepares fine nodes and limits of one curve.
+  /// Prepares fine nodes and limits of one curve of N nodes, in its own frame.
   ///
-  /// @param  reference  N nodes, in the curve's own frame
-  /// @param  settings   parameters of the scheme
   /// @throws std::invalid_argument when a setting is out of its range
   /// @par Cost          8 (4 + sigma) N^2 bytes
   InterpolationCurve(const Curve& reference, const InterpolationSettings& settings);
@@ -79,14 +72,11 @@ class InterpolationCurve {
   /// Computes fine densities and limits for densities in the curve's frame, one per column.
   ///
   /// @param  densities  N x k, length / time
-  /// @return            data for velocity()
   /// @par Cost          (4 + 2 sigma) N^2 k real multiplications
   InterpolationData data(const Eigen::MatrixXcd& densities) const;
 
   /// Evaluates the velocity on the fluid's side, at any distance or on the curve.
   ///
-  /// @param  data     from data()
-  /// @param  column   index of the density
   /// @param  targets  m points, in the curve's frame, length
   /// @return          m velocities in the curve's frame, length / time
   /// @par Cost        at most m sigma N kernel evaluations per target, m being the degree, and O(N)
@@ -101,8 +91,7 @@ class InterpolationCurve {
   /// @par Cost        4 sigma N^2 + 8 N^2 real multiplications per target, as matrix products
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
-  /// Returns the nodes.
-  /// @return N nodes, in the curve's own frame
+  /// Returns the nodes, in the curve's own frame.
   const Curve& curve() const { return curve_; }
 
  private:

@@ -37,8 +37,6 @@ class NearCorrection {
   ///
   /// @param  curves    placed curves, in the order of the densities
   /// @param  targets   m points, length
-  /// @param  kind      nodes of the curves themselves, or other points
-  /// @param  settings  storage, and the tolerance, which decides which targets are near
   /// @par Cost         that of find_near_targets(), and of the rows
   NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets, Targets kind,
                  const NearSettings& settings);
@@ -50,11 +48,9 @@ class NearCorrection {
   ComplexVector operator()(const ComplexVector& density) const;
 
   /// Counts the pairs of a target and a curve that is near it.
-  /// @return number of corrections that are summed
   Eigen::Index pair_count() const;
 
   /// Counts the curves whose rows are stored.
-  /// @return 0 for factored storage
   Eigen::Index explicit_count() const { return static_cast<Eigen::Index>(rows_.size()); }
 
  private:

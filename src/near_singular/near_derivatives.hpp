@@ -28,14 +28,9 @@ std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCu
                                                       double tolerance);
 
 /// Evaluates the difference between double_layer_derivatives() and StressletSum::derivatives(), for
-/// callers that evaluate the trapezoid sum by another method.
+/// callers that evaluate the trapezoid sum by another method. Parameters and exceptions are the
+/// same. The difference is zero at targets that are not near.
 ///
-/// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
-/// @param  density    at all nodes, in the curves' order, length / time
-/// @param  targets    m points of the fluid or its boundary, length
-/// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
-/// @return            m values, 1 / time; zero at targets that are not near
-/// @throws std::invalid_argument when a curve has another scheme
 /// @par Cost      O(N^2) per curve with near targets, 50 N operations per near target
 std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
                                                          const ComplexVector& density,

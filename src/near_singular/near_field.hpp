@@ -18,12 +18,7 @@ namespace stokesbook {
 /// @par Accuracy  second order in the distance over the radius of curvature: @ref claim_06_35
 Complex preimage(const Curve& curve, Eigen::Index node, Complex target);
 
-/// Finds the node nearest to a point.
-///
-/// @param  curve   N nodes
-/// @param  target  point, length
-/// @return         its index, 0 to N - 1
-/// @par Cost       O(N)
+/// Returns the index of the node nearest to a point, with O(N) operations.
 Eigen::Index nearest_node(const Curve& curve, Complex target);
 
 /// Returns the bound \f$ \ln(200/\varepsilon) \f$: the trapezoid rule may miss a relative tolerance
@@ -31,9 +26,7 @@ Eigen::Index nearest_node(const Curve& curve, Complex target);
 ///
 /// On resolved circles, ellipses and stars the error is at most
 /// \f$ 200\,e^{-N|\mathrm{Im}\,s|} \f$ down to rounding, @ref claim_06_23, and typically 10 to 20
-/// times less.
-/// @param  tolerance  relative to the density, > 0
-/// @return            bound of N |Im s|, dimensionless
+/// times less. The tolerance > 0 is relative to the density.
 double near_cut(double tolerance);
 
 /// Estimates \f$ N|\mathrm{Im}\,s| \f$ of the nearest preimage s of a target, from the error of the
@@ -52,14 +45,8 @@ double near_cut(double tolerance);
 double preimage_depth(const Curve& curve, Complex target);
 
 /// Returns whether the trapezoid rule of a curve is too coarse at a target: whether
-/// preimage_depth() is at most near_cut(). The test requires no density.
-///
-/// @param  curve      N nodes
-/// @param  target     point of the fluid, length
-/// @param  tolerance  relative to the density, > 0
-/// @return            true when the rule is expected to miss the tolerance
-/// @par Accuracy      that of preimage_depth(), @ref claim_06_23
-/// @par Cost          O(N)
+/// preimage_depth() is at most near_cut(). The test requires no density; its accuracy is that of
+/// preimage_depth(), @ref claim_06_23.
 bool is_near(const Curve& curve, Complex target, double tolerance);
 
 /// Returns a distance from the curve beyond which no target is near:
@@ -69,10 +56,7 @@ bool is_near(const Curve& curve, Complex target, double tolerance);
 ///
 /// The continuation of a curve grows at this rate on circles, and along graded nodes about a
 /// cluster.
-/// @param  curve      N nodes
-/// @param  tolerance  as for is_near()
-/// @return            distance, length
-/// @par Cost          O(N)
+/// @par Cost  O(N)
 double near_reach(const Curve& curve, double tolerance);
 
 /// @}

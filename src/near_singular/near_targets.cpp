@@ -35,43 +35,6 @@ std::vector<Rectangle> rectangles_of(const ComplexVector& targets, const std::ve
   return rectangles;
 }
 
-// Collects the targets that are near one curve.
-class Finder {
- public:
-  Finder(const PlacedCurve& placed, double tolerance)
-      : curve_(placed.curve()),
-        position_(placed.position),
-        turn_(std::polar(1.0, -placed.orientation)),
-        tolerance_(tolerance),
-        reach_(bounding_radius(curve_, 0.0) + near_reach(curve_, tolerance)) {}
-
-  // Returns a square outside of which no target is near.
-  Rectangle surroundings() const { return square_about(position_, reach_); }
-
-  // Tests the targets first, ..., last - 1.
-  void look_at(const ComplexVector& targets, Index first, Index last) {
-    for (Index i = first; i < last; ++i) {
-      const Complex local = (targets[i] - position_) * turn_;
-      if (std::abs(local) < reach_ && is_near(curve_, local, tolerance_)) {
-        index_.push_back(i);
-        local_.push_back(local);
-      }
-    }
-  }
-
-  NearTargets found() const {
-    return {index_,
-            Eigen::Map<const ComplexVector>(local_.data(), static_cast<Index>(local_.size()))};
-  }
-
- private:
-  const Curve& curve_;
-  Complex position_, turn_;
-  double tolerance_, reach_;
-  std::vector<Index> index_;
-  std::vector<Complex> local_;
-};
-
 }  // namespace
 
 std::vector<Index> node_offsets(const std::vector<PlacedCurve>& curves) {
@@ -90,12 +53,22 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
   std::vector<NearTargets> near(curves.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    Finder finder(curves[k], tolerance);
-    for (const std::size_t run : index.meeting(finder.surroundings())) {
-      const bool own = kind == Targets::own_nodes && run == k;
-      if (!own) finder.look_at(targets, runs[run], runs[run + 1]);
+    const Curve& curve = curves[k].curve();
+    const Complex turn = std::polar(1.0, -curves[k].orientation);
+    // No target is near outside of the circle with this radius.
+    const double reach = bounding_radius(curve, 0.0) + near_reach(curve, tolerance);
+    std::vector<Complex> near_points;
+    for (const std::size_t run : index.meeting(square_about(curves[k].position, reach))) {
+      if (kind == Targets::own_nodes && run == k) continue;
+      for (Index i = runs[run]; i < runs[run + 1]; ++i) {
+        const Complex local = (targets[i] - curves[k].position) * turn;
+        if (std::abs(local) >= reach || !is_near(curve, local, tolerance)) continue;
+        near[k].index.push_back(i);
+        near_points.push_back(local);
+      }
     }
-    near[k] = finder.found();
+    near[k].local =
+        Eigen::Map<const ComplexVector>(near_points.data(), static_cast<Index>(near_points.size()));
   }
   return near;
 }

@@ -23,8 +23,7 @@ struct PlacedCurve {
   Complex position;          ///< origin of the curve's frame in the plane, length
   double orientation = 0.0;  ///< radians, counter-clockwise
 
-  /// Returns the nodes.
-  /// @return N nodes, in the curve's own frame
+  /// Returns the nodes, in the curve's own frame.
   const Curve& curve() const {
     return std::visit([](const auto& s) -> const Curve& { return s->curve(); }, scheme);
   }
@@ -46,9 +45,6 @@ struct NearTargets {
 ///
 /// @param  curves     placed curves, in the order of the densities
 /// @param  targets    m points, length
-/// @param  kind       nodes of the curves themselves, or other points
-/// @param  tolerance  of is_near(), > 0
-/// @return            one entry per curve
 /// @throws std::invalid_argument when a target is not finite
 /// @par Cost          a search in a RectangleIndex per curve, and O(N) per target within the
 /// near_reach() of a curve; the search excludes most targets only if consecutive points are
@@ -57,10 +53,8 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance);
 
-/// Returns the position of each curve's first node in the vector of all nodes.
-///
-/// @param  curves  in the order of the densities
-/// @return         one entry per curve, and a last entry with the number of all nodes
+/// Returns the position of each curve's first node in the vector of all nodes, and in a last entry
+/// the number of all nodes.
 std::vector<Eigen::Index> node_offsets(const std::vector<PlacedCurve>& curves);
 
 /// @}
