@@ -31,18 +31,11 @@ using Coefficients = Eigen::Array4d;
 /// Expansions of all boxes of a tree, for one or several fields.
 class Expansions {
  public:
-  /// Allocates the expansions.
-  ///
-  /// @param  boxes   number of boxes
-  /// @param  fields  number of fields
-  /// @param  order   p, highest power
+  /// Allocates expansions of order p.
   Expansions(Eigen::Index boxes, Eigen::Index fields, int order)
       : fields_(fields), columns_(order + 1), all_(4, boxes * fields * columns_) {}
 
-  /// Returns a view of one expansion.
-  /// @param  box    index of the box
-  /// @param  field  index of the field
-  /// @return        4 x (p + 1)
+  /// Returns a view of one expansion, 4 x (p + 1).
   auto operator()(Eigen::Index box, Eigen::Index field) {
     return all_.middleCols((box * fields_ + field) * columns_, columns_);
   }
@@ -51,12 +44,10 @@ class Expansions {
     return all_.middleCols((box * fields_ + field) * columns_, columns_);
   }
 
-  /// Counts the columns of all expansions together.
-  /// @return boxes times fields times p + 1
+  /// Counts the columns of all expansions together: boxes times fields times p + 1.
   Eigen::Index columns() const { return all_.cols(); }
 
   /// Sets the expansions of all fields of a box to zero.
-  /// @param  box  index of the box
   void clear(Eigen::Index box) {
     all_.middleCols(box * fields_ * columns_, fields_ * columns_).setZero();
   }
@@ -71,7 +62,6 @@ class Expansions {
 /// \f$ A_k = \frac{1}{R}\sum a W^{k-1} \f$,
 /// \f$ B_k = -\frac{1}{R}\sum (b W^{k-1} - (k-1) a\bar W W^{k-2}) \f$ with \f$ W = (y-c)/R \f$,
 /// \f$ a = \frac{w}{4\pi}n\eta \f$, \f$ b = \frac{w}{2\pi}n\cdot\eta \f$.
-/// @param  box    box of the nodes
 /// @param  nodes  nodes of the box; only their first field is used
 /// @param  sum    4 x (p + 1), to which is added
 void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
@@ -89,26 +79,16 @@ struct PointForce {
 /// With \f$ f = F/4\pi\mu \f$ and \f$ W \f$ as for nodes: \f$ A_0 = -\frac f2 \f$,
 /// \f$ A_k = \frac{f W^k}{2k} \f$, \f$ B_0 = \frac{\bar f}{2} \f$,
 /// \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
-/// @param  box    box of the point
-/// @param  point  position, force and torque
-/// @param  sum    4 x (p + 1), to which is added
+/// The sum is 4 x (p + 1).
 void p2m(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
 
-/// L2P: adds the velocities of a local expansion, (08.7) and (08.5).
-///
-/// @param  box        box of the expansion
-/// @param  expansion  4 x (p + 1)
-/// @param  targets    points of the box, length
-/// @param  sum        velocities at the targets, length / time, to which is added
+/// L2P: adds the velocities of a local expansion, 4 x (p + 1), at points of its box, by (08.7) and
+/// (08.5).
 void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGroup& targets,
          VectorGroup& sum);
 
-/// L2P: evaluates pressure, vorticity and strain of a local expansion.
-///
-/// @param  box        box of the expansion
-/// @param  expansion  4 x (p + 1)
-/// @param  target     point of the box, length
-/// @return            derivatives, 1 / time
+/// L2P: evaluates pressure, vorticity and strain of a local expansion, 4 x (p + 1), at a point of
+/// its box, 1 / time.
 FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
                                 Complex target);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -16,11 +17,6 @@ namespace stokesbook {
 using Eigen::Index;
 
 namespace {
-
-// Returns the number of pairs of points that cost as much as one M2L translation: p^2 / 2 (08.14).
-Index direct_pairs(int order) {
-  return order * order / 2;
-}
 
 // A level with at most this many boxes is done by one thread: others would start too late to help.
 constexpr Index few_boxes = 64;
@@ -63,6 +59,23 @@ void add_velocities(const PointForce& point, Index count, const VectorGroup& tar
   }
 }
 
+// Throws if a target coincides with a point force, where the velocity is not finite.
+void require_apart(const Quadtree& targets, Index target_count, const ComplexVector& points) {
+  std::map<std::pair<double, double>, Index> point_at;
+  for (Index j = 0; j < points.size(); ++j) point_at[{points[j].real(), points[j].imag()}] = j;
+  if (point_at.empty()) return;
+  for (Index i = 0; i < targets.size(); ++i) {
+    const Index target = targets.order()[static_cast<std::size_t>(i)];
+    if (target >= target_count) continue;  // a point force is no target
+    const auto point = point_at.find({targets.x()[i], targets.y()[i]});
+    if (point == point_at.end()) continue;
+    std::ostringstream message;
+    message << "target " << target << " of an FMM coincides with point force " << point->second
+            << " at (" << targets.x()[i] << ", " << targets.y()[i] << "): move one of them";
+    throw std::invalid_argument(message.str());
+  }
+}
+
 // Calls work(first field, number of fields) for blocks of four, two or one fields. The number is a
 // constant of the compiler.
 template <class Work>
@@ -102,7 +115,9 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
       least2_(sources_.size()),
       points_before_{0} {
   if (targets != nullptr) targets_.emplace(*targets, Eigen::VectorXd{}, settings.leaf_size);
-  interactions_ = find_interactions(this->targets(), sources_, direct_pairs(settings.order));
+  // p^2 / 2 pairs of points cost as much as one M2L translation (08.14).
+  const Index direct_pairs = settings.order * settings.order / 2;
+  interactions_ = find_interactions(this->targets(), sources_, direct_pairs);
   for (Index i = 0; i < sources_.size(); ++i) {
     const Index source = sources_.order()[static_cast<std::size_t>(i)];
     const bool is_node = source < node_count_;
@@ -111,34 +126,7 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
     least2_[i] = is_node ? nodes.least2[source] : 1.0;  // not 0: the kernel divides by it
     points_before_.push_back(points_before_.back() + (is_node ? 0 : 1));
   }
-  check_distances();
-}
-
-// Throws if a target coincides with a point force, where the velocity is not finite.
-void Fmm::check_distances() const {
-  if (point_count_ == 0) return;
-  const Quadtree& tree = targets();
-  for (Index b = 0; b < box_count(tree); ++b) {
-    const Box& box = tree.boxes()[static_cast<std::size_t>(b)];
-    for (const Range range : interactions_.near.of(b)) {
-      for (Index j = range.first; j < range.last; ++j) {
-        const Index source = sources_.order()[static_cast<std::size_t>(j)];
-        if (source < node_count_) continue;
-        for (Index i = box.first; i < box.last; ++i) {
-          const Index target = tree.order()[static_cast<std::size_t>(i)];
-          if (target >= target_count_ || tree.x()[i] != sources_.x()[j] ||
-              tree.y()[i] != sources_.y()[j]) {
-            continue;
-          }
-          std::ostringstream message;
-          message << "target " << target << " of an FMM coincides with point force "
-                  << source - node_count_ << " at (" << tree.x()[i] << ", " << tree.y()[i]
-                  << "): move one of them";
-          throw std::invalid_argument(message.str());
-        }
-      }
-    }
-  }
+  require_apart(this->targets(), target_count_, points);
 }
 
 FmmWorkspace Fmm::workspace(Index fields) const {

@@ -23,8 +23,7 @@ namespace stokesbook {
 /// Densities, forces and torques of the sources of an Fmm, one column per field. The members are
 /// views, which are valid during the call of a function.
 struct FmmStrengths {
-  /// Views densities of the nodes; the forces and torques of the points are zero.
-  /// @param  node_density  n x k, length / time
+  /// Views densities of the nodes, n x k; the forces and torques of the points are zero.
   template <class Density>
   FmmStrengths(const Eigen::MatrixBase<Density>& node_density)
       : density(node_density), force(Eigen::MatrixXcd()), torque(Eigen::MatrixXd()) {}
@@ -84,27 +83,17 @@ class Fmm {
   ///
   /// @param  curves    n nodes in all, in this order
   /// @param  points    m positions of forces and torques, length
-  /// @param  settings  order and leaf size
   /// @throws std::invalid_argument when a node or point is not finite, a node is at a point, or a
   ///                   setting is out of range
   /// @par Cost         O(n log n)
   Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings);
 
-  /// Plans the sum at other targets.
-  ///
-  /// @param  curves    n nodes in all, in this order
-  /// @param  points    m positions of forces and torques, length
-  /// @param  targets   positions of the targets, length
-  /// @param  settings  order and leaf size
-  /// @throws std::invalid_argument as above
-  /// @par Cost         O(n log n) for n nodes and targets
+  /// Plans the sum at other targets. Parameters, exceptions and cost are otherwise the same.
   Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const ComplexVector& targets,
       const FmmSettings& settings);
 
-  /// Allocates the memory of applications.
-  ///
-  /// @param  fields  k, number of fields that are summed at once, >= 1
-  /// @return         a workspace for this plan only
+  /// Allocates the memory of applications of this plan only, for a number k >= 1 of fields that are
+  /// summed at once.
   FmmWorkspace workspace(Eigen::Index fields = 1) const;
 
   /// Evaluates velocities, without allocation.
@@ -116,10 +105,7 @@ class Fmm {
   /// @throws std::invalid_argument when the sizes of strengths, plan and workspace do not agree
   const Eigen::MatrixXcd& velocity(const FmmStrengths& strengths, FmmWorkspace& workspace) const;
 
-  /// Evaluates velocities.
-  ///
-  /// @param  strengths  of nodes and points, k columns
-  /// @return            one row per target, one column per field, length / time
+  /// Evaluates velocities in a new workspace.
   Eigen::MatrixXcd velocity(const FmmStrengths& strengths) const;
 
   /// Evaluates pressure, vorticity and strain. Only the first call with a workspace allocates
@@ -135,24 +121,16 @@ class Fmm {
   const std::vector<FlowDerivatives>& derivatives(const FmmStrengths& strengths,
                                                   FmmWorkspace& workspace) const;
 
-  /// Evaluates pressure, vorticity and strain.
-  ///
-  /// @param  strengths  of nodes and points, k columns
-  /// @return            at the targets, field after field, 1 / time
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the points of the
-  ///                    study meet the tolerance itself, @ref claim_08_17 to @ref claim_08_20
+  /// Evaluates pressure, vorticity and strain in a new workspace.
   std::vector<FlowDerivatives> derivatives(const FmmStrengths& strengths) const;
 
-  /// Returns the tree of the sources.
-  /// @return tree of the nodes and the points; the points are numbered after the nodes
+  /// Returns the tree of the nodes and the points; the points are numbered after the nodes.
   const Quadtree& sources() const { return sources_; }
 
-  /// Returns the tree of the targets.
-  /// @return tree of the targets; the tree of the sources if the nodes are the targets
+  /// Returns the tree of the targets, or that of the sources if the nodes are the targets.
   const Quadtree& targets() const { return targets_ ? *targets_ : sources_; }
 
-  /// Returns the interactions between boxes of sources and boxes of targets.
-  /// @return lists of sources for every box of targets
+  /// Returns the lists of sources for every box of targets.
   const Interactions& interactions() const { return interactions_; }
 
  private:
@@ -160,7 +138,6 @@ class Fmm {
   Fmm(const FmmSettings& settings, const StressletNodes& nodes, const ComplexVector& points,
       const ComplexVector* targets);
 
-  void check_distances() const;
   void check(const FmmStrengths& strengths, const FmmWorkspace& work) const;
   StressletBlock nodes(Range sources, Eigen::Index field, const FmmWorkspace& work) const;
   std::span<const PointForce> points(Range sources, Eigen::Index field,

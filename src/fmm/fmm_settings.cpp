@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace stokesbook {
 
 FmmSettings FmmSettings::for_tolerance(double tolerance) {
   if (!(tolerance > 0.0)) {
-    throw std::invalid_argument("the tolerance of an FMM must be > 0, got " +
-                                std::to_string(tolerance));
+    std::ostringstream message;
+    message << "the tolerance of an FMM must be > 0, got " << tolerance;
+    throw std::invalid_argument(message.str());
   }
   constexpr double rounding = 1e-14;
   const double digits = -std::log10(std::clamp(tolerance, rounding, 1.0));

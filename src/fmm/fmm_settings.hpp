@@ -25,7 +25,6 @@ struct FmmSettings {
   /// \f$ p\,2^{-p} \le \varepsilon \f$.
   /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; below 1e-14,
   ///                    the size of rounding errors, the order stays that for 1e-14
-  /// @return            settings
   /// @par Accuracy      @ref claim_08_14 to @ref claim_08_16; one slender body @ref claim_08_23
   /// @throws std::invalid_argument when the tolerance is not > 0
   static FmmSettings for_tolerance(double tolerance);
@@ -36,10 +35,8 @@ struct FmmSettings {
 ///
 /// This straight line was fitted to times measured on ellipses of 16, 32 and 128 nodes, with one
 /// thread and AVX-512. In these measurements an application takes as long as the direct sum for at
-/// most n = 450, 600, 770 and 930 nodes, for 3, 6, 9 and 12 digits.
-/// @param  settings  settings of the Fmm
-/// @return           n; with n nodes an Fmm takes about half of the direct sum's operations,
-///                   @ref claim_08_30
+/// most n = 450, 600, 770 and 930 nodes, for 3, 6, 9 and 12 digits. With n nodes an Fmm takes about
+/// half of the direct sum's operations, @ref claim_08_30.
 Eigen::Index break_even(const FmmSettings& settings);
 
 /// @}

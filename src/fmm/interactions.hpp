@@ -23,8 +23,6 @@ struct Lists {
   std::vector<Entry> entries;       ///< all lists after each other
 
   /// Returns the list of a box.
-  /// @param  box  index of the box
-  /// @return      entries
   std::span<const Entry> of(Eigen::Index box) const {
     const auto k = static_cast<std::size_t>(box);
     return {entries.data() + begin[k], entries.data() + begin[k + 1]};
@@ -45,10 +43,8 @@ struct Interactions {
 /// leaves are summed directly, and so is a well separated pair whose target is a leaf and whose
 /// pairs of points cost less than a translation. The disk of a box contains the margins of its
 /// sources, so that the expansion of a source is never used at a target within the source's margin.
-/// @param  targets       tree of the targets
-/// @param  sources       tree of the sources
-/// @param  direct_pairs  pairs of points that cost as much as a translation
-/// @return               every pair of a target and a source is in exactly one interaction
+/// Every pair of a target and a source is in exactly one interaction.
+/// @param  direct_pairs  number of pairs of points that cost as much as a translation
 /// @par Cost             O(number of boxes)
 Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
                                Eigen::Index direct_pairs);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,9 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double least_radius = 1e-100;
-
-void check_points(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size) {
+void require_valid(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size) {
   if (leaf_size < 1) {
     throw std::invalid_argument("the leaf size of a quadtree must be >= 1, got " +
                                 std::to_string(leaf_size));
@@ -35,86 +34,81 @@ void check_points(const ComplexVector& points, const Eigen::VectorXd& margins, I
   }
 }
 
-}  // namespace
-
-// Copies of the points of the box that is being divided.
-struct Quadtree::Scratch {
-  std::vector<Index> order;
-  Eigen::VectorXd x, y, margins;
-};
-
-Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size)
-    : order_(static_cast<std::size_t>(points.size())), x_(points.real()), y_(points.imag()) {
-  check_points(points, margins, leaf_size);
-  const Index n = points.size();
-  margins_ = margins.size() == n ? margins : Eigen::VectorXd::Zero(n);
-  std::iota(order_.begin(), order_.end(), Index{0});
-  if (n == 0) return;
-  Scratch scratch{order_, x_, y_, margins_};
-  boxes_.push_back(enclose(0, n, -1));
-  levels_.push_back(1);
-  // Children are appended in the order of their parents, so that the boxes are sorted by level.
-  for (Index b = 0; b < static_cast<Index>(boxes_.size()); ++b) {
-    if (b == levels_.back()) levels_.push_back(static_cast<Index>(boxes_.size()));
-    if (boxes_[static_cast<std::size_t>(b)].size() > leaf_size) divide(b, scratch);
-  }
-}
-
-Box Quadtree::enclose(Index first, Index last, Index parent) const {
-  double low_x = x_[first], low_y = y_[first], high_x = low_x, high_y = low_y;
-  for (Index i = first; i < last; ++i) {
-    low_x = std::min(low_x, x_[i]);
-    high_x = std::max(high_x, x_[i]);
-    low_y = std::min(low_y, y_[i]);
-    high_y = std::max(high_y, y_[i]);
+// Returns a box with the centre of its points' bounding rectangle, and the disk about it.
+Box enclose(const ComplexVector& points, const Eigen::VectorXd& margins,
+            std::span<const Index> indices) {
+  Complex low = points[indices.front()], high = low;
+  for (const Index i : indices) {
+    low = {std::min(low.real(), points[i].real()), std::min(low.imag(), points[i].imag())};
+    high = {std::max(high.real(), points[i].real()), std::max(high.imag(), points[i].imag())};
   }
   Box box;
-  box.first = first;
-  box.last = last;
-  box.parent = parent;
-  box.centre = 0.5 * Complex{low_x + high_x, low_y + high_y};
-  box.radius = least_radius;
-  for (Index i = first; i < last; ++i) {
-    const double x = x_[i] - box.centre.real(), y = y_[i] - box.centre.imag();
-    box.radius = std::max(box.radius, std::sqrt(x * x + y * y) + margins_[i]);
+  box.centre = 0.5 * (low + high);
+  box.radius = 1e-100;
+  for (const Index i : indices) {
+    const Complex r = points[i] - box.centre;
+    box.radius = std::max(box.radius, std::sqrt(std::norm(r)) + margins[i]);
   }
   return box;
 }
 
-// Divides a box: sorts its points by quadrant (counting sort), and appends the children.
-void Quadtree::divide(Index parent, Scratch& scratch) {
-  const Box box = boxes_[static_cast<std::size_t>(parent)];
-  const auto quadrant = [&](double x, double y) {
-    return static_cast<std::size_t>((x > box.centre.real() ? 1 : 0) +
-                                    (y > box.centre.imag() ? 2 : 0));
+// Sorts the indices of a box's points by quadrant, in their present order within each quadrant.
+// Returns the place at which each quadrant begins, and the end of the last quadrant.
+std::array<Index, 5> sort_by_quadrant(const ComplexVector& points, Complex centre,
+                                      std::span<Index> indices) {
+  const auto is_left = [&](Index i) { return points[i].real() <= centre.real(); };
+  const auto is_below = [&](Index i) { return points[i].imag() <= centre.imag(); };
+  const auto begin = indices.begin(), end = indices.end();
+  const auto above = std::stable_partition(begin, end, is_below);
+  const auto right_below = std::stable_partition(begin, above, is_left);
+  const auto right_above = std::stable_partition(above, end, is_left);
+  return {0, right_below - begin, above - begin, right_above - begin, end - begin};
+}
+
+}  // namespace
+
+Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size)
+    : order_(static_cast<std::size_t>(points.size())) {
+  require_valid(points, margins, leaf_size);
+  const Index n = points.size();
+  const Eigen::VectorXd all_margins = margins.size() == n ? margins : Eigen::VectorXd::Zero(n);
+  std::iota(order_.begin(), order_.end(), Index{0});
+  const auto indices = [&](Index first, Index last) {
+    return std::span(order_).subspan(static_cast<std::size_t>(first),
+                                     static_cast<std::size_t>(last - first));
   };
-  std::array<Index, 5> begin{};  // of each quadrant's points
-  for (Index i = box.first; i < box.last; ++i) ++begin[quadrant(x_[i], y_[i]) + 1];
-  // All points are in one quadrant: they coincide, or no floating-point number lies between them.
-  // The box stays a leaf.
-  if (*std::max_element(begin.begin(), begin.end()) == box.size()) return;
-  begin[0] = box.first;
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (Index i = box.first; i < box.last; ++i) {
-    scratch.x[i] = x_[i];
-    scratch.y[i] = y_[i];
-    scratch.margins[i] = margins_[i];
-    scratch.order[static_cast<std::size_t>(i)] = order_[static_cast<std::size_t>(i)];
+  const auto append_box = [&](Index first, Index last, Index parent) {
+    boxes_.push_back(enclose(points, all_margins, indices(first, last)));
+    boxes_.back().first = first;
+    boxes_.back().last = last;
+    boxes_.back().parent = parent;
+  };
+  const auto box_count = [&] { return static_cast<Index>(boxes_.size()); };
+  if (n > 0) {
+    append_box(0, n, -1);
+    levels_.push_back(1);
   }
-  std::array<Index, 5> next = begin;
-  for (Index i = box.first; i < box.last; ++i) {
-    const Index to = next[quadrant(scratch.x[i], scratch.y[i])]++;
-    x_[to] = scratch.x[i];
-    y_[to] = scratch.y[i];
-    margins_[to] = scratch.margins[i];
-    order_[static_cast<std::size_t>(to)] = scratch.order[static_cast<std::size_t>(i)];
+  // Children are appended in the order of their parents, so that the boxes are sorted by level.
+  for (Index b = 0; b < box_count(); ++b) {
+    if (b == levels_.back()) levels_.push_back(box_count());
+    const Box box = boxes_[static_cast<std::size_t>(b)];
+    if (box.size() <= leaf_size) continue;
+    const std::array<Index, 5> begin =
+        sort_by_quadrant(points, box.centre, indices(box.first, box.last));
+    const Index first_child = box_count();
+    for (std::size_t q = 0; q < 4; ++q) {
+      // If all points are in one quadrant, they coincide, or no floating-point number lies between
+      // them: the box stays a leaf.
+      const Index size = begin[q + 1] - begin[q];
+      if (size == 0 || size == box.size()) continue;
+      append_box(box.first + begin[q], box.first + begin[q + 1], b);
+    }
+    if (box_count() == first_child) continue;
+    boxes_[static_cast<std::size_t>(b)].first_child = first_child;
+    boxes_[static_cast<std::size_t>(b)].last_child = box_count();
   }
-  const auto first_child = static_cast<Index>(boxes_.size());
-  for (std::size_t q = 0; q < 4; ++q) {
-    if (begin[q] < begin[q + 1]) boxes_.push_back(enclose(begin[q], begin[q + 1], parent));
-  }
-  boxes_[static_cast<std::size_t>(parent)].first_child = first_child;
-  boxes_[static_cast<std::size_t>(parent)].last_child = static_cast<Index>(boxes_.size());
+  x_ = points(order_).real();
+  y_ = points(order_).imag();
 }
 
 }  // namespace stokesbook

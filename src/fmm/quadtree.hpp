@@ -23,11 +23,9 @@ struct Box {
                         ///< at least 1e-100, so that divisions by it are finite, length
 
   /// Counts the points.
-  /// @return number of points, >= 1
   Eigen::Index size() const { return last - first; }
 
-  /// Returns whether the box is a leaf.
-  /// @return true when the box has no children
+  /// Returns whether the box has no children.
   bool is_leaf() const { return first_child == last_child; }
 };
 
@@ -46,37 +44,27 @@ class Quadtree {
   /// @par Cost          O(n log n)
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
-  /// Returns the boxes, level by level, the root first.
-  /// @return at least one box unless there are no points
+  /// Returns the boxes, level by level, the root first; none if there are no points.
   const std::vector<Box>& boxes() const { return boxes_; }
 
   /// Returns the indices in boxes() at which the levels begin, and the end of the last level.
-  /// @return number of levels + 1 indices
   const std::vector<Eigen::Index>& levels() const { return levels_; }
 
-  /// Returns the order of the points in the tree.
-  /// @return n indices into the points that were passed to the constructor
+  /// Returns the order of the points in the tree: n indices into the constructor's points.
   const std::vector<Eigen::Index>& order() const { return order_; }
 
   /// Returns the first coordinates of the points in the tree's order.
-  /// @return n numbers, length
   const Eigen::VectorXd& x() const { return x_; }
 
   /// Returns the second coordinates of the points in the tree's order.
-  /// @return n numbers, length
   const Eigen::VectorXd& y() const { return y_; }
 
   /// Counts the points.
-  /// @return n
   Eigen::Index size() const { return x_.size(); }
 
  private:
-  struct Scratch;
-  void divide(Eigen::Index parent, Scratch& scratch);
-  Box enclose(Eigen::Index first, Eigen::Index last, Eigen::Index parent) const;
-
   std::vector<Eigen::Index> order_;
-  Eigen::VectorXd x_, y_, margins_;
+  Eigen::VectorXd x_, y_;
   std::vector<Box> boxes_;
   std::vector<Eigen::Index> levels_ = {0};
 };

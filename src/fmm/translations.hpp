@@ -20,13 +20,11 @@ class Translations {
   /// Highest order that is possible.
   static constexpr int most_order = 60;
 
-  /// Tabulates the binomial coefficients.
-  /// @param  order  p, highest power
+  /// Tabulates the binomial coefficients up to the order p.
   /// @throws std::invalid_argument when the order is not from 1 to most_order
   explicit Translations(int order);
 
-  /// Returns the order.
-  /// @return p
+  /// Returns the order p, the highest power.
   int order() const { return order_; }
 
   /// M2M: adds a multipole expansion, moved to the centre of another box (08.12).
@@ -39,13 +37,8 @@ class Translations {
   void m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
            Eigen::Ref<Expansion> sum) const;
 
-  /// L2L: adds a local expansion, moved to the centre of another box (08.13).
-  ///
-  /// @param  from       box of the expansion
-  /// @param  expansion  4 x (p + 1)
-  /// @param  to         box that `from` contains
-  /// @param  sum        expansion of `to`, 4 x (p + 1), to which is added
-  /// @par Cost          2 p^2 real multiplications
+  /// L2L: adds a local expansion, moved to the centre of another box `to`, which `from` contains
+  /// (08.13). Shapes and cost are those of m2m().
   void l2l(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
            Eigen::Ref<Expansion> sum) const;
 
@@ -57,7 +50,6 @@ class Translations {
   /// @param  boxes      all boxes of the sources' tree
   /// @param  multipole  multipole expansions of all boxes
   /// @param  list       indices of the boxes to be converted, well separated from the target
-  /// @param  field      index of the field
   /// @param  target     box of the targets
   /// @param  sum        4 x (p + 1), to which is added
   /// @par Accuracy      relative error \f$ p\rho^p \f$ of the velocity (08.9), where \f$ \rho \f$
