@@ -23,14 +23,14 @@ using std::numbers::pi;
 namespace {
 
 // [body]
-constexpr double separation = 0.1, tolerance = 1e-4, dip = 0.0;
+constexpr double separation = 0.1, tolerance = 1e-4, allowed_intrusion = 0.0;
 
 std::shared_ptr<const ContactShape> body(const Shape& shape) {
   return std::make_shared<ContactShape>(
       contact_shape(shape, Side::fluid_outside, 0.01 * separation));
 }
 
-const ContactRules rules{{separation}, tolerance, RowChoice::deepest, dip};
+const ContactRules rules{{separation}, tolerance, RowChoice::deepest, allowed_intrusion};
 // [body]
 
 RigidPath moving(Complex start, Complex displacement, double rotation = 0.0) {
@@ -87,7 +87,8 @@ void print_observers() {
       "  velocities of A, B         relative: V    on A    on B     absolute: V    on A    on B");
   for (const double b : {-0.2, 0.0, 0.4}) {
     const PathPair paths{0, 1, moving(0.0, b + 0.4), moving({2.2, 0.2}, b)};
-    const PairEvents events = pair_events(circles, paths, {separation, tolerance, 0.4, dip});
+    const PairEvents events =
+        pair_events(circles, paths, {separation, tolerance, 0.4, allowed_intrusion});
     const Contact contact = connected_contacts(events, tolerance, RowChoice::aggregate).front();
     const PairWrench& force = contact.rows.front().force;
     const AbsoluteVolume absolute = absolute_volume(events, tolerance);
@@ -191,7 +192,7 @@ struct Swept {
 
 Swept swept(const ContactShapes& shapes, const PathPair& paths) {
   const PairEvents pair =
-      pair_events(shapes, paths, {separation, tolerance, 4.0 * separation, dip});
+      pair_events(shapes, paths, {separation, tolerance, 4.0 * separation, allowed_intrusion});
   const RelativePath path(paths.path_a, paths.path_b);
   Swept swept;
   for (const VertexEvent& event : pair.events_a) {

@@ -22,10 +22,9 @@ struct AbsoluteVolume {
 /// This function serves chapter 10 only, which shows its defects: volume and forces depend on the
 /// observer, a body at rest that is hit feels no force, a body that is overtaken is pulled into the
 /// other body, and the forces do not add up to zero.
-/// @param  pair       events of two components, found with Clearance::dip = 0, so that each contact
-///                    has the time when it began
+/// @param  pair       events of two components, found with Clearance::allowed_intrusion = 0, so
+///                    that each contact has the time when it began
 /// @param  tolerance  length; events with a gap below its negative are summed
-/// @return            volume and forces
 /// @par Not for       simulations with contact: use connected_contacts()
 /// @sa source: Bystricky, Shanbhag, Quaife, Int. J. Numer. Meth. Fluids 92 (2020)
 AbsoluteVolume absolute_volume(const PairEvents& pair, double tolerance);

@@ -32,7 +32,6 @@ struct RowKey {
   Eigen::Index vertex = 0;     ///< number of the vertex
 
   /// Compares member by member.
-  /// @return order of the keys
   auto operator<=>(const RowKey&) const = default;
 };
 
@@ -68,11 +67,8 @@ struct PathPair {
 /// orientations at VertexEvent::time, the centres at the start of the step, where the Stokes
 /// equations are solved, and the arms to the point half-way between the vertex and the point that
 /// it touches.
-/// @param  event      of a vertex
 /// @param  vertex     place of the vertex in its component's frame, length
-/// @param  of_a       true if the vertex belongs to component a
-/// @param  paths      of both components
-/// @return            row with gap and wrenches
+/// @param  of_a       whether the vertex belongs to component a
 /// @par Accuracy      the derivative is exact for the closest edge of the polygon,
 ///                    @ref claim_10_10; forces balance to rounding, @ref claim_10_11
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);

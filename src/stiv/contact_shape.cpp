@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace stokesbook {
 
@@ -68,8 +68,9 @@ ContactShape contact_shape(const Curve& curve) {
 
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit) {
   if (!(sag_limit > 0.0)) {
-    throw std::invalid_argument("a contact shape's sag must be positive, got " +
-                                std::to_string(sag_limit));
+    std::ostringstream message;
+    message << "a contact shape's sag must be positive, got " << sag_limit;
+    throw std::invalid_argument(message.str());
   }
   const double fine_bend = bend(sample(shape, resolving_nodes(shape), side));
   const Index n = nodes_for(fine_bend, sag_limit);

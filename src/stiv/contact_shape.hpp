@@ -28,26 +28,20 @@ using ContactShapes = std::vector<std::shared_ptr<const ContactShape>>;
 ///
 /// The gap of two curves is narrower than the gap of their polygons by at most the sum of the two
 /// sags.
-/// @param  curve  N nodes
-/// @return        sag, length
 /// @par Accuracy  relative to second order in the spacing of the nodes; polygons touch earlier or
 ///                later than their curves, by the sum of two sags, @ref claim_10_2, @ref claim_10_3
 double sag(const Curve& curve);
 
-/// Makes the polygon whose vertices are the nodes of a curve.
-///
-/// @param  curve  in its own frame, resolved by its nodes
-/// @return        polygon with as many vertices as the curve has nodes
+/// Makes the polygon whose vertices are the nodes of a curve, in its own frame and resolved by its
+/// nodes.
 ContactShape contact_shape(const Curve& curve);
 
 /// Makes the polygon of a shape with so many vertices that its sag does not exceed a limit. The
 /// number of vertices grows as \f$ 1/\sqrt{sag} \f$.
 ///
-/// @param  shape      in its own frame
-/// @param  side       of the curve on which the fluid lies
 /// @param  sag_limit  largest sag that is allowed, length, > 0; a twentieth of the separation is
 ///                    small enough for the gaps of polygons to replace the gaps of curves
-/// @return            polygon with vertices equidistant in the shape's parameter
+/// @return            vertices equidistant in the shape's parameter
 /// @throws std::invalid_argument when sag_limit is not positive
 /// @par Cost          O(M), for a NodalCurve O(M log M)
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit);

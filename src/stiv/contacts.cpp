@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -42,10 +43,10 @@ std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool o
   return runs;
 }
 
-// Holds the sets of connected runs, by union-find.
-class Links {
+// Sets of connected runs, by union-find.
+class DisjointSets {
  public:
-  explicit Links(std::size_t count) : parent_(count) {
+  explicit DisjointSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
@@ -64,39 +65,6 @@ class Links {
   std::vector<std::size_t> parent_;
 };
 
-// Finds the runs of one polygon that contain a given vertex.
-class RunOfVertex {
- public:
-  RunOfVertex(const std::vector<Run>& runs, bool of_a, Index m) : m_(m) {
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      if (runs[k].of_a != of_a) continue;
-      for (const VertexEvent& event : runs[k].events) entries_.push_back({event.vertex, k});
-    }
-    std::ranges::sort(entries_, {}, &Entry::vertex);
-  }
-
-  // Joins a run of the other polygon with all runs here that have a vertex of the given edge, or a
-  // vertex at most two farther.
-  void join_about(Index edge, std::size_t run, Links& links) const {
-    const Index first = (edge - 2 + m_) % m_;
-    auto entry = std::ranges::lower_bound(entries_, first, {}, &Entry::vertex);
-    for (std::size_t count = 0; count < entries_.size(); ++count, ++entry) {
-      if (entry == entries_.end()) entry = entries_.begin();
-      if ((entry->vertex - first + m_) % m_ > 5) break;
-      links.join(run, entry->run);
-    }
-  }
-
- private:
-  struct Entry {
-    Index vertex;
-    std::size_t run;
-  };
-
-  Index m_;
-  std::vector<Entry> entries_;
-};
-
 using Group = std::vector<Run>;  // connected runs
 
 // Groups the events of a pair that fulfil a condition into connected runs.
@@ -109,16 +77,28 @@ std::vector<Group> connected_groups(const PairEvents& pair, const Condition& sel
   const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
   std::vector<Run> runs = runs_with(pair.events_a, m_a, true);
   std::ranges::move(runs_with(pair.events_b, m_b, false), std::back_inserter(runs));
-  const RunOfVertex in_a(runs, true, m_a), in_b(runs, false, m_b);
-  Links links(runs.size());
+  std::map<Index, std::size_t> runs_in_a, runs_in_b;  // the run of each vertex
   for (std::size_t k = 0; k < runs.size(); ++k) {
     for (const VertexEvent& event : runs[k].events) {
-      (runs[k].of_a ? in_b : in_a).join_about(event.edge, k, links);
+      (runs[k].of_a ? runs_in_a : runs_in_b)[event.vertex] = k;
+    }
+  }
+  DisjointSets sets(runs.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::map<Index, std::size_t>& others = runs[k].of_a ? runs_in_b : runs_in_a;
+    const Index m = runs[k].of_a ? m_b : m_a;
+    for (const VertexEvent& event : runs[k].events) {
+      // The run is joined with each run that has a vertex of the closest edge, or a vertex at most
+      // two farther.
+      for (Index shift = -2; shift <= 3; ++shift) {
+        const auto other = others.find((event.edge + shift + m) % m);
+        if (other != others.end()) sets.join(k, other->second);
+      }
     }
   }
   std::vector<Group> groups(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    groups[links.root(k)].push_back(std::move(runs[k]));
+    groups[sets.root(k)].push_back(std::move(runs[k]));
   }
   std::erase_if(groups, &Group::empty);
   return groups;

@@ -25,8 +25,8 @@ struct Contact {
   double volume;                 ///< V of (10.6), length^2, at most 0; 0 if not violated
   std::vector<ContactRow> rows;  ///< ascending by key, at least one
 
-  /// Returns whether the step violates this contact and must not be taken unchanged.
-  /// @return true when a vertex ends too deep by more than the tolerance
+  /// Returns whether a vertex ends too deep by more than the tolerance, so that the step must not
+  /// be taken unchanged.
   bool is_violated() const { return volume < 0.0; }
 };
 
@@ -46,8 +46,6 @@ struct PairEvents {
 /// compared with edges.
 /// @param  shapes     of all components, which must outlive the events
 /// @param  paths      of two components, which do not overlap at the start of the step
-/// @param  clearance  separation, tolerance, watch and dip
-/// @return            events of the vertices of both
 PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
                        const Clearance& clearance);
 
@@ -62,9 +60,7 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 /// curves. If the gaps of more than four consecutive vertices, the minimum included, exceed the
 /// minimum by at most this sum, the contact is flat there, and has rows at both ends of this
 /// stretch as well.
-/// @param  pair       events of two components
 /// @param  tolerance  length; events with a gap below its negative are violations
-/// @param  rows       that violated contacts have
 /// @return            violations, then near contacts, in an order that depends only on the events
 /// @par Cost          O(e log e) for e events
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows);

@@ -28,19 +28,13 @@ class EdgeRun {
     double fraction;          ///< part of the edge before the closest place, 0 to 1
   };
 
-  /// Stores eight edges.
-  /// @param  edges  of positive length each
+  /// Stores eight edges of positive length.
   explicit EdgeRun(const std::array<Chord, size>& edges);
 
   /// Finds the edge that is closest to a point, and the closest place on it.
-  /// @param  z  point, length
-  /// @return    squared distance, edge and place
   Closest closest(Complex z) const;
 
-  /// Returns whether a chord keeps a distance from all edges.
-  /// @param  chord     start and end, length
-  /// @param  distance  to keep, >= 0, length
-  /// @return           true when all points of the chord are farther than this distance
+  /// Returns whether all points of a chord are farther than a distance >= 0 from all edges.
   bool is_clear_of(const Chord& chord, double distance) const;
 
  private:

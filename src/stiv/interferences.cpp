@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -12,7 +13,13 @@ namespace stokesbook {
 namespace {
 
 // Contacts that end within this many separations are listed even if no gap is violated.
-constexpr double watched_separations = 4.0;
+constexpr double listed_separations = 4.0;
+
+[[noreturn]] void refuse(const std::string& requirement, double value) {
+  std::ostringstream message;
+  message << "contact requires " << requirement << ", got " << value;
+  throw std::invalid_argument(message.str());
+}
 
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                    const ContactRules& rules) {
@@ -22,9 +29,7 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
                                 std::to_string(paths.size()) + " paths");
   }
   const auto require_positive = [](double value, const std::string& what) {
-    if (value > 0.0) return;
-    throw std::invalid_argument("contact requires a positive " + what + ", got " +
-                                std::to_string(value));
+    if (!(value > 0.0)) refuse("a positive " + what, value);
   };
   require_positive(rules.separation.everywhere, "separation");
   for (const auto& [pair, own] : rules.separation.closer) {
@@ -32,9 +37,8 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
                               std::to_string(pair.second));
   }
   require_positive(rules.tolerance, "tolerance");
-  if (!(rules.dip >= 0.0 && rules.dip <= 1.0)) {
-    throw std::invalid_argument("contact requires a dip from 0 to 1, got " +
-                                std::to_string(rules.dip));
+  if (!(rules.allowed_intrusion >= 0.0 && rules.allowed_intrusion <= 1.0)) {
+    refuse("an allowed intrusion from 0 to 1", rules.allowed_intrusion);
   }
 }
 
@@ -43,7 +47,8 @@ Interferences in_pair(const ContactShapes& shapes, const PathPair& paths,
                       const ContactRules& rules) {
   const double separation = rules.separation.between(paths.a, paths.b);
   const PairEvents events = pair_events(
-      shapes, paths, {separation, rules.tolerance, watched_separations * separation, rules.dip});
+      shapes, paths,
+      {separation, rules.tolerance, listed_separations * separation, rules.allowed_intrusion});
   SearchCost cost = events.cost;
   cost.pairs = 1;
   return {connected_contacts(events, rules.tolerance, rules.rows), cost};
@@ -63,13 +68,12 @@ Interferences interferences(const ContactShapes& shapes, const std::vector<Rigid
     swept.push_back(swept_rectangle(*shapes[k], paths[k]));
   }
   const std::vector<ComponentPair> pairs =
-      near_pairs(shapes, swept, watched_separations * rules.separation.everywhere);
+      near_pairs(shapes, swept, listed_separations * rules.separation.everywhere);
   std::vector<Interferences> of_pairs(pairs.size());
-  const auto pair_count = static_cast<std::ptrdiff_t>(pairs.size());
 #pragma omp parallel for schedule(dynamic)
-  for (std::ptrdiff_t i = 0; i < pair_count; ++i) {
-    const auto [a, b] = pairs[static_cast<std::size_t>(i)];
-    of_pairs[static_cast<std::size_t>(i)] = in_pair(shapes, {a, b, paths[a], paths[b]}, rules);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    of_pairs[i] = in_pair(shapes, {a, b, paths[a], paths[b]}, rules);
   }
   Interferences all;
   for (Interferences& found : of_pairs) {

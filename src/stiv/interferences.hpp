@@ -16,8 +16,7 @@ struct ContactRules {
   Separation separation;                ///< of the polygons
   double tolerance;                     ///< of gaps, length, > 0; e.g. 1e-3 of the separation
   RowChoice rows = RowChoice::deepest;  ///< rows that violated contacts have
-  double dip = 0.5;  ///< part of the separation that a vertex may lose within a step, 0 to 1, see
-                     ///< vertex_events()
+  double allowed_intrusion = 0.5;       ///< see Clearance, 0 to 1
 };
 
 /// The contacts of a step.
@@ -25,8 +24,7 @@ struct Interferences {
   std::vector<Contact> contacts;  ///< ascending by pair
   SearchCost cost;                ///< of the search
 
-  /// Returns whether the step may be taken unchanged.
-  /// @return true when no contact is violated
+  /// Returns whether no contact is violated, so that the step may be taken unchanged.
   bool admits_step() const;
 };
 
@@ -39,10 +37,10 @@ struct Interferences {
 /// not drop out between iterations.
 /// @param  shapes  of n components: bodies, free or held, inner walls and enclosing walls
 /// @param  paths   of the same components; at the start no polygons overlap, see polygon_gaps()
-/// @param  rules   separation, tolerance, rows and dip
 /// @return         contacts, identical for any number of threads
 /// @throws std::invalid_argument when numbers of shapes and paths differ, a path is not finite,
-///                 separation or tolerance is not positive, or the dip is not within 0 to 1
+///                 separation or tolerance is not positive, or the allowed intrusion is not within
+///                 0 to 1
 /// @par Accuracy   of gaps: rounding for polygons, @ref claim_10_1; the sum of two sags for curves,
 ///                 @ref claim_10_2
 /// @par Cost       O(n log n), and a few queries for each vertex that comes near another component

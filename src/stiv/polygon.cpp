@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -45,19 +46,23 @@ Complex at_fraction(const Chord& chord, double t) {
   return t == 1.0 ? chord.to : chord.from + t * (chord.to - chord.from);
 }
 
-}  // namespace
-
-struct Polygon::Nearest {
-  double squared_distance;
-  Index edge;
-  double fraction;
-};
-
-Polygon::Polygon(const ComplexVector& vertices, Side side) : vertices_(vertices), side_(side) {
-  if (vertices.size() < 3 || !vertices.allFinite()) {
-    throw std::invalid_argument("a polygon requires three or more finite vertices, got " +
+void require_valid_vertices(const ComplexVector& vertices) {
+  if (vertices.size() < 3) {
+    throw std::invalid_argument("a polygon requires three or more vertices, got " +
                                 std::to_string(vertices.size()));
   }
+  for (Index i = 0; i < vertices.size(); ++i) {
+    if (std::isfinite(vertices[i].real()) && std::isfinite(vertices[i].imag())) continue;
+    std::ostringstream message;
+    message << "vertex " << i << " of a polygon is not finite: " << vertices[i];
+    throw std::invalid_argument(message.str());
+  }
+}
+
+}  // namespace
+
+Polygon::Polygon(const ComplexVector& vertices, Side side) : vertices_(vertices), side_(side) {
+  require_valid_vertices(vertices);
   while (static_cast<Index>(leaf_count_) * EdgeRun::size < size()) leaf_count_ *= 2;
   // An empty box meets no other box, and its distance from any point is infinite.
   const Rectangle nothing{{infinity, infinity}, {-infinity, -infinity}};
@@ -87,7 +92,7 @@ Index Polygon::first_edge(std::size_t leaf) const {
 
 // Searches the tree below a node, the nearer child first, and leaves out children that are farther
 // than the nearest edge so far.
-void Polygon::search(std::size_t node, Complex z, Nearest& nearest) const {
+void Polygon::search(std::size_t node, Complex z, EdgeRun::Closest& nearest) const {
   if (node >= leaf_count_) {
     const auto [distance2, edge, fraction] = runs_[node - leaf_count_].closest(z);
     if (distance2 < nearest.squared_distance) {
@@ -106,7 +111,7 @@ void Polygon::search(std::size_t node, Complex z, Nearest& nearest) const {
 }
 
 ClosestPoint Polygon::closest(Complex z, double at_most) const {
-  Nearest nearest{at_most * at_most, -1, 0.0};
+  EdgeRun::Closest nearest{at_most * at_most, -1, 0.0};
   if (squared_distance(boxes_[1], z) < nearest.squared_distance) search(1, z, nearest);
   if (nearest.edge < 0) return {infinity, {}, {}, -1};
   // perp() of an edge points to the inside, as vertices are counter-clockwise. The side is +1 if

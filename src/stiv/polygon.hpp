@@ -31,30 +31,23 @@ class Polygon {
   /// Builds the tree.
   ///
   /// @param  vertices  M vertices, counter-clockwise, consecutive vertices distinct, length
-  /// @param  side      of the polygon on which the fluid lies
   /// @throws std::invalid_argument when there are fewer than three vertices, or one is not finite
   /// @par Cost         O(M)
   Polygon(const ComplexVector& vertices, Side side);
 
-  /// Returns the number of vertices, which is also the number of edges.
-  /// @return M
+  /// Returns the number M of vertices, which is also the number of edges.
   Eigen::Index size() const { return vertices_.size(); }
 
-  /// Returns a vertex.
-  /// @param  i  its number, 0 to M - 1
-  /// @return    place in the polygon's frame, length
+  /// Returns a vertex, in the polygon's frame.
   Complex vertex(Eigen::Index i) const { return vertices_[i]; }
 
-  /// Returns all vertices.
-  /// @return M places in the polygon's frame, length
+  /// Returns all vertices, in the polygon's frame.
   const ComplexVector& vertices() const { return vertices_; }
 
   /// Returns the side of the polygon on which the fluid lies.
-  /// @return side
   Side side() const { return side_; }
 
-  /// Returns the least rectangle that holds the polygon.
-  /// @return rectangle in the polygon's frame
+  /// Returns the least rectangle that holds the polygon, in the polygon's frame.
   const Rectangle& bounds() const { return boxes_[1]; }
 
   /// Finds the point of the polygon that is closest to a point.
@@ -68,41 +61,27 @@ class Polygon {
   ///                  centre of a circle; no allocation
   ClosestPoint closest(Complex z, double at_most) const;
 
-  /// Returns whether a chord keeps a distance from the polygon.
-  ///
-  /// @param  chord     start and end, length
-  /// @param  distance  to keep, >= 0, length
-  /// @return           true when all points of the chord are farther than this from all edges
-  /// @par Cost         like closest()
+  /// Returns whether all points of a chord are farther than a distance >= 0 from all edges. The
+  /// cost is like that of closest().
   bool is_clear_of(const Chord& chord, double distance) const;
 
   /// A condition on a rectangle that holds some of the vertices.
   using Condition = std::function<bool(const Rectangle&)>;
 
-  /// Finds the vertices of the runs whose rectangles fulfil a condition.
+  /// Finds the vertices of the runs whose rectangles, in the polygon's frame, fulfil a condition.
   ///
-  /// @param  holds  returns whether a rectangle in the polygon's frame may hold a wanted vertex
-  /// @return        numbers of vertices, ascending: all wanted vertices, and others of their runs
-  /// @par Cost      O(log M + m) for m vertices of one part of the polygon
+  /// @return     numbers of vertices, ascending
+  /// @par Cost   O(log M + m) for m vertices of one part of the polygon
   std::vector<Eigen::Index> vertices_if(const Condition& holds) const;
 
-  /// Finds the vertices in a rectangle, including its border.
-  ///
-  /// @param  rectangle  in the polygon's frame
-  /// @return            numbers of vertices, ascending
-  /// @par Cost          O(log M + m) for m vertices of one part of the polygon
+  /// Finds the vertices in a rectangle of the polygon's frame, including its border. Result and
+  /// cost are like those of vertices_if().
   std::vector<Eigen::Index> vertices_in(const Rectangle& rectangle) const;
 
  private:
-  // Nearest is hidden from Doxygen 1.9, which links to a list of private nested types but does not
-  // write that list.
-  /// @cond
-  struct Nearest;
-  /// @endcond
-
   Chord edge(Eigen::Index number) const;
   Eigen::Index first_edge(std::size_t leaf) const;
-  void search(std::size_t node, Complex z, Nearest& nearest) const;
+  void search(std::size_t node, Complex z, EdgeRun::Closest& nearest) const;
   bool is_clear_of(std::size_t node, const Chord& chord, double distance,
                    const Rectangle& surroundings) const;
   void collect(std::size_t node, const Condition& holds, std::vector<Eigen::Index>& found) const;

@@ -99,12 +99,10 @@ std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vec
   }
   const std::vector<ComponentPair> pairs = near_pairs(shapes, rectangles, reach);
   std::vector<PolygonGap> gaps(pairs.size());
-  const auto pair_count = static_cast<std::ptrdiff_t>(pairs.size());
 #pragma omp parallel for schedule(dynamic)
-  for (std::ptrdiff_t i = 0; i < pair_count; ++i) {
-    const auto [a, b] = pairs[static_cast<std::size_t>(i)];
-    gaps[static_cast<std::size_t>(i)] =
-        gap_of({a, b}, {*shapes[a], poses[a]}, {*shapes[b], poses[b]}, reach);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    gaps[i] = gap_of({a, b}, {*shapes[a], poses[a]}, {*shapes[b], poses[b]}, reach);
   }
   std::erase_if(gaps, [&](const PolygonGap& gap) { return gap.gap >= reach; });
   return gaps;

@@ -24,8 +24,6 @@ struct PolygonGap {
 /// The signed distance is computed for every vertex in reach. Edges that cross are an overlap, even
 /// if no vertex lies inside the other polygon. A body inside a body, or outside the enclosing wall,
 /// is an overlap.
-/// @param  shapes  of n components
-/// @param  poses   of the same components
 /// @param  reach   pairs with this gap or a wider one are left out, length, > 0
 /// @return         pairs with narrower gaps, ascending by pair
 /// @throws std::invalid_argument when numbers of shapes and poses differ, or a pose is not finite

@@ -7,13 +7,13 @@
 
 namespace stokesbook {
 
-RelativePath::RelativePath(const RigidPath& of, const RigidPath& from)
-    : offset_(of.start.position - from.start.position),
-      drift_(of.displacement - from.displacement),
-      orientation_(of.start.orientation - from.start.orientation),
-      spin_(of.rotation - from.rotation),
-      observer_(from.start.orientation),
-      observer_spin_(from.rotation) {
+RelativePath::RelativePath(const RigidPath& a, const RigidPath& b)
+    : offset_(a.start.position - b.start.position),
+      drift_(a.displacement - b.displacement),
+      orientation_(a.start.orientation - b.start.orientation),
+      spin_(a.rotation - b.rotation),
+      observer_(b.start.orientation),
+      observer_spin_(b.rotation) {
   // centre_speed is the first term of (10.4), centre_bend the first term of |d^2 z / dtau^2|. Both
   // are moduli of vectors linear in tau, so that their maxima lie at tau = 0 or 1.
   const auto centre_speed = [&](Complex offset) {

@@ -15,8 +15,6 @@ struct RigidPath {
   double rotation = 0.0;  ///< Delta theta, radians; more than a turn is allowed
 
   /// Returns the pose of the component at a time.
-  /// @param  tau  from 0 to 1
-  /// @return      pose of its frame
   Pose at(double tau) const {
     return {start.position + tau * displacement, start.orientation + tau * rotation};
   }
@@ -28,14 +26,10 @@ struct RelativeFrame {
   Complex shift;  ///< place of the first frame's origin, length
   Complex turn;   ///< rotation, a number of modulus 1
 
-  /// Returns the place of a point in the second frame.
-  /// @param  x  the point X in the first frame, length
-  /// @return    z, length
+  /// Returns the place z of a point X in the second frame.
   Complex operator()(Complex x) const { return shift + turn * x; }
 
-  /// Returns the point of the component that is at a place of the second frame.
-  /// @param  z  place in the second frame, length
-  /// @return    X, length
+  /// Returns the point X of the component that is at a place z of the second frame.
   Complex inverse(Complex z) const { return std::conj(turn) * (z - shift); }
 };
 
@@ -46,30 +40,23 @@ struct RelativeFrame {
 /// observer.
 class RelativePath {
  public:
-  /// @param  of    path of A
-  /// @param  from  path of B, in whose frame A is seen
-  RelativePath(const RigidPath& of, const RigidPath& from);
+  /// Makes the relative path of A from the paths of A and B.
+  RelativePath(const RigidPath& a, const RigidPath& b);
 
-  /// Returns the frame of A at a time.
-  /// @param  tau  from 0 to 1
-  /// @return      frame of A, seen from B
+  /// Returns the frame of A at a time from 0 to 1, seen from B.
   RelativeFrame at(double tau) const;
 
   /// Returns the frame of A at the start of the step.
-  /// @return at(0)
   const RelativeFrame& start() const { return start_; }
 
   /// Returns the frame of A at the end of the step.
-  /// @return at(1)
   const RelativeFrame& end() const { return end_; }
 
   /// Bounds the speed of a point of A: \f$ \max_{\tau=0,1}|\Delta c_A - \Delta c_B -
   /// \Delta\theta_B(c_A-c_B)^\perp| + |\Delta\theta_A-\Delta\theta_B||X| \f$ (10.4).
   ///
   /// The first term is the modulus of a vector that is linear in tau, so that its largest value
-  /// lies at an end of the step.
-  /// @param  radius  |X|, length
-  /// @return         bound of |dz/dtau|, length
+  /// lies at an end of the step. The radius is |X|.
   double speed_bound(double radius) const { return speed_ + std::abs(spin_) * radius; }
 
   /// Bounds the distance of a point of A from the chord between two places of its path:
@@ -80,7 +67,6 @@ class RelativePath {
   /// linear in tau.
   /// @param  radius  |X|, length
   /// @param  step    time \f$ \Delta\tau \f$ between the two places
-  /// @return         distance, length
   double stray_bound(double radius, double step) const {
     return 0.125 * step * step * (bend_ + spin_ * spin_ * radius);
   }

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
-
-#include "stiv/component_pair.hpp"
+#include <utility>
 
 namespace stokesbook {
 
 /// @addtogroup stiv
 /// @{
+
+/// The numbers of two components, the smaller number first.
+using ComponentPair = std::pair<std::size_t, std::size_t>;
 
 /// Pairs that may come closer than others, with their own separation, length, > 0.
 using CloserPairs = std::map<ComponentPair, double>;
@@ -21,10 +24,7 @@ struct Separation {
   double everywhere;     ///< of pairs in general, length, > 0
   CloserPairs closer{};  ///< pairs with a smaller separation
 
-  /// Returns the separation of a pair.
-  /// @param  a  number of a component
-  /// @param  b  number of another component
-  /// @return    length, > 0, at most @c everywhere
+  /// Returns the separation of two components in either order, at most @c everywhere, length.
   double between(std::size_t a, std::size_t b) const {
     const auto own = closer.find(std::minmax({a, b}));
     return own == closer.end() ? everywhere : std::min(everywhere, own->second);

@@ -24,7 +24,7 @@ class Search {
         polygon_(polygon),
         path_(path),
         clearance_(clearance),
-        deep_((1.0 - clearance.dip) * clearance.separation + clearance.tolerance) {}
+        deep_((1.0 - clearance.allowed_intrusion) * clearance.separation + clearance.tolerance) {}
 
   // Returns the vertices of A that may come near B. A run of vertices is left out if the path of
   // its bounding circle keeps away from B.
@@ -32,7 +32,7 @@ class Search {
     return a_.polygon.vertices_if([this](const Rectangle& rectangle) {
       const Complex centre = 0.5 * (rectangle.lower + rectangle.upper);
       const double radius = 0.5 * std::abs(rectangle.upper - rectangle.lower);
-      return !is_clear(centre, start_of(centre), end_of(centre), clearance_.watch + radius);
+      return !is_clear(centre, start_of(centre), end_of(centre), clearance_.reach + radius);
     });
   }
 
@@ -41,12 +41,12 @@ class Search {
   // goes deep nor ends near B.
   std::optional<VertexEvent> event(Index vertex) {
     const Complex x = a_.polygon.vertex(vertex);
-    const Place start = start_of(x), end = end_of(x);
-    const ClosestPoint at = closest(end.z, clearance_.watch);
-    const double way = std::abs(end.z - start.z) + path_.stray_bound(std::abs(x), 1.0);
-    const bool ends_far = std::min(at.distance, clearance_.watch) > deep_ + way;
+    const PathPoint start = start_of(x), end = end_of(x);
+    const ClosestPoint at = closest(end.z, clearance_.reach);
+    const double path_length = std::abs(end.z - start.z) + path_.stray_bound(std::abs(x), 1.0);
+    const bool ends_far = std::min(at.distance, clearance_.reach) > deep_ + path_length;
     const bool ends_deep = at.distance <= deep_;
-    if (ends_deep || (!ends_far && !keeps_off(x, start, end, 3))) {
+    if (ends_deep || (!ends_far && !is_never_deep(x, start, end, 3))) {
       if (const auto touch = deep_touch(x, end.z)) {
         return complete(vertex, touch->tau, gap(*touch, end.z), touch->at);
       }
@@ -58,8 +58,8 @@ class Search {
   std::size_t queries() const { return queries_; }
 
  private:
-  // The place of a point of A at a time, in B's frame.
-  struct Place {
+  // A point of A at a time, in B's frame.
+  struct PathPoint {
     double tau;
     Complex z;
   };
@@ -71,22 +71,23 @@ class Search {
     ClosestPoint at;
   };
 
-  Place start_of(Complex x) const { return {0.0, path_.start()(x)}; }
-  Place end_of(Complex x) const { return {1.0, path_.end()(x)}; }
-  Place place_of(Complex x, double tau) const { return {tau, path_.at(tau)(x)}; }
+  PathPoint start_of(Complex x) const { return {0.0, path_.start()(x)}; }
+  PathPoint end_of(Complex x) const { return {1.0, path_.end()(x)}; }
+  PathPoint point_at(Complex x, double tau) const { return {tau, path_.at(tau)(x)}; }
 
   // Returns the gap at the end from the line through the touched point (10.5).
   double gap(const Touch& touch, Complex end) const {
     return touch.at.distance - clearance_.separation + dot(touch.at.normal, end - touch.z);
   }
 
-  // Returns true if chords of the path of a point X of A prove that X never goes deep. This settles
-  // most points. The path is halved up to `halvings` times.
-  bool keeps_off(Complex x, const Place& from, const Place& to, int halvings) {
+  // Returns true if chords of the path of a point X of A prove that X never goes deep. This
+  // suffices for most points. The path is halved up to `halvings` times.
+  bool is_never_deep(Complex x, const PathPoint& from, const PathPoint& to, int halvings) {
     if (is_clear(x, from, to, deep_)) return true;
     if (halvings == 0) return false;
-    const Place middle = place_of(x, 0.5 * (from.tau + to.tau));
-    return keeps_off(x, from, middle, halvings - 1) && keeps_off(x, middle, to, halvings - 1);
+    const PathPoint middle = point_at(x, 0.5 * (from.tau + to.tau));
+    return is_never_deep(x, from, middle, halvings - 1) &&
+           is_never_deep(x, middle, to, halvings - 1);
   }
 
   // Finds the contact in which a point X of A goes deep and ends beyond the touched line. Returns
@@ -110,7 +111,7 @@ class Search {
         stretch = step > 0.5 * previous ? 2.0 * stretch : 1.0;
         previous = step;
         const double longer = std::min(stretch * step, 1.0 - tau);
-        if (longer > step && is_clear(x, {tau, z}, place_of(x, tau + longer), separation)) {
+        if (longer > step && is_clear(x, {tau, z}, point_at(x, tau + longer), separation)) {
           step = longer;
         } else {
           stretch = 1.0;
@@ -133,7 +134,7 @@ class Search {
 
   // Returns whether the chord between two places of X proves that the path between them keeps a
   // distance from B.
-  bool is_clear(Complex x, const Place& from, const Place& to, double distance) {
+  bool is_clear(Complex x, const PathPoint& from, const PathPoint& to, double distance) {
     ++queries_;
     return polygon_.is_clear_of({from.z, to.z},
                                 distance + path_.stray_bound(std::abs(x), to.tau - from.tau));

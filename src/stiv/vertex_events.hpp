@@ -30,8 +30,6 @@ struct SearchCost {
   std::size_t queries = 0;   ///< queries of a polygon, for a closest point or a chord
 
   /// Adds the counts of another search.
-  /// @param  other  counts of that search
-  /// @return        the sum
   SearchCost& operator+=(const SearchCost& other) {
     pairs += other.pairs;
     vertices += other.vertices;
@@ -39,7 +37,7 @@ struct SearchCost {
     return *this;
   }
 
-  /// @return true when all members are equal
+  /// Compares member by member.
   bool operator==(const SearchCost&) const = default;
 };
 
@@ -47,8 +45,9 @@ struct SearchCost {
 struct Clearance {
   double separation;  ///< delta, length, > 0
   double tolerance;   ///< of gaps, length, > 0: contact is found at most this much too early
-  double watch;       ///< vertices that end nearer to the other component are listed, length
-  double dip = 0.5;   ///< part of the separation that a vertex may lose within a step, 0 to 1
+  double reach;       ///< vertices that end nearer to the other component are listed, length
+  /// Part of the separation into which a vertex may intrude within a step, 0 to 1.
+  double allowed_intrusion = 0.5;
 };
 
 /// The events of one component's vertices, and the work of finding them.
@@ -65,10 +64,10 @@ struct VertexEvents {
 /// from the line through the touched point (10.5),
 /// \f[ g = d(z_I) - \delta + n_I\cdot(z(1) - z_I), \f]
 /// and remains negative however far beyond B the vertex ends. This gap is used for vertices that go
-/// deep, that is, nearer than (1 - dip) delta. For all other vertices only the end of the step
-/// counts, \f$ g = d(z(1)) - \delta \f$ with the normal there. The reason is sliding: a vertex that
-/// slides along B at the distance delta, up to the tolerance, would end behind the tilted line of
-/// every bend that it passes.
+/// deep, that is, nearer than (1 - allowed_intrusion) delta. For all other vertices only the end of
+/// the step counts, \f$ g = d(z(1)) - \delta \f$ with the normal there. The reason is sliding: a
+/// vertex that slides along B at the distance delta, up to the tolerance, would end behind the
+/// tilted line of every bend that it passes.
 ///
 /// Three tests reduce the work. Runs of vertices whose bounding circle keeps away from B are left
 /// out. For most other vertices a chord of the path proves that they never go deep. For the
@@ -77,10 +76,7 @@ struct VertexEvents {
 /// become small, for example along a wall, the search tries chords of growing length until one
 /// comes too near. In contact the search advances in steps of half the separation, which cannot
 /// pass through B either.
-/// @param  a          shape of A
-/// @param  b          shape of B
 /// @param  path       of A, seen from B; the polygons do not overlap at its start
-/// @param  clearance  separation, tolerance, watch and dip
 /// @return            events of vertices that end too deep, or end near B
 /// @par Accuracy      first contact is found at a distance between delta and delta + tolerance,
 ///                    @ref claim_10_4; g has rounding error for B's polygon, which lies within its

@@ -16,12 +16,14 @@ namespace {
 
 constexpr double delta = 0.1, tolerance = 1e-4 * delta;
 
-// With a dip of 0, every contact counts as deep, so that its first instant is reported.
+// With an allowed intrusion of 0, every contact counts as deep, so that its first instant is
+// reported.
 ContactRules rules(double tol = tolerance) {
-  return {.separation = {delta}, .tolerance = tol, .rows = RowChoice::every, .dip = 0.0};
+  return {
+      .separation = {delta}, .tolerance = tol, .rows = RowChoice::every, .allowed_intrusion = 0.0};
 }
 
-const ContactRules rules_with_a_dip{{delta}, tolerance, RowChoice::every};
+const ContactRules default_rules{{delta}, tolerance, RowChoice::every};
 
 // Two unit circles approach from both sides, one of them shifted aside.
 Step approach(double aside, double travel, Index m) {
@@ -103,22 +105,23 @@ BOOST_AUTO_TEST_CASE(tunnelling_is_found_for_every_step) {
   }
 }
 
-// Checks how near circles come as they pass each other: a dip into the separation is admitted, up
-// to the permitted part of the separation.
+// Checks how near circles come as they pass each other: an intrusion into the separation is
+// admitted, up to the permitted part of the separation.
 BOOST_AUTO_TEST_CASE(passing_by_is_no_contact) {
   const double sags = 2.0 * sag(sample(Circle{1.0}, 1024, Side::fluid_outside));
   for (double travel : {3.0 + 1.5, 6.0, 100.0}) {
-    for (double dip : {0.0, 0.5, 1.0}) {
-      ContactRules with_dip = rules_with_a_dip;
-      if (dip != 0.5) with_dip.dip = dip;  // otherwise the default
+    for (double intrusion : {0.0, 0.5, 1.0}) {
+      ContactRules with_intrusion = default_rules;
+      if (intrusion != 0.5) with_intrusion.allowed_intrusion = intrusion;  // otherwise the default
       const auto is_admitted = [&](double nearest) {
-        return interferences(approach(2.0 + nearest, travel, 1024), with_dip).admits_step() &&
-               interferences(approach(-2.0 - nearest, travel, 1024), with_dip).admits_step();
+        return interferences(approach(2.0 + nearest, travel, 1024), with_intrusion).admits_step() &&
+               interferences(approach(-2.0 - nearest, travel, 1024), with_intrusion).admits_step();
       };
-      const double allowed = (1.0 - dip) * delta;
+      const double allowed = (1.0 - intrusion) * delta;
       BOOST_TEST(is_admitted(allowed + 2.0 * tolerance));
-      // Steps in contact are half the separation, and may miss a dip that is only slightly deeper.
-      BOOST_TEST(!is_admitted(dip == 0.0 ? allowed - sags - 1e-3 : -1e-2));
+      // Steps in contact are half the separation, and may miss an intrusion that is only slightly
+      // deeper.
+      BOOST_TEST(!is_admitted(intrusion == 0.0 ? allowed - sags - 1e-3 : -1e-2));
     }
   }
 }
@@ -278,8 +281,8 @@ BOOST_AUTO_TEST_CASE(a_contact_that_was_left_is_forgotten) {
       {{{-half - run_up, height + 0.9 * delta - slope * run_up}, 0.0}, {way, slope * way}, 0.0});
   Step grazing = step;
   grazing.paths[1].displacement *= (half + run_up) / way;
-  BOOST_TEST(!interferences(grazing, rules_with_a_dip).contacts.empty());
-  const std::vector<Contact> contacts = violated(interferences(step, rules_with_a_dip));
+  BOOST_TEST(!interferences(grazing, default_rules).contacts.empty());
+  const std::vector<Contact> contacts = violated(interferences(step, default_rules));
   BOOST_TEST(!contacts.empty());
   BOOST_TEST(first_time(contacts) > (half + run_up) / way);
 }
@@ -301,9 +304,9 @@ BOOST_AUTO_TEST_CASE(a_second_contact_within_the_first) {
   Step step;
   step.add(floor, {});
   step.add(body(Circle{radius}, 16), {{{-1.0, delta + radius}, 0.0}, {1.8, 0.0}, 0.0});
-  BOOST_TEST(interferences(step, rules_with_a_dip).admits_step());
+  BOOST_TEST(interferences(step, default_rules).admits_step());
   step.paths[1].displacement = 3.0;
-  const std::vector<Contact> contacts = violated(interferences(step, rules_with_a_dip));
+  const std::vector<Contact> contacts = violated(interferences(step, default_rules));
   BOOST_REQUIRE(contacts.size() == 1u);
   for (const ContactRow& row : contacts[0].rows) BOOST_TEST(row.normal.real() > 0.99);
   BOOST_TEST(least_gap(contacts) < -1.0);
@@ -313,8 +316,16 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   Step step = approach(0.0, 3.0, 32);
   BOOST_CHECK_THROW(interferences(step, {{0.0}, tolerance}), std::invalid_argument);
   BOOST_CHECK_THROW(interferences(step, {{delta}, 0.0}), std::invalid_argument);
-  BOOST_CHECK_THROW(interferences(step, {{delta, {{{0, 1}, -1.0}}}, tolerance}),
-                    std::invalid_argument);
+  const auto says = [](const std::string& message) {
+    return [=](const std::invalid_argument& error) { return error.what() == message; };
+  };
+  BOOST_CHECK_EXCEPTION(
+      interferences(step, {{delta, {{{0, 1}, -1e-8}}}, tolerance}), std::invalid_argument,
+      says("contact requires a positive separation of components 0 and 1, got -1e-08"));
+  BOOST_CHECK_EXCEPTION(
+      interferences(step,
+                    {.separation = {delta}, .tolerance = tolerance, .allowed_intrusion = 1.5}),
+      std::invalid_argument, says("contact requires an allowed intrusion from 0 to 1, got 1.5"));
   step.paths[1].displacement = {std::nan(""), 0.0};
   BOOST_CHECK_THROW(interferences(step, rules()), std::invalid_argument);
   step.paths.pop_back();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 #include <boost/test/unit_test.hpp>
 
@@ -159,7 +160,14 @@ BOOST_AUTO_TEST_CASE(what_is_no_polygon_is_refused) {
   const auto make = [](const ComplexVector& vertices) {
     return Polygon(vertices, Side::fluid_outside);
   };
-  BOOST_CHECK_THROW(make(ComplexVector{{0.0, 1.0}}), std::invalid_argument);
+  const auto says = [](const std::string& message) {
+    return [=](const std::invalid_argument& error) { return error.what() == message; };
+  };
+  BOOST_CHECK_EXCEPTION(make(ComplexVector{{0.0, 1.0}}), std::invalid_argument,
+                        says("a polygon requires three or more vertices, got 2"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  BOOST_CHECK_THROW(make(ComplexVector{{0.0, 1.0, Complex{0.0, nan}}}), std::invalid_argument);
+  BOOST_CHECK_EXCEPTION(make(ComplexVector{{0.0, 1.0, Complex{0.5, nan}}}), std::invalid_argument,
+                        says("vertex 2 of a polygon is not finite: (0.5,nan)"));
+  BOOST_CHECK_EXCEPTION(make(ComplexVector{{0.0, -infinity, 1.0}}), std::invalid_argument,
+                        says("vertex 1 of a polygon is not finite: (-inf,0)"));
 }

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "near_singular/near_field.hpp"
-#include "stiv/component_pair.hpp"
+#include "stiv/separation.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "stiv/component_pair.hpp"
+#include "stiv/separation.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "suspension/nodes/density_decay.hpp"
