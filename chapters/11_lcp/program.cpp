@@ -13,8 +13,7 @@
 
 #include "lcp/barzilai_borwein.hpp"
 #include "lcp/contact_loop.hpp"
-#include "lcp/fischer_newton.hpp"
-#include "lcp/minimum_map_newton.hpp"
+#include "lcp/newton.hpp"
 #include "lcp/projected_gauss_seidel.hpp"
 #include "record/atomic_file.hpp"
 #include "record/svg.hpp"

@@ -38,11 +38,11 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
                                 " entries, but the offset has " + std::to_string(m));
   }
   const VectorXd diagonal = problem.diagonal.size() == 0 ? VectorXd::Ones(m) : problem.diagonal;
-  const LcpUnits units =
-      lcp_units(diagonal, m > 0 ? diagonal.cwiseAbs().maxCoeff() : 0.0, problem.offset);
+  const LcpScaling scaling =
+      compute_scaling(diagonal, m > 0 ? diagonal.cwiseAbs().maxCoeff() : 0.0, problem.offset);
   const auto gradient = [&](const VectorXd& z) {
-    const VectorXd product = problem.apply(units.size * units.scale.cwiseProduct(z));
-    const VectorXd w = (product + problem.offset).cwiseProduct(units.scale) / units.size;
+    const VectorXd product = problem.apply(scaling.size * scaling.scale.cwiseProduct(z));
+    const VectorXd w = (product + problem.offset).cwiseProduct(scaling.scale) / scaling.size;
     if (!w.allFinite()) {
       throw std::domain_error(
           "M z + q of the complementarity problem has an entry that is not finite");
@@ -50,11 +50,11 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
     return w;
   };
 
-  VectorXd z = scaled_guess(units, options.guess);
+  VectorXd z = scale_guess(scaling, options.guess);
   VectorXd w = gradient(z);
   int products = 1;
   double residual = natural_residual(z, w);
-  LcpResult best = judge(units, z, w, options.tolerance);
+  LcpResult best = make_result(scaling, z, w, options.tolerance);
   double length = 1.0 / projected_gradient(z, w).lpNorm<Eigen::Infinity>();
   while (residual > options.tolerance && residual < diverging_residual &&
          products < options.max_iterations.value_or(default_products)) {
@@ -66,7 +66,7 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
     z = next_z;
     w = next_w;
     residual = natural_residual(z, w);
-    if (residual < best.residual) best = judge(units, z, w, options.tolerance);
+    if (residual < best.residual) best = make_result(scaling, z, w, options.tolerance);
   }
   best.iterations = products;
   return best;

@@ -25,8 +25,6 @@ struct LcpOperator {
 /// @param  problem  with m rows, M symmetric and positive semidefinite
 /// @param  options  default limit: 2000 products with M
 /// @return          solved or stalled; iterations are products with M
-/// @throws std::invalid_argument when sizes do not agree
-/// @throws std::domain_error when numbers are not finite
 /// @par Accuracy    linear convergence at best, the slower the worse M is conditioned;
 ///                  the same in all units, @ref claim_11_21
 /// @par Cost        one product with M per step, and besides 10 m operations and 6 m numbers
@@ -36,12 +34,6 @@ struct LcpOperator {
 LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOptions& options = {});
 
 /// Solves as matrix_free_barzilai_borwein() does, for a matrix that is stored.
-///
-/// @param  problem  with m rows, M symmetric and positive semidefinite
-/// @param  options  default limit: 2000 products with M
-/// @return          solved or stalled; iterations are products with M
-/// @throws std::invalid_argument when M is not square, or q or the guess has another length
-/// @throws std::domain_error when M or q is not finite
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options = {});
 
 /// @}

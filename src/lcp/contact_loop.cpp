@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "lcp/fischer_newton.hpp"
+#include "lcp/newton.hpp"
 
 namespace stokesbook {
 
@@ -23,14 +23,14 @@ namespace {
 
 using SparseRow = Eigen::SparseVector<double, Eigen::RowMajor>;
 
-// A linearised gap: clearance + dt gradient . U >= 0, with c of (11.10) for the clearance.
-struct Cut {
+// The linear constraint clearance + dt gradient . U >= 0, with c of (11.10) for the clearance.
+struct LinearisedGap {
   double clearance = 0.0;
   SparseRow gradient, force_gradient;
 };
 
-// The linearised gaps of a linear problem. Each point has one cut, from its latest linearisation.
-using Cuts = std::map<ContactKey, Cut>;
+// The linearised gaps of a linear problem. Each point has one gap, from its latest linearisation.
+using LinearisedGaps = std::map<ContactKey, LinearisedGap>;
 
 void require_valid(const ContactStep& step) {
   if (!(step.dt > 0.0) || !(step.tolerance > 0.0)) {
@@ -70,25 +70,25 @@ ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
 }
 
 // Linearises the gaps at the velocity U_k: c = g_k - dt J_k U_k (11.10).
-Cuts linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
+LinearisedGaps linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
   const VectorXd clearance = rows.gap - dt * (rows.gradient * velocity);
-  Cuts cuts;
+  LinearisedGaps gaps;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
-    const Cut cut{clearance[i], rows.gradient.row(i), rows.force_gradient.row(i)};
-    if (!cuts.emplace(key, cut).second) {
+    const LinearisedGap gap{clearance[i], rows.gradient.row(i), rows.force_gradient.row(i)};
+    if (!gaps.emplace(key, gap).second) {
       throw std::invalid_argument("two rows have the same key: " + contact_point(key));
     }
   }
-  return cuts;
+  return gaps;
 }
 
-// Selects the cuts of the rows that are violated by more than the tolerance.
-Cuts violated(const ContactRows& rows, const Cuts& cuts, double tolerance) {
-  Cuts result;
+// Selects the linearised gaps of the rows that are violated by more than the tolerance.
+LinearisedGaps violated(const ContactRows& rows, const LinearisedGaps& gaps, double tolerance) {
+  LinearisedGaps result;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
-    if (rows.gap[i] < -tolerance) result.emplace(key, cuts.at(key));
+    if (rows.gap[i] < -tolerance) result.emplace(key, gaps.at(key));
   }
   return result;
 }
@@ -107,17 +107,17 @@ struct LinearProblem {
   MatrixXd matrix;      // N
 };
 
-// Assembles N = dt J B J_f^T from the cuts (11.10).
-LinearProblem linear_problem(const Cuts& cuts, const ContactStep& step) {
-  const auto m = static_cast<Index>(cuts.size());
+// Assembles N = dt J B J_f^T (11.10).
+LinearProblem linear_problem(const LinearisedGaps& gaps, const ContactStep& step) {
+  const auto m = static_cast<Index>(gaps.size());
   const Index n = step.free_velocity.size();
   LinearProblem problem{{}, VectorXd(m), GapGradient(m, n), GapGradient(m, n), {}, {}};
   Index i = 0;
-  for (const auto& [key, cut] : cuts) {
+  for (const auto& [key, gap] : gaps) {
     problem.keys.push_back(key);
-    problem.clearance[i] = cut.clearance;
-    problem.gradient.row(i) = cut.gradient;
-    problem.force_gradient.row(i) = cut.force_gradient;
+    problem.clearance[i] = gap.clearance;
+    problem.gradient.row(i) = gap.gradient;
+    problem.force_gradient.row(i) = gap.force_gradient;
     ++i;
   }
   problem.velocities = step.respond(problem.force_gradient.transpose());
@@ -137,11 +137,9 @@ VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& ke
   for (std::size_t i = 0; i < earlier.keys.size(); ++i) {
     known[earlier.keys[i]] = earlier.multipliers[static_cast<Index>(i)];
   }
-  VectorXd result = VectorXd::Zero(static_cast<Index>(keys.size()));
+  VectorXd result(static_cast<Index>(keys.size()));
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (const auto found = known.find(keys[i]); found != known.end()) {
-      result[static_cast<Index>(i)] = found->second;
-    }
+    result[static_cast<Index>(i)] = known[keys[i]];  // zero for a new key
   }
   return result;
 }
@@ -152,8 +150,8 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   std::map<std::int64_t, double> least;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const std::int64_t contact = rows.keys[static_cast<std::size_t>(i)].contact;
-    const auto [entry, first] = least.emplace(contact, rows.gap[i]);
-    if (!first) entry->second = std::min(entry->second, rows.gap[i]);
+    double& gap = least.emplace(contact, rows.gap[i]).first->second;
+    gap = std::min(gap, rows.gap[i]);
   }
   VectorXd gaps(static_cast<Index>(keys.size()));
   for (std::size_t i = 0; i < keys.size(); ++i) {
@@ -261,14 +259,12 @@ class ContactLoop {
     if (!ended && guessed) rows_ = rows_at(step_, result_.velocity = step_.guess);
     while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
-      const Cuts cuts = next_cuts();
+      const LinearisedGaps gaps = linearise_gaps();
       do {
-        ended = !apply(linear_problem(cuts, step_)) || is_finished();
+        ended = !apply(linear_problem(gaps, step_)) || is_finished();
       } while (ended && is_refined());
     }
-    if (!ended) {
-      give_up(ContactStatus::not_converged, violated_rows(step_, result_, rows_));
-    }
+    if (!ended) give_up(ContactStatus::not_converged, violated_rows(step_, result_, rows_));
     return result_;
   }
 
@@ -294,18 +290,18 @@ class ContactLoop {
            step_.refine(result_.multipliers);
   }
 
-  // Returns the linearised current rows. Once rows are still violated after `cuts_after`
-  // iterations, the rows that were violated earlier are added with their last linearisation
-  // (chapter 11, "Rows that come back"). These rows are not added sooner, because an old
-  // linearisation may hold a gap open.
-  Cuts next_cuts() {
-    Cuts cuts = linearised(rows_, result_.velocity, step_.dt);
-    Cuts now = violated(rows_, cuts, step_.tolerance);
-    rows_come_back_ |= result_.iterations > options_.cuts_after && !now.empty();
-    if (rows_come_back_) cuts.insert(violated_.begin(), violated_.end());
+  // Linearises the gaps of the current rows. Once rows are still violated after
+  // `restore_rows_after` iterations, the rows that were violated earlier are added with their last
+  // linearisation (chapter 11, "Rows that come back"). These rows are not added sooner, because an
+  // old linearisation may hold a gap open.
+  LinearisedGaps linearise_gaps() {
+    LinearisedGaps gaps = linearised(rows_, result_.velocity, step_.dt);
+    LinearisedGaps now = violated(rows_, gaps, step_.tolerance);
+    restores_rows_ |= result_.iterations > options_.restore_rows_after && !now.empty();
+    if (restores_rows_) gaps.insert(violated_.begin(), violated_.end());
     now.merge(violated_);
     violated_ = std::move(now);
-    return cuts;
+    return gaps;
   }
 
   // Solves the linear problem for lambda, and moves to U = U* + B J_f^T lambda. Returns false if it
@@ -380,9 +376,9 @@ class ContactLoop {
   const ContactStep& step_;
   const ContactLoopOptions& options_;
   ContactResult result_;
-  ContactRows rows_;             // at the velocity of the result
-  Cuts violated_;                // rows that were violated in earlier iterations
-  bool rows_come_back_ = false;  // whether the linear problem includes the rows of violated_
+  ContactRows rows_;            // at the velocity of the result
+  LinearisedGaps violated_;     // of rows that were violated in earlier iterations
+  bool restores_rows_ = false;  // whether the linear problem includes the rows of violated_
 };
 
 }  // namespace

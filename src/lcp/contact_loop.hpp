@@ -31,8 +31,8 @@ using GapGradient = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 struct ContactRows {
   Eigen::VectorXd gap;   ///< g(U), m lengths; a negative gap violates the separation
   GapGradient gradient;  ///< J, m x n, with \f$ dg = \Delta t\, J\, dU \f$
-  GapGradient
-      force_gradient{};  ///< J_f, m x n: forces are \f$ J_f^T \lambda \f$; 0 x 0: J_f equals J
+  /// J_f, m x n: forces are \f$ J_f^T \lambda \f$; 0 x 0: J_f equals J.
+  GapGradient force_gradient{};
   std::vector<ContactKey> keys;  ///< m keys, all different
 };
 
@@ -68,9 +68,9 @@ struct ContactLoopOptions {
                              ///< separation
   double divergence = 10.0;  ///< the loop gives up when the violation exceeds this factor times the
                              ///< separation, or times the violation at U* if that is larger
-  int cuts_after = 4;        ///< iterations after which rows that were violated earlier come back
-                             ///< if some rows are still violated
-  LcpSolver solver = lemke;  ///< for the linear problems; if it fails, fischer_newton() is used
+  int restore_rows_after = 4;  ///< iterations after which rows that were violated earlier come back
+                               ///< if some rows are still violated
+  LcpSolver solver = lemke;    ///< for the linear problems; if it fails, fischer_newton() is used
 };
 
 /// How the loop ended.
@@ -102,8 +102,8 @@ struct ContactResult {
   int iterations = 0;  ///< number of iterations, each with a linear problem
   int columns = 0;     ///< number of forces to which respond() was applied
   int rays = 0;        ///< linear problems without a solution, in which max(c, 0) replaced c
-  std::vector<double>
-      violations{};  ///< largest violation at U*, and after each iteration, lengths >= 0
+  /// Largest violation at U*, and after each iteration, lengths >= 0.
+  std::vector<double> violations{};
 };
 
 /// Finds the velocity U with
@@ -122,16 +122,14 @@ struct ContactResult {
 /// \f$ \max(c, 0) \f$ replaces c. The gaps themselves are never clipped: the result is accepted
 /// only when all gaps of rows(U) are at least -tolerance.
 ///
-/// If rows are still violated after ContactLoopOptions::cuts_after iterations, rows that were
-/// violated earlier and whose points are no longer among rows(U_k) come back with their last
-/// linearisation. Without these rows, points that take turns at being the deepest never settle.
+/// If rows are still violated after ContactLoopOptions::restore_rows_after iterations, rows that
+/// were violated earlier and whose points are no longer among rows(U_k) come back with their last
+/// linearisation. Without these rows, points that take turns at being the deepest change for ever.
 ///
 /// A force acts if its effect on its own gap, \f$ N_{ii} \lambda_i \f$, exceeds the tolerance. The
 /// force is compared with the least gap of all rows at U that have the same ContactKey::contact.
 /// The force acts across an open gap if this least gap exceeds the bound, or if the contact has no
 /// row at U.
-/// @param  step     to resolve
-/// @param  options  limits and solver
 /// @return          a result for every step: resolved, or the reason why it is not
 /// @throws std::invalid_argument when sizes do not agree, or dt or the tolerance is not positive
 /// @throws std::domain_error when a number is not finite

@@ -165,11 +165,11 @@ Index worst_index(const std::vector<Index>& active, const VectorXd& z, const Vec
 // out. If M_AA is badly conditioned, pivoting may have put an index with z = w = 0 on the wrong
 // side of the active set: such indices change sides, the worst index first.
 LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
-  LcpResult best = judge(scaled, basic_z(tableau, tableau.values()), tolerance);
+  LcpResult best = make_result(scaled, basic_z(tableau, tableau.values()), tolerance);
   std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());
   for (int change = 0; change < side_changes && !active.empty(); ++change) {
     const VectorXd z = solve_active(scaled.problem, active);
-    const LcpResult result = judge(scaled, z, tolerance);
+    const LcpResult result = make_result(scaled, z, tolerance);
     if (!std::isfinite(result.residual)) break;  // M_AA is singular
     if (result.residual < best.residual) best = result;
     const Index worst = worst_index(active, z, scaled.problem.offset + scaled.problem.matrix * z);
@@ -202,17 +202,17 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     const std::vector<Index> rows = falling_rows(fall);
     if (rows.empty()) {
       // No basic variable falls: along the ray the entering z grows by one, the basic z by -fall.
-      result = judge(scaled, basic_z(tableau, tableau.values()), options.tolerance);
+      result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
       result.iterations = pivots;
       result.status = LcpStatus::ray;
       result.ray = basic_z(tableau, -fall).cwiseMax(0.0);
       if (entering >= m) result.ray[entering - m] = 1.0;
-      result.ray = result.ray.cwiseProduct(scaled.units.scale);
+      result.ray = result.ray.cwiseProduct(scaled.scaling.scale);
       return result;
     }
     row = tableau.least(rows, fall);
   }
-  result = judge(scaled, basic_z(tableau, tableau.values()), options.tolerance);
+  result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
   result.iterations = most;
   result.status = LcpStatus::stalled;
   return result;
@@ -224,7 +224,7 @@ LcpResult lemke(const LcpProblem& problem, const LcpOptions& options) {
   const ScaledLcp scaled = scale_problem(problem);
   const Index m = scaled.problem.offset.size();
   if (m == 0 || scaled.problem.offset.minCoeff() >= 0.0) {
-    return judge(scaled, VectorXd::Zero(m), options.tolerance);
+    return make_result(scaled, VectorXd::Zero(m), options.tolerance);
   }
   return follow_path(scaled, options);
 }

@@ -19,11 +19,8 @@ namespace stokesbook {
 /// If the path ends in a ray, the direction v >= 0 of the ray is returned (11.5). For M positive
 /// semidefinite, symmetric or not, v proves that there is no solution: \f$ M^T v \le 0 \f$, but
 /// \f$ q \cdot v < 0 \f$. For other M the ray proves nothing.
-/// @param  problem  with m rows
 /// @param  options  the guess is not used; default limit: 50000 + 20 m pivots
 /// @return          solved, ray, or stalled at the limit; iterations are pivots
-/// @throws std::invalid_argument when sizes do not agree
-/// @throws std::domain_error when M or q is not finite
 /// @par Accuracy    rounding, times the condition number of \f$ M_{AA} \f$; @ref claim_11_10,
 ///                  @ref claim_11_12; rays: @ref claim_11_3
 /// @par Cost        2 m^2 operations per pivot, memory for m^2 numbers; mostly fewer than 2 m

@@ -45,21 +45,9 @@ struct LcpResult {
 };
 
 /// The signature of all solvers: lemke(), fischer_newton(), minimum_map_newton(),
-/// projected_gauss_seidel(), barzilai_borwein().
+/// projected_gauss_seidel(), barzilai_borwein(). All throw std::invalid_argument when sizes do not
+/// agree, and std::domain_error when M or q is not finite.
 using LcpSolver = std::function<LcpResult(const LcpProblem&, const LcpOptions&)>;
-
-/// Measures by how much z misses a solution:
-/// \f$ \max_i |\min(z_i / s_i,\ s_i w_i)| / \max_i |s_i q_i| \f$ with \f$ s_i = M_{ii}^{-1/2} \f$.
-///
-/// z and w have different units; \f$ z_i / s_i \f$ and \f$ s_i w_i \f$ both have the unit of the
-/// square root of a work. The residual does not change if single rows change units,
-/// \f$ M \to D M D,\ q \to D q \f$, or if M or q is multiplied by a factor. If
-/// \f$ M_{ii} \le 0 \f$, the largest modulus of an entry of M replaces \f$ M_{ii} \f$.
-/// @param  problem  with m rows
-/// @param  z        m numbers
-/// @return          0 at a solution; the denominator is 1 if q = 0
-/// @par Cost        one product with M
-double lcp_residual(const LcpProblem& problem, const Eigen::VectorXd& z);
 
 /// @}
 

@@ -35,7 +35,7 @@ LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& op
   const auto& [matrix, offset] = scaled.problem;
   // The sweeps read rows of M; in the column-major transpose each row is contiguous.
   const Eigen::MatrixXd transposed = matrix.transpose();
-  VectorXd z = scaled_guess(scaled.units, options.guess);
+  VectorXd z = scale_guess(scaled.scaling, options.guess);
   int sweeps = 0;
   double residual = natural_residual(z, offset + matrix * z);
   while (residual > options.tolerance && residual < diverging_residual &&
@@ -48,7 +48,7 @@ LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& op
     residual = natural_residual(z, offset + matrix * z);
     ++sweeps;
   }
-  LcpResult result = judge(scaled, z, options.tolerance);
+  LcpResult result = make_result(scaled, z, options.tolerance);
   result.iterations = sweeps;
   return result;
 }

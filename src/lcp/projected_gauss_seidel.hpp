@@ -15,8 +15,7 @@ namespace stokesbook {
 /// @param  problem  with m rows, \f$ M_{ii} > 0 \f$
 /// @param  options  default limit: 1000 sweeps
 /// @return          solved or stalled; iterations are sweeps
-/// @throws std::invalid_argument when sizes do not agree, or M has a diagonal entry <= 0
-/// @throws std::domain_error when M or q is not finite
+/// @throws std::invalid_argument also when M has a diagonal entry <= 0
 /// @par Accuracy    linear convergence, like the Gauss-Seidel method: a chain of m contacts takes
 ///                  O(m^2) sweeps per digit; @ref claim_11_4, @ref claim_11_5
 /// @par Cost        4 m^2 operations per sweep

@@ -7,24 +7,25 @@ namespace stokesbook {
 /// @addtogroup lcp
 /// @{
 
-/// Units of the unknowns: \f$ z_i = a s_i z'_i \f$ with z' without units.
-struct LcpUnits {
+/// The factors of the unknowns: \f$ z_i = a s_i z'_i \f$ with z' without units.
+struct LcpScaling {
   Eigen::VectorXd scale;  ///< s_i > 0, see lcp_residual()
   double size = 1.0;      ///< \f$ a = \max_i |s_i q_i| \f$, or 1 where q = 0
 };
 
-/// A problem without units: \f$ M'_{ij} = s_i M_{ij} s_j,\ q'_i = s_i q_i / a \f$.
+/// A problem without units: \f$ M'_{ij} = s_iM_{ij}s_j,\ q'_i = s_iq_i/a \f$ with
+/// \f$ s_i = M_{ii}^{-1/2},\ a = \max_i|s_iq_i| \f$.
 ///
-/// \f$ M'_{ii} = 1 \f$ where \f$ M_{ii} > 0 \f$, and \f$ |q'_i| \le 1 \f$. All solvers work on such
-/// a problem, so that their tolerances and iteration counts do not depend on units.
+/// \f$ M'_{ii} = 1 \f$ where \f$ M_{ii} > 0 \f$, and \f$ |q'_i| \le 1 \f$. Every solver works on
+/// the problem without units, so that its accuracy and its number of iterations do not depend on
+/// the units of single rows. Without the diagonal of M a problem cannot be scaled.
 struct ScaledLcp {
   LcpProblem problem;  ///< M' and q'
-  LcpUnits units;      ///< s and a
+  LcpScaling scaling;  ///< s and a
 };
 
 /// Checks the sizes and the numbers of a problem.
 ///
-/// @param  problem  to check
 /// @throws std::invalid_argument when M is not square, or q has another length
 /// @throws std::domain_error when M or q is not finite
 void require_valid(const LcpProblem& problem);
@@ -35,53 +36,45 @@ void require_valid(const LcpProblem& problem);
 /// @param  largest   replaces the entries of the diagonal that are not positive
 /// @param  offset    q, m numbers
 /// @return           s and a; a = 1 if q = 0, and s_i = 1 if no positive number is available
-LcpUnits lcp_units(const Eigen::VectorXd& diagonal, double largest, const Eigen::VectorXd& offset);
+LcpScaling compute_scaling(const Eigen::VectorXd& diagonal, double largest,
+                           const Eigen::VectorXd& offset);
 
-/// Removes the units from a problem.
-///
-/// @param  problem  in any units
-/// @return          the same problem without units
-/// @throws std::invalid_argument as require_valid() does
-/// @throws std::domain_error as require_valid() does
+/// Removes the units from a problem. Throws as require_valid() does.
 ScaledLcp scale_problem(const LcpProblem& problem);
 
-/// Removes the units from a guess, and sets its negative entries to zero.
+/// Removes the units from a guess of z, and sets its negative entries to zero. An empty guess is
+/// zero.
 ///
-/// @param  units  of m unknowns
-/// @param  guess  of z, m numbers; empty: zero
-/// @return        z' >= 0, m numbers
 /// @throws std::invalid_argument when the guess has another length
-Eigen::VectorXd scaled_guess(const LcpUnits& units, const Eigen::VectorXd& guess);
+Eigen::VectorXd scale_guess(const LcpScaling& scaling, const Eigen::VectorXd& guess);
 
 /// An iteration whose residual exceeds this number diverges and is stopped. The residual of z = 0
 /// is at most 1.
 inline constexpr double diverging_residual = 1e8;
 
-/// Computes the natural residual \f$ \max_i |\min(z_i, w_i)| \f$ of a problem without units.
-///
-/// @param  z  m numbers
-/// @param  w  of z, m numbers
-/// @return    0 at a solution; infinite where z or w is not finite
+/// Computes the natural residual \f$ \max_i |\min(z_i, w_i)| \f$ of a problem without units: 0 at a
+/// solution, infinite where z or w is not finite.
 double natural_residual(const Eigen::VectorXd& z, const Eigen::VectorXd& w);
 
-/// Makes a result of a point z': restores its units, computes its residual, and sets the status to
-/// solved if the residual meets the tolerance.
-///
-/// @param  units      of m unknowns
-/// @param  z          without units, m numbers >= 0
-/// @param  w          of z, without units, m numbers
-/// @param  tolerance  of the residual
-/// @return            result, solved or stalled
-LcpResult judge(const LcpUnits& units, const Eigen::VectorXd& z, const Eigen::VectorXd& w,
-                double tolerance);
+/// Makes a result of a point z >= 0 with its w, both without units: restores the units of z,
+/// computes its residual, and sets the status to solved if the residual meets the tolerance, else
+/// to stalled.
+LcpResult make_result(const LcpScaling& scaling, const Eigen::VectorXd& z, const Eigen::VectorXd& w,
+                      double tolerance);
 
-/// Makes a result of the point max(z', 0).
+/// Makes a result of the point max(z, 0), without units.
+LcpResult make_result(const ScaledLcp& scaled, const Eigen::VectorXd& z, double tolerance);
+
+/// Measures by how much z misses a solution:
+/// \f$ \max_i |\min(z_i / s_i,\ s_i w_i)| / \max_i |s_i q_i| \f$ with \f$ s_i = M_{ii}^{-1/2} \f$.
 ///
-/// @param  scaled     problem without units
-/// @param  z          without units, m numbers
-/// @param  tolerance  of the residual
-/// @return            result, solved or stalled
-LcpResult judge(const ScaledLcp& scaled, const Eigen::VectorXd& z, double tolerance);
+/// z and w have different units; \f$ z_i / s_i \f$ and \f$ s_i w_i \f$ both have the unit of the
+/// square root of a work. The residual does not change if single rows change units,
+/// \f$ M \to D M D,\ q \to D q \f$, or if M or q is multiplied by a factor. If
+/// \f$ M_{ii} \le 0 \f$, the largest modulus of an entry of M replaces \f$ M_{ii} \f$.
+/// @return    0 at a solution; the denominator is 1 if q = 0
+/// @par Cost  one product with M
+double lcp_residual(const LcpProblem& problem, const Eigen::VectorXd& z);
 
 /// @}
 

@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(points_that_take_turns_need_earlier_rows) {
   BOOST_TEST(result.keys.size() == 2u);
   BOOST_TEST(largest(result.multipliers - vector2(0.65, 0.35)) < 1e-12);
   BOOST_TEST(largest(result.force - vector2(1.0, -0.3)) < 1e-12);
-  const ContactResult soon = resolve_contact(step, {.cuts_after = 0});
+  const ContactResult soon = resolve_contact(step, {.restore_rows_after = 0});
   BOOST_TEST(resolved(soon));
   BOOST_TEST(soon.iterations == 2);
   BOOST_TEST(largest(soon.velocity) < 1e-12);
@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
   step.tolerance = 1e-3;
   const ContactResult result = resolve_contact(step);
   BOOST_TEST(resolved(result), result.reason);
-  BOOST_TEST(result.iterations > ContactLoopOptions{}.cuts_after);
+  BOOST_TEST(result.iterations > ContactLoopOptions{}.restore_rows_after);
   BOOST_TEST(result.kkt_residual <= step.tolerance);
 }
 

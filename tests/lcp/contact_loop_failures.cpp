@@ -34,7 +34,8 @@ ContactStep misled(double factor) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(points_that_take_turns_without_earlier_rows) {
-  const ContactResult result = resolve_contact(rod(vector2(-1.0, 0.3)), {.cuts_after = 100});
+  const ContactResult result =
+      resolve_contact(rod(vector2(-1.0, 0.3)), {.restore_rows_after = 100});
   BOOST_TEST((result.status == ContactStatus::not_converged));
   BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 8);
@@ -45,7 +46,7 @@ BOOST_AUTO_TEST_CASE(points_that_take_turns_without_earlier_rows) {
 
 BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
   // With half the gradient, every iteration overshoots by as much as it had to correct.
-  const ContactResult result = resolve_contact(misled(0.5), {.cuts_after = 100});
+  const ContactResult result = resolve_contact(misled(0.5), {.restore_rows_after = 100});
   BOOST_TEST((result.status == ContactStatus::open_gap));
   BOOST_TEST(agrees(result));
   BOOST_TEST(result.iterations == 7);
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
   BOOST_TEST(says(result, "acts across a gap of 1 "));
   ContactStep named = misled(0.5);
   named.name = [](const ContactKey& key) { return "bodies of " + std::to_string(key.contact); };
-  BOOST_TEST(says(resolve_contact(named, {.cuts_after = 100}), "bodies of 3: the force"));
+  BOOST_TEST(says(resolve_contact(named, {.restore_rows_after = 100}), "bodies of 3: the force"));
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {

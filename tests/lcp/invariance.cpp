@@ -2,6 +2,7 @@
 // count and no residual.
 #include <boost/test/unit_test.hpp>
 
+#include "lcp/scaled_problem.hpp"
 #include "support/lcp_solvers.hpp"
 
 namespace stokesbook::test {

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_finite_is_no_solution) {
   for (Index i = 0; i < 9; ++i) {
     VectorXd z = VectorXd::Ones(9);
     z[i] = nan;
-    const LcpResult result = judge(scaled.units, z, VectorXd::Zero(9), 1e-10);
+    const LcpResult result = make_result(scaled.scaling, z, VectorXd::Zero(9), 1e-10);
     BOOST_TEST(!solved(result));
     BOOST_TEST(std::isinf(result.residual));
     BOOST_TEST(std::isinf(natural_residual(VectorXd::Ones(9), z)));

@@ -47,8 +47,8 @@ void check_verdicts(unsigned last_seed) {
           BOOST_TEST(result.z.minCoeff() >= 0.0);
           BOOST_TEST((result.status == LcpStatus::ray) == (result.ray.size() > 0));
           // The residual is computed twice, and the two orders of summation round differently.
-          const LcpUnits units = scale_problem(lcp.problem).units;
-          const double size = largest(result.z.cwiseQuotient(units.size * units.scale));
+          const LcpScaling scaling = scale_problem(lcp.problem).scaling;
+          const double size = largest(result.z.cwiseQuotient(scaling.size * scaling.scale));
           BOOST_TEST(std::abs(lcp_residual(lcp.problem, result.z) - result.residual) <=
                      1e-13 * (1.0 + size));
           BOOST_TEST(solved(result) == (result.residual <= 1e-10));

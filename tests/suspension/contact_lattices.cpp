@@ -5,8 +5,8 @@
 
 #include "contact_checks.hpp"
 #include "contact_setup.hpp"
-#include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
+#include "lcp/newton.hpp"
 #include "suspension/contact/contact_mobility.hpp"
 #include "suspension/motion/stepping.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "hard_case.hpp"
-#include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
+#include "lcp/newton.hpp"
 #include "support/lcp_solvers.hpp"
 
 namespace stokesbook::verification::hard_cases {

@@ -195,12 +195,12 @@ double disagreement(Index n, unsigned seed, bool in_multipliers) {
   return pivoted.multipliers.size() == 0 ? 0.0 : largest(pivoted.multipliers - newton.multipliers);
 }
 
-Measure over_rotations(int cuts_after) {
+Measure over_rotations(int restore_rows_after) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double r = 0.1; r < 0.95; r += size == Size::full ? 0.1 : 0.2) {
       const ContactResult result =
-          resolve_contact(rod(vector2(-1.0, r)), {.cuts_after = cuts_after});
+          resolve_contact(rod(vector2(-1.0, r)), {.restore_rows_after = restore_rows_after});
       measurements.push_back({.x = r,
                               .error = largest(result.velocity),
                               .operations = static_cast<double>(result.iterations)});
@@ -388,7 +388,7 @@ Experiment turns() {
           .lines =
               {{.key = "kept",
                 .label = "earlier rows come back",
-                .measure = over_rotations(ContactLoopOptions{}.cuts_after),
+                .measure = over_rotations(ContactLoopOptions{}.restore_rows_after),
                 .claim = Claim{.id = "11_19",
                                .statement = "With rows that come back the rod is at rest.",
                                .law = Identity{1e-12},

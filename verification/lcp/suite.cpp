@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
+#include "lcp/scaled_problem.hpp"
 #include "support/once.hpp"
 #include "variants.hpp"
 

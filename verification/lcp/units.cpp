@@ -56,44 +56,45 @@ VectorXd without_units(const LcpProblem& problem) {
 }  // namespace
 
 Experiment units() {
-  return {
-      .key = "units",
-      .title = "A problem whose rows have different units",
-      .x = "decades between units u",
-      .error = "largest error of z, relative to the largest z",
-      .axes = Axes::semi_log,
-      .lines = {
-          {.key = "lemke",
-           .label = "Lemke",
-           .measure = errors(solution<lemke>),
-           .claim = Claim{.id = "11_12",
-                          .statement = "The accuracy of Lemke's method does not depend on the "
-                                       "units of single rows.",
-                          .law = Identity{1e-13},
-                          .reason = "the scaled problem is the same up to rounding; its "
-                                    "condition is below 50",
-                          .api = {"stokesbook::lemke", "stokesbook::lcp_residual"}},
-           .control = Control{"Barzilai-Borwein without the diagonal", errors(without_diagonal)}},
-          {.key = "fischer",
-           .label = "Fischer-Newton",
-           .measure = errors(solution<fischer_newton>)},
-          {.key = "barzilai_borwein",
-           .label = "Barzilai-Borwein",
-           .measure = errors(solution<barzilai_borwein>),
-           .claim = Claim{.id = "11_21",
-                          .statement = "With the diagonal, the accuracy of Barzilai-Borwein does "
-                                       "not depend on the units of rows.",
-                          .law = Identity{5e-9},
-                          .reason = "its tolerance of 1e-10, times the condition, which is "
-                                    "below 50",
-                          .api = {"stokesbook::barzilai_borwein"}},
-           .control = Control{"not told the diagonal", errors(without_diagonal)}},
-          {.key = "bare_fischer",
-           .label = "Fischer-Newton without scaling",
-           .measure = errors(without_units)},
-          {.key = "bare_barzilai_borwein",
-           .label = "Barzilai-Borwein without scaling",
-           .measure = errors(without_diagonal)}}};
+  return {.key = "units",
+          .title = "A problem whose rows have different units",
+          .x = "decades between units u",
+          .error = "largest error of z, relative to the largest z",
+          .axes = Axes::semi_log,
+          .lines = {
+              {.key = "lemke",
+               .label = "Lemke",
+               .measure = errors(solution<lemke>),
+               .claim = Claim{.id = "11_12",
+                              .statement = "The accuracy of Lemke's method does not depend on the "
+                                           "units of single rows.",
+                              .law = Identity{1e-13},
+                              .reason = "the scaled problem is the same up to rounding; its "
+                                        "condition is below 50",
+                              .api = {"stokesbook::lemke", "stokesbook::lcp_residual"}},
+               .control =
+                   Control{"Barzilai-Borwein without the diagonal of M", errors(without_diagonal)}},
+              {.key = "fischer",
+               .label = "Fischer-Newton",
+               .measure = errors(solution<fischer_newton>)},
+              {.key = "barzilai_borwein",
+               .label = "Barzilai-Borwein",
+               .measure = errors(solution<barzilai_borwein>),
+               .claim = Claim{.id = "11_21",
+                              .statement = "With the diagonal of M, the accuracy of "
+                                           "Barzilai-Borwein does not depend on the units of "
+                                           "single rows.",
+                              .law = Identity{5e-9},
+                              .reason = "its tolerance of 1e-10, times the condition, which is "
+                                        "below 50",
+                              .api = {"stokesbook::barzilai_borwein"}},
+               .control = Control{"without the diagonal of M", errors(without_diagonal)}},
+              {.key = "bare_fischer",
+               .label = "Fischer-Newton without scaling",
+               .measure = errors(without_units)},
+              {.key = "bare_barzilai_borwein",
+               .label = "Barzilai-Borwein without the diagonal of M",
+               .measure = errors(without_diagonal)}}};
 }
 
 }  // namespace stokesbook::verification::lcp

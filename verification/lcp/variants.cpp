@@ -3,6 +3,7 @@
 // (11.8), and a contact loop in increments.
 #include "variants.hpp"
 
+#include "lcp/scaled_problem.hpp"
 #include "support/dense.hpp"
 
 namespace stokesbook::verification::lcp {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "lcp/barzilai_borwein.hpp"
-#include "lcp/fischer_newton.hpp"
 #include "lcp/lemke.hpp"
-#include "lcp/minimum_map_newton.hpp"
+#include "lcp/newton.hpp"
 #include "lcp/projected_gauss_seidel.hpp"
 #include "support/lcp_problems.hpp"
 
