@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -14,31 +15,34 @@ using Eigen::Index;
 
 namespace {
 
-// Holds consecutive vertices of one polygon that have events.
-struct Run {
+// An event, and whether its vertex belongs to component a.
+struct Event : VertexEvent {
   bool of_a;
-  std::vector<VertexEvent> events;  // in the order of the curve
 };
 
-// Splits the events of one polygon with m vertices into runs.
-std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a) {
+// The events of consecutive vertices of one polygon, in the order of the curve.
+using Run = std::vector<Event>;
+
+// Splits the events of one polygon with m vertices whose gaps are less than `limit` into runs.
+std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a, double limit) {
   std::vector<Run> runs;
   for (const VertexEvent& event : events) {
-    const bool continues = !runs.empty() && runs.back().events.back().vertex + 1 == event.vertex;
-    if (!continues) runs.push_back({of_a, {}});
-    runs.back().events.push_back(event);
+    if (event.gap >= limit) continue;
+    const bool continues = !runs.empty() && runs.back().back().vertex + 1 == event.vertex;
+    if (!continues) runs.emplace_back();
+    runs.back().push_back({event, of_a});
   }
   // The first vertex follows the last one: join the run that ends there and the run that begins.
-  if (runs.size() > 1 && events.front().vertex == 0 && events.back().vertex == m - 1) {
-    std::vector<VertexEvent>& last = runs.back().events;
-    last.insert(last.end(), runs.front().events.begin(), runs.front().events.end());
-    runs.front() = std::move(runs.back());
+  if (runs.size() > 1 && runs.front().front().vertex == 0 && runs.back().back().vertex == m - 1) {
+    Run& last = runs.back();
+    last.insert(last.end(), runs.front().begin(), runs.front().end());
+    runs.front() = std::move(last);
     runs.pop_back();
   }
   // A run of all vertices has no natural start: let it start at the widest gap.
-  if (runs.size() == 1 && static_cast<Index>(events.size()) == m) {
-    std::vector<VertexEvent>& all = runs.front().events;
-    std::rotate(all.begin(), std::ranges::max_element(all, {}, &VertexEvent::gap), all.end());
+  if (runs.size() == 1 && static_cast<Index>(runs.front().size()) == m) {
+    Run& all = runs.front();
+    std::rotate(all.begin(), std::ranges::max_element(all, {}, &Event::gap), all.end());
   }
   return runs;
 }
@@ -67,29 +71,22 @@ class DisjointSets {
 
 using Group = std::vector<Run>;  // connected runs
 
-// Groups the events of a pair that fulfil a condition into connected runs.
-template <class Condition>
-std::vector<Group> connected_groups(const PairEvents& pair, const Condition& selects) {
-  const auto runs_with = [&](std::vector<VertexEvent> events, Index m, bool of_a) {
-    std::erase_if(events, [&](const VertexEvent& event) { return !selects(event); });
-    return runs_of(events, m, of_a);
-  };
+// Groups the events of a pair whose gaps are less than `limit` into connected runs.
+std::vector<Group> connected_groups(const PairEvents& pair, double limit) {
   const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
-  std::vector<Run> runs = runs_with(pair.events_a, m_a, true);
-  std::ranges::move(runs_with(pair.events_b, m_b, false), std::back_inserter(runs));
+  std::vector<Run> runs = runs_of(pair.events_a, m_a, true, limit);
+  std::ranges::move(runs_of(pair.events_b, m_b, false, limit), std::back_inserter(runs));
   std::map<Index, std::size_t> runs_in_a, runs_in_b;  // the run of each vertex
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    for (const VertexEvent& event : runs[k].events) {
-      (runs[k].of_a ? runs_in_a : runs_in_b)[event.vertex] = k;
-    }
+    for (const Event& event : runs[k]) (event.of_a ? runs_in_a : runs_in_b)[event.vertex] = k;
   }
   DisjointSets sets(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const std::map<Index, std::size_t>& others = runs[k].of_a ? runs_in_b : runs_in_a;
-    const Index m = runs[k].of_a ? m_b : m_a;
-    for (const VertexEvent& event : runs[k].events) {
-      // The run is joined with each run that has a vertex of the closest edge, or a vertex at most
-      // two farther.
+    for (const Event& event : runs[k]) {
+      // The run is joined with each run of the other polygon that has a vertex of the closest edge,
+      // or a vertex at most two farther.
+      const std::map<Index, std::size_t>& others = event.of_a ? runs_in_b : runs_in_a;
+      const Index m = event.of_a ? m_b : m_a;
       for (Index shift = -2; shift <= 3; ++shift) {
         const auto other = others.find((event.edge + shift + m) % m);
         if (other != others.end()) sets.join(k, other->second);
@@ -106,7 +103,7 @@ std::vector<Group> connected_groups(const PairEvents& pair, const Condition& sel
 
 // Returns the places in a run at which the gap has local minima. Between two minima the gap rises
 // and falls by more than the threshold.
-std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double threshold) {
+std::vector<std::size_t> minima(const Run& run, double threshold) {
   std::vector<std::size_t> found;
   std::size_t turning = 0;  // place of the least or greatest gap since the last turn
   bool descends = true;
@@ -124,12 +121,12 @@ std::vector<std::size_t> minima(const std::vector<VertexEvent>& run, double thre
   return found;
 }
 
-// Holds the events that get rows for one local minimum of the gap: the deepest vertex, then the
-// ends of the stretch of nearly equal gaps if the contact is flat.
-using Support = std::vector<VertexEvent>;
+// The events that get rows for one local minimum of the gap: the deepest vertex, then the ends of
+// the stretch of nearly equal gaps if the contact is flat.
+using Support = std::vector<Event>;
 
 // Returns the supports of all local minima of the gap in a run.
-std::vector<Support> supports(const std::vector<VertexEvent>& run, double threshold) {
+std::vector<Support> supports(const Run& run, double threshold) {
   constexpr std::size_t vertices_of_a_curved_contact = 4;
   std::vector<Support> found;
   for (std::size_t lowest : minima(run, threshold)) {
@@ -147,40 +144,22 @@ std::vector<Support> supports(const std::vector<VertexEvent>& run, double thresh
   return found;
 }
 
-ContactRow row_of(const PairEvents& pair, const VertexEvent& event, bool of_a) {
-  const ContactShape& shape = of_a ? pair.shape_a : pair.shape_b;
-  return contact_row(event, shape.polygon.vertex(event.vertex), of_a, pair.paths);
+ContactRow row_of(const PairEvents& pair, const Event& event) {
+  const ContactShape& shape = event.of_a ? pair.shape_a : pair.shape_b;
+  return contact_row(event, shape.polygon.vertex(event.vertex), event.of_a, pair.paths);
 }
 
-const VertexEvent& deepest(const Run& run) {
-  return *std::ranges::min_element(run.events, {}, &VertexEvent::gap);
+// The events of all runs of a group, one run after the other.
+using Events = std::vector<Event>;
+
+Events events_of(const Group& group) {
+  Events events;
+  for (const Run& run : group) events.insert(events.end(), run.begin(), run.end());
+  return events;
 }
 
-const Run& deepest(const Group& group) {
-  return *std::ranges::min_element(group, {}, [](const Run& run) { return deepest(run).gap; });
-}
-
-// Returns whether a group contains the event of a vertex.
-bool holds(const Group& group, bool of_a, Index vertex) {
-  return std::ranges::any_of(group, [&](const Run& run) {
-    const auto is_it = [&](const VertexEvent& event) { return event.vertex == vertex; };
-    return run.of_a == of_a && std::ranges::any_of(run.events, is_it);
-  });
-}
-
-struct WeightedRow {
-  double weight;
-  ContactRow row;
-};
-
-std::vector<WeightedRow> weighted_rows(const PairEvents& pair, const Group& group) {
-  std::vector<WeightedRow> rows;
-  for (const Run& run : group) {
-    for (const VertexEvent& event : run.events) {
-      rows.push_back({event.weight, row_of(pair, event, run.of_a)});
-    }
-  }
-  return rows;
+Event deepest(const Events& events) {
+  return *std::ranges::min_element(events, {}, &Event::gap);
 }
 
 void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
@@ -194,51 +173,44 @@ void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
 
 // Returns the weighted mean of the rows of all vertices that end too deep, with the gap V / sum w_s
 // (10.6). Point, normal, time and key are those of the deepest vertex.
-ContactRow mean_row(const std::vector<WeightedRow>& violations) {
-  const auto gap = [](const WeightedRow& violation) { return violation.row.gap; };
-  ContactRow mean = std::ranges::min_element(violations, {}, gap)->row;
+ContactRow mean_row(const PairEvents& pair, const Events& violation) {
+  ContactRow mean = row_of(pair, deepest(violation));
   mean.gap = 0.0;
   mean.force = mean.derivative = {};
   double length = 0.0;
-  for (const WeightedRow& violation : violations) length += violation.weight;
-  for (const auto& [weight, row] : violations) {
-    mean.gap += weight / length * row.gap;
-    add(mean.force, weight / length, row.force);
-    add(mean.derivative, weight / length, row.derivative);
+  for (const Event& event : violation) length += event.weight;
+  for (const Event& event : violation) {
+    const ContactRow row = row_of(pair, event);
+    const double share = event.weight / length;
+    mean.gap += share * row.gap;
+    add(mean.force, share, row.force);
+    add(mean.derivative, share, row.derivative);
   }
   return mean;
-}
-
-// Returns V = sum w_s g_s over the violations (10.6).
-double volume(const Group& violations) {
-  double sum = 0.0;
-  for (const Run& run : violations) {
-    for (const VertexEvent& event : run.events) sum += event.weight * event.gap;
-  }
-  return sum;
 }
 
 // Adds a row for each local minimum of the gap, to the violation that contains it, or else to a new
 // contact that is near but not violated. The vertices of one polygon suffice, as each polygon sees
 // the whole contact: the polygon with the deepest vertex is used.
-std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Group>& violations,
+std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Events>& violations,
                                       std::vector<Contact> contacts) {
   const double sags = pair.shape_a.sag + pair.shape_b.sag;
-  for (const Group& group : connected_groups(pair, [](const VertexEvent&) { return true; })) {
+  for (const Group& group : connected_groups(pair, std::numeric_limits<double>::infinity())) {
     Contact near{pair.paths.a, pair.paths.b, 0.0, {}};
-    const bool of_a = deepest(group).of_a;
+    const bool of_a = deepest(events_of(group)).of_a;
     for (const Run& run : group) {
-      if (run.of_a != of_a) continue;
-      for (const Support& support : supports(run.events, sags)) {
-        const auto violated = std::ranges::find_if(violations, [&](const Group& violation) {
-          return holds(violation, of_a, support.front().vertex);
+      if (run.front().of_a != of_a) continue;
+      for (const Support& support : supports(run, sags)) {
+        const auto is_it = [&](const Event& event) {
+          return event.of_a == of_a && event.vertex == support.front().vertex;
+        };
+        const auto violated = std::ranges::find_if(violations, [&](const Events& violation) {
+          return std::ranges::any_of(violation, is_it);
         });
         Contact& contact = violated == violations.end()
                                ? near
                                : contacts[static_cast<std::size_t>(violated - violations.begin())];
-        for (const VertexEvent& event : support) {
-          contact.rows.push_back(row_of(pair, event, of_a));
-        }
+        for (const Event& event : support) contact.rows.push_back(row_of(pair, event));
       }
     }
     if (!near.rows.empty()) contacts.push_back(std::move(near));
@@ -258,26 +230,26 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 }
 
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows) {
-  const std::vector<Group> violations =
-      connected_groups(pair, [&](const VertexEvent& event) { return event.gap < -tolerance; });
+  std::vector<Events> violations;
   std::vector<Contact> contacts;
-  for (const Group& group : violations) {
-    contacts.push_back({pair.paths.a, pair.paths.b, volume(group), {}});
+  for (const Group& group : connected_groups(pair, -tolerance)) {
+    violations.push_back(events_of(group));
+    double volume = 0.0;  // V = sum w_s g_s (10.6)
+    for (const Event& event : violations.back()) volume += event.weight * event.gap;
+    contacts.push_back({pair.paths.a, pair.paths.b, volume, {}});
   }
   contacts = add_deepest_rows(pair, violations, std::move(contacts));
   for (std::size_t k = 0; k < violations.size(); ++k) {
     std::vector<ContactRow>& own = contacts[k].rows;
-    const std::vector<WeightedRow> all = weighted_rows(pair, violations[k]);
     if (rows == RowChoice::aggregate) {
-      own = {mean_row(all)};
+      own = {mean_row(pair, violations[k])};
     } else if (rows == RowChoice::every) {
       own.clear();
-      for (const WeightedRow& violation : all) own.push_back(violation.row);
+      for (const Event& event : violations[k]) own.push_back(row_of(pair, event));
     } else if (own.empty()) {
       // No local minimum belongs to this violation, as a deeper one is within the sags. The row is
       // that of its deepest vertex, which may also be the end of a flat support of the deeper one.
-      const Run& run = deepest(violations[k]);
-      const ContactRow row = row_of(pair, deepest(run), run.of_a);
+      const ContactRow row = row_of(pair, deepest(violations[k]));
       for (Contact& other : contacts) {
         std::erase_if(other.rows, [&](const ContactRow& its) { return its.key == row.key; });
       }
