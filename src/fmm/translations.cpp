@@ -43,29 +43,21 @@ Translations::Translations(int order) : order_(order) {
     throw std::invalid_argument("the order of an expansion must be from 1 to " +
                                 std::to_string(most_order) + ", got " + std::to_string(order));
   }
-  const int columns = order + 1;
-  pascal_.assign(static_cast<std::size_t>(columns * columns), 0.0);
-  m2l_ = pascal_;
-  const auto at = [columns](std::vector<double>& matrix, int row, int column) -> double& {
-    return matrix[static_cast<std::size_t>(row * columns + column)];
-  };
+  binomial_.setZero(order + 1, order + 1);
   for (int n = 0; n <= order; ++n) {
     for (int k = 0; k <= n; ++k) {
-      at(pascal_, n, k) = k == 0 || k == n ? 1.0 : binomial(n - 1, k - 1) + binomial(n - 1, k);
+      binomial_(n, k) = k == 0 || k == n ? 1.0 : binomial_(n - 1, k - 1) + binomial_(n - 1, k);
     }
   }
   // H_lk = binomial(k + l - 1, l) (08.10): 1 for l = 0 or k = 1, else H_(l-1,k) + H_(l,k-1). Column
   // 0 belongs to the logarithm: H_00 = 0 and H_l0 = -1 / l.
+  m2l_.setZero(order + 1, order + 1);
   for (int l = 0; l <= order; ++l) {
-    at(m2l_, l, 0) = l == 0 ? 0.0 : -1.0 / l;
+    m2l_(l, 0) = l == 0 ? 0.0 : -1.0 / l;
     for (int k = 1; k <= order; ++k) {
-      at(m2l_, l, k) = l == 0 || k == 1 ? 1.0 : at(m2l_, l - 1, k) + at(m2l_, l, k - 1);
+      m2l_(l, k) = l == 0 || k == 1 ? 1.0 : m2l_(l - 1, k) + m2l_(l, k - 1);
     }
   }
-}
-
-double Translations::binomial(int n, int k) const {
-  return pascal_[static_cast<std::size_t>(n * (order_ + 1) + k)];
 }
 
 // (08.12), and for the logarithm log(zeta - d) = log(zeta) - sum_l (d / zeta)^l / l.
@@ -91,13 +83,13 @@ void Translations::m2m(const Box& from, Eigen::Ref<const Expansion> expansion, c
     Coefficients moved = Coefficients::Zero();
     if (balanced) {
       for (int k = 1; k <= l; ++k) {
-        moved += binomial(l - 1, k - 1) * scaled[static_cast<std::size_t>(k)];
+        moved += binomial_(l - 1, k - 1) * scaled[static_cast<std::size_t>(k)];
       }
       moved = times(power, moved - logarithm / l);
     } else {
       Complex shift = 1.0;  // (d / R_2)^(l-k)
       for (int k = l; k >= 1; --k, shift *= step) {
-        moved += binomial(l - 1, k - 1) * times(shift, scaled[static_cast<std::size_t>(k)]);
+        moved += binomial_(l - 1, k - 1) * times(shift, scaled[static_cast<std::size_t>(k)]);
       }
       moved -= times(power, logarithm / l);
     }
@@ -125,12 +117,12 @@ void Translations::l2l(const Box& from, Eigen::Ref<const Expansion> expansion, c
     Coefficients moved = Coefficients::Zero();
     if (balanced) {
       for (int l = m; l <= order_; ++l) {
-        moved += binomial(l, m) * scaled[static_cast<std::size_t>(l)];
+        moved += binomial_(l, m) * scaled[static_cast<std::size_t>(l)];
       }
     } else {
       Complex shift = 1.0;  // (d / R_1)^(l-m)
       for (int l = m; l <= order_; ++l, shift *= step) {
-        moved += binomial(l, m) * times(shift, scaled[static_cast<std::size_t>(l)]);
+        moved += binomial_(l, m) * times(shift, scaled[static_cast<std::size_t>(l)]);
       }
     }
     moved = times(power, moved);

@@ -62,11 +62,11 @@ class Translations {
            Eigen::Ref<Expansion> sum) const;
 
  private:
-  double binomial(int n, int k) const;
+  using Matrix = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   int order_;
-  std::vector<double> pascal_;  // binomial(n, k), row n, column k, n <= p
-  std::vector<double> m2l_;     // H, row l, column k
+  Matrix binomial_;  // row n, column k, n <= p
+  Matrix m2l_;       // H, row l, column k
 };
 
 /// @}
