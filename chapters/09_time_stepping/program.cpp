@@ -12,7 +12,7 @@
 
 #include "record/atomic_file.hpp"
 #include "record/svg.hpp"
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/density_history.hpp"
 

@@ -1,14 +1,12 @@
 // Tests the cluster preconditioner: iteration counts of nearly touching bodies, and solutions equal
 // to those without it.
 
-#include "suspension/system/clusters.hpp"
-
 #include <omp.h>
 
 #include "double_layer/double_layer.hpp"
 #include "support/touching.hpp"
 #include "suspension/scenes.hpp"
-#include "suspension/system/preconditioner_choice.hpp"
+#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook::test {
 

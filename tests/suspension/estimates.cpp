@@ -3,7 +3,7 @@
 
 #include "scenes.hpp"
 #include "support/vectors.hpp"
-#include "suspension/nodes/density_decay.hpp"
+#include "suspension/nodes/node_choice.hpp"
 
 namespace stokesbook::test {
 namespace {

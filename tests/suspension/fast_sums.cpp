@@ -7,7 +7,7 @@
 #include "scene/parse.hpp"
 #include "suspension/nodes/random_fill.hpp"
 #include "suspension/random_scenes.hpp"
-#include "suspension/solver/fluid_mask.hpp"
+#include "suspension/solver/fields.hpp"
 #include "suspension/system/error_estimate.hpp"
 
 namespace stokesbook::test {

@@ -3,10 +3,8 @@
 
 #include <array>
 
-#include "suspension/bodies/field_grid.hpp"
 #include "suspension/scenes.hpp"
 #include "suspension/solver/fields.hpp"
-#include "suspension/solver/fluid_mask.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(errors_of_tractions_by_a_refined_solution) {
     for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
       rough.solver.tolerance = tolerance;
       const Solved solved(rough);
-      const Solution refined = solved.solver.refined(solved.solution);
+      const Solution refined = solved.solver.solve_refined(solved.solution);
       const ComplexVector found = tractions(solved, solved.solution);
       const double estimate = 2.0 * relative_difference(found, tractions(solved, refined));
       const double error = relative_difference(found, exact);

@@ -1,8 +1,6 @@
 // Tests the choice of nodes for gaps: equidistant nodes where these suffice, few graded nodes
 // otherwise, and enough nodes that the motions of nearly touching bodies have the accuracy
 // requested.
-#include "suspension/nodes/graded_nodes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,8 +13,8 @@
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
 #include "support/smooth_curve.hpp"
-#include "suspension/nodes/density_decay.hpp"
-#include "suspension/system/operator.hpp"
+#include "suspension/nodes/node_choice.hpp"
+#include "suspension/system/linear_system.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -10,7 +10,7 @@
 #include "near_singular/near_field.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/scenes.hpp"
-#include "suspension/solver/fluid_mask.hpp"
+#include "suspension/solver/fields.hpp"
 
 namespace stokesbook::test {
 

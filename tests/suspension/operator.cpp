@@ -2,11 +2,10 @@
 // and that its iteration counts on nine circles are those of the specification, for unresolved and
 // resolved gaps.
 
-#include "suspension/system/operator.hpp"
-
 #include "double_layer/double_layer.hpp"
 #include "scenes.hpp"
 #include "support/walls.hpp"
+#include "suspension/system/linear_system.hpp"
 
 namespace stokesbook::test {
 namespace {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "suspension/nodes/memory.hpp"
 #include "suspension/random_scenes.hpp"
 #include "suspension/solver/solver_checks.hpp"
 #include "suspension/trajectories.hpp"

@@ -7,7 +7,7 @@
 #include "support/dense.hpp"
 #include "support/once.hpp"
 #include "support/touching.hpp"
-#include "suspension/system/clusters.hpp"
+#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook::verification::krylov {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "suspension/solver/solver.hpp"
-#include "suspension/system/clusters.hpp"
+#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook::test {
 

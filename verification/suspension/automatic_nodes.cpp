@@ -79,7 +79,7 @@ Measure worst_errors(const Choice& choice) {
         const SuspensionSolver tight(scene);
         const Solved answer =
             solved_at(tight, effort.resolutions, std::max(1e-12, effort.gmres_tolerance));
-        const Resolutions more = finer(times(1.5, effort.resolutions));
+        const Resolutions more = refine(times(1.5, effort.resolutions));
         worst = std::max(worst, error(answer, solved_at(tight, more, 1e-12).completion));
       }
       points.push_back({.x = tolerance, .error = worst});

@@ -7,7 +7,7 @@
 #include "experiments.hpp"
 #include "scenes.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/nodes/density_decay.hpp"
+#include "suspension/nodes/node_choice.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -42,7 +42,7 @@ Completion reference_of(Scene scene) {
   const SuspensionSolver solver(scene);
   const Configuration start = solver.start().configuration;
   const Resolutions first = solver.first_resolutions(start, solver.gaps(start));
-  return solved_at(solver, finer(finer(first)), 1e-14).completion;
+  return solved_at(solver, refine(refine(first)), 1e-14).completion;
 }
 
 // Moves half of the unbounded scenes up to a thousand lengths away from the centre of their flow.
@@ -67,7 +67,7 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
   // Half of the solutions have nearly no error of the iteration.
   const double loose = std::pow(10.0, -uniform(random, 4.0, 12.0));
   const Solved answer = solved_at(solver, resolutions, random() % 2 == 0 ? 1e-14 : loose);
-  const Solved fine = solved_at(solver, finer(resolutions), 0.5);
+  const Solved fine = solved_at(solver, refine(resolutions), 0.5);
   const Completion reference = reference_of(scene);
   return {error(answer, reference),
           estimate_error(answer.discrete, answer.gmres, fine.discrete, answer.scale).error,

@@ -57,7 +57,7 @@ JudgedCrowd judge_crowd(int count) {
   const Solved answer = solved_at(solver, resolutions, *scene.solver.gmres_tol);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const LinearSystem fine =
-      solver.linear_system(solver.start(), solver.discretise(finer(resolutions)));
+      solver.linear_system(solver.start(), solver.discretise(refine(resolutions)));
   const Solved twice = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
   StokesProblem first = answer.discrete.problem;
   first.components.resize(looked_at);

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "support/known_motions.hpp"
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/solver.hpp"
 #include "time_stepping/stepper.hpp"

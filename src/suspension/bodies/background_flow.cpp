@@ -1,6 +1,6 @@
 // Evaluates the velocity and the derivatives of the undisturbed flow by the formula of each kind of
-// flow, and splits them into a rigid motion and a remainder at a body (chapter 12). Points and
-// velocities are complex numbers, x = x_1 + i x_2.
+// flow, and splits the flow at a body into a rigid motion and a straining part (chapter 12). Points
+// and velocities are complex numbers, x = x_1 + i x_2.
 #include "suspension/bodies/background_flow.hpp"
 
 #include <cmath>
@@ -49,6 +49,16 @@ struct DerivativesAt {
   }
 };
 
+// Evaluates u_inf(c + d) - u_inf(c) at the offsets d from the centre c. For linear flows no digits
+// cancel, however fast the flow is at the centre.
+ComplexVector velocity_relative_to(const BackgroundFlow& flow, Complex centre,
+                                   const ComplexVector& offsets) {
+  if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
+  if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
+  const Complex at_centre = background_velocity(flow, ComplexVector::Constant(1, centre))[0];
+  return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
+}
+
 }  // namespace
 
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points) {
@@ -57,14 +67,6 @@ ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVecto
     velocity[i] = std::visit(VelocityAt{points[i]}, flow);
   }
   return velocity;
-}
-
-ComplexVector background_about(const BackgroundFlow& flow, Complex centre,
-                               const ComplexVector& offsets) {
-  if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
-  if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
-  const Complex at_centre = background_velocity(flow, ComplexVector::Constant(1, centre))[0];
-  return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
 }
 
 std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
@@ -76,21 +78,21 @@ std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
   return derivatives;
 }
 
-RigidMotion carried_by(const BackgroundFlow& flow, Complex centre) {
+RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre) {
   const ComplexVector point = ComplexVector::Constant(1, centre);
   return {background_velocity(flow, point)[0],
           0.5 * background_derivatives(flow, point)[0].vorticity};
 }
 
-ComplexVector strain_on(const BackgroundFlow& flow, const Component& body) {
+ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body) {
   const ComplexVector offsets = body.curve.x.array() - body.centre;
-  const ComplexVector about = background_about(flow, body.centre, offsets);
-  // With the offset d from the centre c, and d^perp = i d:
-  // u_inf(c + d) - u_inf(c) - omega d^perp.
-  ComplexVector strain = about - imaginary * carried_by(flow, body.centre).omega * offsets;
+  const ComplexVector relative = velocity_relative_to(flow, body.centre, offsets);
+  const double omega = background_rigid_motion(flow, body.centre).omega;
+  // u_inf(c + d) - u_inf(c) - omega d^perp, with d^perp = i d.
+  ComplexVector strain = relative - imaginary * omega * offsets;
   // A rotation has no strain: a difference of this size is rounding.
   constexpr double rounding = 1e-14;
-  if (strain.cwiseAbs().maxCoeff() <= rounding * about.cwiseAbs().maxCoeff()) strain.setZero();
+  if (strain.cwiseAbs().maxCoeff() <= rounding * relative.cwiseAbs().maxCoeff()) strain.setZero();
   return strain;
 }
 

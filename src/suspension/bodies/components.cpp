@@ -1,41 +1,23 @@
-// Presents the bodies and the walls of a scene as components of one kind, and evaluates the
-// prescribed velocities of held bodies and walls (chapter 12).
+// Presents the bodies and the walls of a scene as components of one kind (chapter 12).
 #include "suspension/bodies/components.hpp"
 
-#include "suspension/bodies/background_flow.hpp"
-
 namespace stokesbook {
-
-namespace {
-
-// Evaluates the velocity of each kind of wall motion at the nodes x of the curve.
-struct WallVelocity {
-  const Curve& curve;
-  Complex position;
-
-  ComplexVector operator()(const FixedWall&) const { return ComplexVector::Zero(curve.size()); }
-  ComplexVector operator()(const RotatingWall& motion) const {
-    return (imaginary * motion.omega * (curve.x.array() - position)).matrix();
-  }
-  ComplexVector operator()(const TranslatingWall& motion) const {
-    return ComplexVector::Constant(curve.size(), motion.velocity);
-  }
-  ComplexVector operator()(const LinearWall& motion) const {
-    return background_velocity(LinearFlow{motion.gradient}, curve.x);
-  }
-  ComplexVector operator()(const RadialWall& motion) const {
-    return -motion.speed * normals(curve);
-  }
-};
-
-}  // namespace
 
 std::string ComponentView::name() const {
   return (body != nullptr ? "body " : "wall ") + std::to_string(number);
 }
 
-std::size_t count_components(const Scene& scene) {
-  return scene.bodies.size() + scene.walls.size();
+ComponentCounts count_components(const Scene& scene) {
+  ComponentCounts counts;
+  for (const Body& body : scene.bodies) {
+    ++(body.held ? counts.held : counts.free);
+    if (std::holds_alternative<Circle>(body.shape)) ++counts.circles;
+  }
+  for (const Wall& wall : scene.walls) {
+    ++(wall.role == WallRole::outer ? counts.outer : counts.inner);
+    if (std::holds_alternative<Circle>(wall.shape)) ++counts.circles;
+  }
+  return counts;
 }
 
 ComponentView component_of(const Scene& scene, std::size_t k) {
@@ -54,26 +36,6 @@ ComponentView component_of(const Scene& scene, std::size_t k) {
 
 Side side_of(ComponentKind kind) {
   return kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
-}
-
-RigidMotion prescribed_motion(const ComponentView& component) {
-  if (component.body != nullptr) return {component.body->velocity, component.body->omega};
-  const WallMotion& motion = component.wall->motion;
-  if (const auto* rotating = std::get_if<RotatingWall>(&motion)) return {0.0, rotating->omega};
-  if (const auto* translating = std::get_if<TranslatingWall>(&motion)) {
-    return {translating->velocity, 0.0};
-  }
-  return {};
-}
-
-ComplexVector prescribed_velocity(const ComponentView& component, const Curve& curve,
-                                  Complex position) {
-  if (component.wall != nullptr) {
-    return std::visit(WallVelocity{curve, position}, component.wall->motion);
-  }
-  const auto& [velocity, omega] = prescribed_motion(component);
-  // U + omega (x - c)^perp (03.1), with z^perp = i z.
-  return (velocity + imaginary * omega * (curve.x.array() - position)).matrix();
 }
 
 }  // namespace stokesbook

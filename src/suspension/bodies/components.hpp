@@ -4,7 +4,6 @@
 #include <string>
 
 #include "closure/problem.hpp"
-#include "closure/rigid_modes.hpp"
 #include "scene/scene.hpp"
 
 namespace stokesbook {
@@ -23,49 +22,34 @@ struct ComponentView {
   int n_nodes;         ///< number of nodes given in the scene, or automatic_nodes
   Pose start;          ///< pose at the start
 
-  /// Names the component for messages and tables.
-  /// @return "body 3" or "wall 0"
+  /// Names the component for messages and tables: "body 3" or "wall 0".
   std::string name() const;
 
   /// Returns whether the solver chooses the number of nodes.
-  /// @return true for automatic_nodes
   bool has_automatic_nodes() const { return n_nodes == automatic_nodes; }
 };
 
-/// Counts the components of a scene.
-///
-/// @param  scene  of bodies and walls
-/// @return        number of bodies and walls
-std::size_t count_components(const Scene& scene);
+/// The numbers of components of each kind in a scene.
+struct ComponentCounts {
+  std::size_t free = 0,  ///< free bodies
+      held = 0,          ///< held bodies
+      inner = 0,         ///< inner walls
+      outer = 0,         ///< enclosing walls
+      circles = 0;       ///< components of any kind whose shape is a circle
 
-/// Returns a component of a scene.
-///
-/// @param  scene  of bodies and walls
-/// @param  k      bodies first, then walls, in the scene's order
-/// @return        the component
+  /// Counts the components of all kinds.
+  std::size_t all() const { return free + held + inner + outer; }
+};
+
+/// Counts the components of a scene by kind.
+ComponentCounts count_components(const Scene& scene);
+
+/// Returns component k of a scene; bodies come first, then walls, in the scene's order.
 ComponentView component_of(const Scene& scene, std::size_t k);
 
-/// Returns the side of a component's curve on which the fluid lies.
-///
-/// @param  kind  of the component
-/// @return       inside for an enclosing wall, outside for all other components
+/// Returns the side of a component's curve on which the fluid lies: inside an enclosing wall,
+/// outside all other components.
 Side side_of(ComponentKind kind);
-
-/// Returns the prescribed rigid motion of a held body or a wall.
-///
-/// @param  component  held body or wall
-/// @return            motion about the component's position; zero for fixed walls, and for walls
-///                    with a LinearWall or RadialWall velocity, whose curves do not move
-RigidMotion prescribed_motion(const ComponentView& component);
-
-/// Evaluates the prescribed velocity of a held body or a wall at its nodes.
-///
-/// @param  component  held body or wall
-/// @param  curve      N placed nodes
-/// @param  position   of the component, the centre of its rotation, length
-/// @return            velocities at the N nodes, length / time
-ComplexVector prescribed_velocity(const ComponentView& component, const Curve& curve,
-                                  Complex position);
 
 /// @}
 

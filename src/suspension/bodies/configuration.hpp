@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "trapezoid/plane.hpp"
 
 namespace stokesbook {
@@ -18,6 +20,13 @@ struct Instant {
   double amplitude = 1.0;  ///< flow amplitude: factor of the background flow, of the velocities
                            ///< of walls and held bodies, and of the loads; -1 after a reversal
 };
+
+/// Packs the poses of K components into the state vector that time steppers advance.
+/// @return 3K numbers: x, y, orientation of every component
+Eigen::VectorXd to_state(const Configuration& configuration);
+
+/// Unpacks a state that to_state() packed.
+Configuration to_configuration(const Eigen::VectorXd& state);
 
 /// @}
 

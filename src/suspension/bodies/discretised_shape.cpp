@@ -18,27 +18,20 @@ DiscretisedShape build(const Shape& shape, const Resolution& resolution, Compone
                        const DiscretisationNeeds& needs) {
   const Side side = side_of(kind);
   const auto parameters = graded_parameters(resolution.grading, resolution.n_nodes);
-  DiscretisedShape discretised{shape,
-                               resolution,
-                               kind,
-                               parameters,
-                               resolution.is_graded() ? sample(shape, parameters, side)
-                                                      : sample(shape, resolution.n_nodes, side),
-                               std::make_shared<const Parametrisation>(parametrisation(shape)),
-                               0.0,
-                               0.0,
-                               {},
-                               {},
-                               {}};
-  discretised.shape_residual = resolution.is_graded() ? rigid_motion_residual(discretised.curve)
-                                                      : shape_residual(shape, discretised.curve);
-  discretised.gyration_radius = RigidModes(discretised.curve, {}).gyration_radius();
-  if (needs.cauchy) discretised.cauchy = std::make_shared<CauchyCurve>(discretised.curve);
+  const Curve curve = resolution.is_graded() ? sample(shape, parameters, side)
+                                             : sample(shape, resolution.n_nodes, side);
+  DiscretisedShape discretised{
+      shape,      resolution, kind,
+      parameters, curve,      std::make_shared<const Parametrisation>(parametrisation(shape))};
+  discretised.shape_residual =
+      resolution.is_graded() ? rigid_motion_residual(curve) : shape_residual(shape, curve);
+  discretised.gyration_radius = RigidModes(curve, {}).gyration_radius();
+  if (needs.cauchy) discretised.cauchy = std::make_shared<CauchyCurve>(curve);
   if (needs.interpolation_tolerance) {
     discretised.interpolation = std::make_shared<InterpolationCurve>(
-        discretised.curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
+        curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
   }
-  const Component alone{kind, discretised.curve, {}, {}, 0.0, {}};
+  const Component alone{kind, curve, {}, {}, 0.0, {}};
   discretised.inverse_block = std::async(std::launch::deferred, [alone, needs] {
                                 return std::make_shared<const Eigen::MatrixXd>(
                                     invert_block(self_block(alone, needs.gauge_length)));

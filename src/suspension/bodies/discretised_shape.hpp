@@ -12,13 +12,28 @@
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_targets.hpp"
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/resolution.hpp"
+#include "trapezoid/grading.hpp"
 #include "trapezoid/shape.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// The number of nodes of a component, and their grading.
+struct Resolution {
+  int n_nodes = 0;    ///< collocation nodes, even
+  Grading grading{};  ///< where nodes crowd; without clusters: nowhere
+
+  /// Returns whether nodes crowd anywhere.
+  bool is_graded() const { return !grading.clusters.empty(); }
+
+  /// Compares all members.
+  bool operator==(const Resolution&) const = default;
+};
+
+/// The resolution of each component: bodies, then walls, in the scene's order.
+using Resolutions = std::vector<Resolution>;
 
 /// A shape with its nodes, in its own frame: the data that all components of one shape, resolution
 /// and kind share.
@@ -29,14 +44,14 @@ struct DiscretisedShape {
   std::vector<GradedParameter> parameters;                 ///< parameters of the nodes
   Curve curve;                                             ///< nodes
   std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
-  double shape_residual;                                   ///< from shape_residual(); of graded
+  double shape_residual = 0.0;                             ///< from shape_residual(); of graded
                                                            ///< nodes: rigid_motion_residual()
-  double gyration_radius;                     ///< of the curve about its centroid, length
-  std::shared_ptr<const CauchyCurve> cauchy;  ///< null unless near corrections are planned
+  double gyration_radius = 0.0;                 ///< of the curve about its centroid, length
+  std::shared_ptr<const CauchyCurve> cauchy{};  ///< null unless near corrections are planned
   std::shared_ptr<const InterpolationCurve>
-      interpolation;  ///< null unless the scene selects the interpolation scheme
+      interpolation{};  ///< null unless the scene selects the interpolation scheme
   std::shared_future<std::shared_ptr<const Eigen::MatrixXd>>
-      inverse_block;  ///< of the component's own block; computed at the first access, O(N^3)
+      inverse_block{};  ///< of the component's own block; computed at the first access, O(N^3)
 };
 
 /// The data that a discretised shape holds in addition to its nodes.
@@ -46,14 +61,12 @@ struct DiscretisationNeeds {
   std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
 };
 
-/// Measures how well equidistant nodes resolve a shape.
+/// Measures how well the equidistant nodes of a curve, by sample(), resolve its shape.
 ///
-/// @param  shape  in its own frame
-/// @param  curve  sampled from it
-/// @return        the larger of rigid_motion_residual() and of the distance, halfway between nodes,
-///                of the shape from the trigonometric interpolant of the nodes; the distance is
-///                divided by the largest distance of the shape from its origin
-/// @par Cost      O(N^2)
+/// @return    the larger of rigid_motion_residual() and of the distance, halfway between nodes,
+///            of the shape from the trigonometric interpolant of the nodes; the distance is
+///            divided by the largest distance of the shape from its origin
+/// @par Cost  O(N^2)
 double shape_residual(const Shape& shape, const Curve& curve);
 
 /// Estimates the relative error that the nodes of a component cause in the softest mode of its own
@@ -66,28 +79,19 @@ double shape_residual(const Shape& shape, const Curve& curve);
 /// amplitude, and the motions of neighbours that excite the mode are wrong, too. An error estimate
 /// on a few more nodes does not detect this error, because these nodes do not resolve the mode
 /// either.
-/// @param  discretised  shape of a component
-/// @return              its shape_residual times the maximum norm of its inverse block; the
-///                      residual alone if it is below 1e-9, or if the block is singular. Above a
-///                      tenth, a solution may be wrong even if its tails and residuals are small
-/// @par Cost          that of inverse_block; none for a residual below 1e-9, which suffices for
-///                    every shape
+/// @return    the shape residual times the maximum norm of the inverse block; the residual alone if
+///            it is below 1e-9, or if the block is singular. Above a tenth, a solution may be wrong
+///            even if its tails and residuals are small
+/// @par Cost  that of inverse_block; none for a residual below 1e-9, which suffices for every shape
 double softest_mode_error(const DiscretisedShape& discretised);
 
 /// The discretised shape of each component: bodies, then walls, in the scene's order.
 using Discretisation = std::vector<std::shared_ptr<const DiscretisedShape>>;
 
 /// Returns the resolution of each component.
-///
-/// @param  discretisation  of each component
-/// @return                 resolutions in the same order
 Resolutions resolutions_of(const Discretisation& discretisation);
 
-/// Places a component.
-///
-/// @param  discretised  shape of the component
-/// @param  pose         where the component is
-/// @return              nodes and parametrisation in the plane
+/// Places nodes and parametrisation of a component in the plane.
 SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 
 /// Shares the discretised shapes of a scene's components, each built once.
@@ -97,25 +101,19 @@ SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 /// nodes belong to one configuration and are not kept. Several threads may use the cache at once.
 class DiscretisationCache {
  public:
-  /// Creates an empty cache.
-  /// @param  needs  data that discretised shapes hold in addition to their nodes
-  /// @param  most   largest number of shapes that are kept
+  /// Creates an empty cache, which keeps `most` shapes with the data `needs`.
   DiscretisationCache(const DiscretisationNeeds& needs, std::size_t most)
       : needs_(needs), most_(most) {}
 
-  /// Returns the discretised shape of a shape, resolution and kind; builds it if it is not kept.
+  /// Returns the object that all components of a shape, resolution and kind share; builds it if it
+  /// is not kept.
   ///
-  /// @param  shape       in its own frame
-  /// @param  resolution  N nodes, even, >= 4
-  /// @param  kind        of the component
-  /// @return             the object that all such components share
-  /// @throws std::invalid_argument when N is odd or too small
-  /// @par Cost        O(N^2 log N) for a new one, O(N^2) without near corrections
+  /// @throws std::invalid_argument when the number N of nodes is odd or less than 4
+  /// @par Cost  O(N^2 log N) for a new one, O(N^2) without near corrections
   std::shared_ptr<const DiscretisedShape> get(const Shape& shape, const Resolution& resolution,
                                               ComponentKind kind);
 
   /// Counts the shapes that are kept.
-  /// @return their number
   std::size_t size() const {
     const std::lock_guard lock(mutex_);
     return kept_.size();

@@ -22,12 +22,9 @@ struct Gap {
 /// Finds the gaps that may require nodes: the gaps of all pairs whose bounding circles are nearer
 /// to each other than the near_reach() of one of the two curves, and the gap of the closest pair.
 ///
-/// @param  configuration   poses of all components
-/// @param  discretisation  of each component
-/// @param  tolerance       of velocities, > 0; sets the reach
-/// @return                 in ascending order of the gap; empty for a single component
-/// @par Cost           a search in a RectangleIndex per component, N_a N_b distances per close
-///                     pair
+/// @param  tolerance  of velocities, > 0; sets the reach
+/// @return            in ascending order of the gap; empty for a single component
+/// @par Cost          a search in a RectangleIndex per component, N_a N_b distances per close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
 

@@ -26,20 +26,13 @@ class ConfigurationError : public SolverError {
   using SolverError::SolverError;
 };
 
-/// Begins a message that concerns an instant.
-///
-/// @param  t  time
-/// @return    text with the time, to be followed by the rest of the message
+/// Begins a message that concerns the time t.
 inline std::string at_time(double t) {
   return "t = " + short_number(t, 6) + ": ";
 }
 
-/// Runs `work`, and prepends the time to the message of a SolverError that `work` throws.
-///
-/// @param  t     time that the work concerns
-/// @param  work  function without arguments
-/// @return       the return value of `work`
-/// @throws SolverError, ConfigurationError as `work` does, with the time before the message
+/// Runs `work`, a function without arguments, and prepends the time to the message of a SolverError
+/// that `work` throws.
 template <class Work>
 auto with_time_in_errors(double t, const Work& work) {
   try {

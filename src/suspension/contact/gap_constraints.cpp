@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/bodies/state.hpp"
 
 namespace stokesbook {
 

@@ -8,14 +8,14 @@
 
 #include "stiv/interferences.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/contact/gap_constraints.hpp"
 
 namespace stokesbook {
 
 namespace {
 
-constexpr double relative_sag = 1e-3;  // of polygons, over the smallest radius of gyration
+constexpr double sag_of_passing = 1e-3;  // of polygons, over the smallest radius of gyration
 constexpr double accepted_sags =
     10.0;  // depth of the deepest overlap that is not found, over the sag
 
@@ -30,7 +30,7 @@ double smallest_radius(const Discretisation& discretisation) {
 
 PassingTest::PassingTest(const SuspensionSolver& solver)
     : solver_(solver),
-      sag_(relative_sag * smallest_radius(solver.discretisation())),
+      sag_(sag_of_passing * smallest_radius(solver.discretisation())),
       shapes_(contact_shapes(solver.discretisation(), sag_)) {}
 
 std::string PassingTest::error(const Configuration& start, const Configuration& end,

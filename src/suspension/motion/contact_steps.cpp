@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "suspension/bodies/components.hpp"
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/motion/stepping.hpp"
-#include "suspension/nodes/node_choice.hpp"
+#include "suspension/system/error_estimate.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {
@@ -239,7 +239,7 @@ LoadedCheck ContactSteps::check(const TimedSolution& flow, const StageContact& c
   const Resolutions resolutions = resolutions_of(flow.solution.discretisation);
   const auto& unseen = contact.outcome.unseen;
   if (!unseen.empty()) {
-    return {{}, finer_in_pairs(solver_.scene(), resolutions, unseen), gmres_tolerance};
+    return {{}, refine_pairs(solver_.scene(), resolutions, unseen), gmres_tolerance};
   }
   if (!is_resolved(contact.outcome) || !flow.estimated || contact.outcome.forces.empty()) {
     return {{}, resolutions, gmres_tolerance};
@@ -367,7 +367,7 @@ void ContactSteps::relax_contact(bool in_contact) {
     memory.columns = {};
     memory.gmres_tolerance = solver_.plan().gmres_tolerance;
   } else if (++memory.steps_kept == most_steps_kept) {
-    memory.contact_resolutions = coarser(std::move(memory.contact_resolutions));
+    memory.contact_resolutions = coarsen(std::move(memory.contact_resolutions));
     memory.steps_kept = 0;
   }
 }

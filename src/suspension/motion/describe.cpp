@@ -7,10 +7,12 @@
 #include <iterator>
 #include <map>
 
+#include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm_settings.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/nodes/node_choice.hpp"
+#include "suspension/solver/plan_lines.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {
@@ -89,13 +91,10 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
 
 std::string sum_text(const Plan& plan, Eigen::Index nodes) {
   const bool asked = plan.summation != Summation::automatic;
-  switch (plan.sum_method(nodes)) {
-    case SumMethod::stored:
-      return "direct, stored matrix: few nodes, the matrix stays in the cache";
-    case SumMethod::streamed:
-      return "direct, streamed: evaluating the kernel is faster than reading a stored matrix";
-    case SumMethod::fast:
-      break;
+  if (!plan.is_fast(nodes)) {
+    return StressletSum::automatic_storage(nodes) == KernelStorage::stored
+               ? "direct, stored matrix: few nodes, the matrix stays in the cache"
+               : "direct, streamed: evaluating the kernel is faster than reading a stored matrix";
   }
   const FmmSettings settings = FmmSettings::for_tolerance(plan.sum_tolerance);
   return "fast multipole method of order " + std::to_string(settings.order) + ": " +
@@ -158,8 +157,8 @@ std::string shape_name(const Shape& shape) {
 
 std::vector<std::string> describe(const SuspensionSolver& solver) {
   std::vector<std::string> lines;
-  for (const Plan::Line& line : solver.plan().lines) {
-    lines.push_back(aligned(line.topic, line.decision + ": " + line.reason));
+  for (const auto& [topic, decision, reason] : plan_lines(solver.plan(), solver.scene())) {
+    lines.push_back(aligned(topic, decision + ": " + reason));
   }
   lines.push_back(aligned("time", time_line(solver.scene())));
   const Configuration start = solver.start().configuration;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "text/number_text.hpp"

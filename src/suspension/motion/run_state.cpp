@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/stepping.hpp"
 
 namespace stokesbook {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/fields.hpp"
 

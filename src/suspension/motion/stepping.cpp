@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 
 namespace stokesbook {
 

@@ -4,10 +4,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "stiv/separation.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/bodies/solver_error.hpp"
-#include "suspension/nodes/density_decay.hpp"
 
 namespace stokesbook {
 
@@ -17,17 +14,11 @@ namespace stokesbook {
 /// Largest number of nodes that is chosen for one component: the matrices of its shape take 0.4 GB.
 inline constexpr int most_nodes_of_a_component = 2048;
 
-/// Largest number of nodes that is chosen in all: an application of the operator takes some seconds
-/// on one core, and a solve takes some 2 GB.
-inline constexpr int most_nodes_in_all = 1 << 20;
-
 /// Largest number of nodes that is tested for a shape alone.
 inline constexpr int most_nodes_for_shape = 4096;
 
 /// Recommends a number of nodes that resolve a shape and its own double layer to a tolerance.
 ///
-/// @param  shape      in its own frame
-/// @param  side       of the fluid
 /// @param  tolerance  of shape_residual()
 /// @param  at_least   number with which the search starts
 /// @return            multiple of 16, >= at_least, or 0 if most_nodes_for_shape do not suffice
@@ -36,9 +27,6 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 
 /// Recommends a number of nodes for which softest_mode_error() is at most a tenth.
 ///
-/// @param  cache    cache of discretised shapes
-/// @param  shape    in its own frame
-/// @param  kind     of the component
 /// @param  n_nodes  number with which the search starts, <= most_nodes_of_a_component
 /// @return          n_nodes if it suffices, otherwise a multiple of 4; the last number tested if no
 ///                  number up to most_nodes_of_a_component suffices
@@ -46,91 +34,111 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 int nodes_for_softest_mode(DiscretisationCache& cache, const Shape& shape, ComponentKind kind,
                            int n_nodes);
 
-/// Explains that no number of nodes resolves a shape.
-///
-/// @param  shape      in its own frame
-/// @param  tolerance  required bound of shape_residual()
-/// @return            a message with the tolerance and what to change, without a subject
+/// Explains that no number of nodes resolves a shape, and what to change.
+/// @return a sentence without its subject
 std::string unresolved_shape(const Shape& shape, double tolerance);
 
-/// Returns the given number of nodes of a component, or a number that resolves its shape.
+/// Returns the given number of nodes of a component, or a number that resolves its shape if nodes
+/// are automatic.
 ///
-/// @param  component  a ComponentView or Fill, with its shape and number of nodes
-/// @param  side       of the fluid
-/// @param  tolerance  of shape_residual()
-/// @param  name       of the component, for messages
-/// @return            number of nodes, > 0
-/// @throws SolverError when the nodes are automatic and most_nodes_for_shape do not suffice
-/// @par Cost          that of nodes_for_shape() if nodes are automatic
-template <class Component>
-int own_nodes(const Component& component, Side side, double tolerance, const std::string& name) {
-  if (component.n_nodes != automatic_nodes) return component.n_nodes;
-  const int nodes = nodes_for_shape(component.shape, side, tolerance, 16);
-  if (nodes == 0) throw SolverError(name + ": " + unresolved_shape(component.shape, tolerance));
-  return nodes;
-}
+/// @param  name  of the component, for messages
+/// @throws SolverError when most_nodes_for_shape do not suffice
+int own_nodes(const Shape& shape, int n_nodes, Side side, double tolerance,
+              const std::string& name);
+
+/// The rates, per mode number, at which a density's Fourier modes decay on the two curves of a gap;
+/// infinite if the gap requires no nodes.
+struct DensityDecay {
+  double a,  ///< rate on the one curve, > 0
+      b;     ///< rate on the other curve, > 0
+};
+
+/// Estimates how fast the density's Fourier modes decay on the two curves of a gap,
+/// \f$ |\eta_k| \sim e^{-\alpha k} \f$.
+///
+/// Reflections between two circles of signed curvatures \f$ \kappa_1, \kappa_2 \f$ (positive where
+/// the fluid lies outside) at a gap g accumulate at the two limit points of bipolar coordinates,
+/// which lie at \f$ \pm c \f$ on the axis of these coordinates:
+/// \f[ c^2 = \frac{g\,(2+g\kappa_1)(2+g\kappa_2)(2\kappa_1+2\kappa_2+g\kappa_1\kappa_2)}
+///              {4(\kappa_1+\kappa_2+g\kappa_1\kappa_2)^2}, \qquad
+///     \alpha = \frac{\mathrm{asinh}(c\kappa)}{\kappa|x'|}. \f]
+/// These formulas are exact for circles. For other curves they use the curvatures at the closest
+/// points, whose gap must be positive.
+DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const ClosestPoints& points);
+
+/// The rates at which densities decay at a gap, and how well the nodes of its curves resolve them.
+struct GapResolution {
+  DensityDecay decay;  ///< of the densities on gap.a and gap.b
+  double error;        ///< estimate for the present nodes, relative to the velocity scale:
+                       ///< \f$ 150\,\alpha\, e^{-\alpha n} \f$ for n nodes
+};
+
+/// Estimates how well a gap > 0 is resolved, before any solve.
+///
+/// Functionals of the density, such as rigid motions and loads, converge as the square of the tail
+/// of the density.
+GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
+                             const Discretisation& discretisation);
+
+/// Recommends the number of nodes for which the error in gap_resolution() is a tenth of a
+/// tolerance, so that estimate_error() is below the tolerance in most cases.
+///
+/// @param  decay      alpha, from density_decay()
+/// @param  tolerance  of velocities relative to their scale, > 0
+/// @return            multiple of 16, from 0 (the gap requires no nodes) to 1e9
+int recommended_nodes(double decay, double tolerance);
+
+/// The requirement of one gap on the nodes of one of its curves.
+struct GapRequirement {
+  double parameter;  ///< of the closest point, radians
+  double depth;      ///< the density's rate of decay there, from density_decay(); may be infinite
+};
+
+/// Chooses a component's nodes for its shape and its gaps.
+///
+/// Nodes are equidistant if no gap requires more than one and a half times the nodes that the shape
+/// requires. Otherwise nodes crowd at every gap that the nodes of the shape do not resolve, over a
+/// width equal to the depth of the gap. A cluster suffices for a second, wider gap, too, if the
+/// distance of this gap from the cluster is less than the depth of this gap.
+///
+/// The number of graded nodes is \f$ \ln(10^5/\varepsilon)/r \f$, where r is the least
+/// graded_depth() of all gaps, and of a shape that requires `shape_nodes` nodes because of
+/// singularities all around the curve. The strength is the one that requires the fewest nodes.
+/// @param  gaps         of the component, in any order
+/// @param  shape_nodes  number of nodes that the shape requires without gaps, > 0
+/// @param  tolerance    of velocities relative to their scale, > 0
+/// @throws std::invalid_argument when shape_nodes, the tolerance or a depth is not positive
+/// @par Accuracy        circles meet the tolerance at gaps down to 1e-5: @ref claim_03_38,
+/// @ref claim_03_39, @ref claim_03_40
+/// @par Cost            an evaluation of graded_depths() per gap, and 64 more
+/// @par Not for         tolerances below the effect of rounding, about 1e-16 gap^(-3/2)
+Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nodes,
+                          double tolerance);
 
 /// Rounds a number of nodes up to one of a few values, so that nearby configurations share
 /// discretised shapes.
 ///
-/// @param  nodes  >= 0
-/// @return        multiple of 16, >= 16; from 256 on, a multiple of an eighth of the largest power
-///                of two that does not exceed the number
+/// @return  multiple of 16, >= 16; from 256 on, a multiple of an eighth of the largest power of two
+///          that does not exceed the number
 int rounded_nodes(double nodes);
 
-/// Returns the resolutions on which estimate_error() judges a solution: a quarter more nodes, but
-/// at least 16 more.
+/// Recommends nodes for every component, so that shapes and gaps meet a tolerance.
 ///
-/// @param  resolutions  of the solution
-/// @return              resolutions of the same gradings, with even numbers of nodes if the given
-///                      numbers are even
-Resolutions finer(Resolutions resolutions);
+/// @param  gaps  of the configuration, from find_gaps()
+/// @return       multiples of 16, one per component; 0 if no number up to 4096 resolves the shape,
+///               and no gap requires nodes
+/// @par Cost     that of nodes_for_shape() per distinct shape
+std::vector<int> recommended_nodes(const Discretisation& discretisation, double tolerance,
+                                   const Configuration& configuration,
+                                   const std::vector<Gap>& gaps);
 
-/// Returns resolutions with half as many nodes, rounded up by rounded_nodes().
+/// Chooses the resolution with which a solve begins: given node numbers as they are, and automatic
+/// ones from shapes and gaps, graded where a narrow gap requires it.
 ///
-/// @param  resolutions  of each component
-/// @return              coarser resolutions of the same gradings
-Resolutions coarser(Resolutions resolutions);
-
-/// Makes the resolutions of components with automatic nodes finer, and keeps all others.
-///
-/// @param  scene   scene whose components have automatic or given nodes
-/// @param  before  of each component
-/// @return         resolutions by finer() for components with automatic nodes
-Resolutions finer_automatic(const Scene& scene, Resolutions before);
-
-/// Increases the automatic node numbers of the components in some pairs by half, and keeps all
-/// others.
-///
-/// @param  scene   scene whose components have automatic or given nodes
-/// @param  before  of each component
-/// @param  pairs   of components
-/// @return         resolutions with half as many nodes again in these components, up to
-///                 most_nodes_of_a_component
-Resolutions finer_in_pairs(const Scene& scene, Resolutions before,
-                           const std::vector<ComponentPair>& pairs);
-
-/// Extrapolates the number of nodes that a component requires from the decay of its density's tail.
-///
-/// @param  n_nodes  present number of nodes
-/// @param  decay    rate of decay per mode number, >= 0: the error falls as \f$ e^{-decay\,n} \f$
-/// @param  excess   error over the required error, > 1
-/// @return          number of nodes, at most 1.5 n_nodes
-double extrapolated_nodes(int n_nodes, double decay, double excess);
-
-/// Chooses finer resolutions after a solve whose error estimate exceeds the tolerance.
-///
-/// The share of a component in the error is the estimate, times the tail on this component over the
-/// largest tail. Components with given nodes keep them.
-/// @param  scene      scene; only its components with automatic_nodes may change
-/// @param  before     resolutions of the solution
-/// @param  tails      of the solution's density on each component
-/// @param  error      error estimate of the solution, above the tolerance of the scene
-/// @return            finer resolutions for components whose share exceeds a tenth of the
-///                    tolerance; the same resolutions if there is no such component, or if all
-///                    tails are below a tenth of the tolerance, since more nodes would not help
-Resolutions raised(const Scene& scene, Resolutions before, const std::vector<TailEstimate>& tails,
-                   double error);
+/// @param  discretisation  of each component alone
+/// @param  gaps            of the configuration, from find_gaps()
+Resolutions first_resolutions(const Scene& scene, const Discretisation& discretisation,
+                              const Configuration& configuration, const std::vector<Gap>& gaps);
 
 /// @}
 

@@ -18,27 +18,14 @@ namespace stokesbook {
 
 namespace {
 
-constexpr int attempts_per_body = 20000;
-
 // A placed component, and the radius of its bounding circle about its position.
 struct Obstacle {
   SmoothCurve curve;
   double radius;
 };
 
-Obstacle make_obstacle(const Curve& reference, std::shared_ptr<const Parametrisation> shape,
-                       const Pose& pose) {
-  return {{place(reference, pose.position, pose.orientation), std::move(shape), pose.position,
-           pose.orientation},
-          outer_radius(reference, 0.0)};
-}
-
-Obstacle make_obstacle(const ComponentView& component, double tolerance) {
-  const Side side = side_of(component.kind);
-  const int nodes = own_nodes(component, side, tolerance, component.name());
-  return make_obstacle(sample(component.shape, nodes, side),
-                       std::make_shared<const Parametrisation>(parametrisation(component.shape)),
-                       component.start);
+Obstacle make_obstacle(const DiscretisedShape& discretised, const Pose& pose) {
+  return {smooth_curve(discretised, pose), outer_radius(discretised.curve, 0.0)};
 }
 
 // Returns the distance of the nearest nodes: an upper bound of the gap, which is much cheaper to
@@ -92,26 +79,34 @@ double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
+bool contains(const Rectangle& box, const Curve& curve) {
+  const auto [lower, upper] = bounding_rectangle(curve.x);
+  return lower.real() >= box.lower.real() && lower.imag() >= box.lower.imag() &&
+         upper.real() <= box.upper.real() && upper.imag() <= box.upper.imag();
+}
+
+// A part of the plane in which bodies are placed.
 struct Region {
-  std::array<double, 4> box;  // xmin, ymin, xmax, ymax
-  double area;
+  Rectangle box{};
+  double area = 0.0;
 };
 
-// Returns the bounding box of the enclosing wall, and its area without the areas of inner walls.
+// Returns the region inside the enclosing wall, and its area without the areas of inner walls.
 Region fluid_region(const std::vector<Obstacle>& walls) {
-  Region region{{}, 0.0};
+  Region region;
   for (const Obstacle& wall : walls) {
     const Curve& curve = wall.curve.nodes;
     region.area += curve.sign() * area(curve);
-    if (curve.side != Side::fluid_inside) continue;
-    region.box = {curve.x.real().minCoeff(), curve.x.imag().minCoeff(), curve.x.real().maxCoeff(),
-                  curve.x.imag().maxCoeff()};
+    if (curve.side == Side::fluid_inside) region.box = bounding_rectangle(curve.x);
   }
   return region;
 }
 
-// Largest number of bodies of a fill: no machine solves for more.
-constexpr double most_bodies = 1e7;
+Region region_of(const Fill& fill, const Region& fluid) {
+  if (!fill.box) return fluid;
+  const auto [left, bottom, right, top] = *fill.box;
+  return {{{left, bottom}, {right, top}}, (right - left) * (top - bottom)};
+}
 
 // Returns the given number of bodies, or the number whose area is nearest to the given fraction of
 // the region's area.
@@ -125,6 +120,7 @@ long count_of(const Fill& fill, double region_area, double body_area) {
                                 " of the region's area: set area_fraction to at least " +
                                 short_number(0.5 * body_area / region_area) + ", or set count");
   }
+  constexpr double most_bodies = 1e7;  // no machine solves for more
   if (bodies > most_bodies) {
     throw std::invalid_argument("[[fill]]: area_fraction = " + short_number(*fill.area_fraction) +
                                 " requires " + short_number(bodies) +
@@ -134,56 +130,63 @@ long count_of(const Fill& fill, double region_area, double body_area) {
   return std::lround(bodies);
 }
 
-bool in_box(const Curve& curve, const std::array<double, 4>& box) {
-  return curve.x.real().minCoeff() >= box[0] && curve.x.imag().minCoeff() >= box[1] &&
-         curve.x.real().maxCoeff() <= box[2] && curve.x.imag().maxCoeff() <= box[3];
+// Returns the bodies of a fill, and adds them to the obstacles.
+std::vector<Body> place_bodies(const Fill& fill, const DiscretisedShape& discretised,
+                               const Region& region, std::mt19937_64& random,
+                               Obstacles& obstacles) {
+  constexpr int most_attempts = 20000;  // for each body
+  const auto& [lower, upper] = region.box;
+  const long count = count_of(fill, region.area, area(discretised.curve));
+  std::vector<Body> bodies;
+  int attempts = 0;
+  while (static_cast<long>(bodies.size()) < count) {
+    if (++attempts > most_attempts) {
+      throw std::invalid_argument("[[fill]]: found room for " + std::to_string(bodies.size()) +
+                                  " of " + std::to_string(count) +
+                                  " bodies; lower area_fraction, count or clearance, or change "
+                                  "the seed");
+    }
+    const Complex position{uniform(random, lower.real(), upper.real()),
+                           uniform(random, lower.imag(), upper.imag())};
+    const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
+    const Obstacle body = make_obstacle(discretised, {position, orientation});
+    if (fill.box && !contains(region.box, body.curve.nodes)) continue;
+    if (!obstacles.leave_room_for(body, fill.clearance)) continue;
+    obstacles.add(body);
+    bodies.push_back({fill.shape, position, orientation, {}, 0.0, false, {}, 0.0, fill.n_nodes});
+    attempts = 0;
+  }
+  return bodies;
 }
 
 }  // namespace
 
 Scene place_fills(const SceneFile& file) {
-  const auto& [scene, fills] = file;
-  Scene filled = scene;
-  if (fills.empty()) return filled;
-  const double tolerance = scene.solver.tolerance;
-  const auto obstacle = [&scene = scene](std::size_t k) {
-    return make_obstacle(component_of(scene, k), scene.solver.tolerance);
+  Scene filled = file.scene;
+  if (file.fills.empty()) return filled;
+  DiscretisationCache cache({}, 16);
+  const auto discretise = [&](const Shape& shape, int n_nodes, ComponentKind kind,
+                              const std::string& name) {
+    const int nodes = own_nodes(shape, n_nodes, side_of(kind), filled.solver.tolerance, name);
+    return cache.get(shape, {nodes}, kind);
   };
   std::vector<Obstacle> walls;
-  for (std::size_t k = scene.bodies.size(); k < count_components(scene); ++k) {
-    walls.push_back(obstacle(k));
+  Obstacles obstacles;
+  for (std::size_t k = 0; k < count_components(file.scene).all(); ++k) {
+    const ComponentView component = component_of(file.scene, k);
+    const auto discretised =
+        discretise(component.shape, component.n_nodes, component.kind, component.name());
+    const Obstacle obstacle = make_obstacle(*discretised, component.start);
+    if (component.wall != nullptr) walls.push_back(obstacle);
+    obstacles.add(obstacle);
   }
   const Region fluid = fluid_region(walls);
-  Obstacles obstacles;
-  for (Obstacle& wall : walls) obstacles.add(std::move(wall));
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) obstacles.add(obstacle(k));
-
-  std::mt19937_64 random(scene.seed);
-  for (const Fill& fill : fills) {
-    const Side side = Side::fluid_outside;
-    const Curve reference = sample(fill.shape, own_nodes(fill, side, tolerance, "[[fill]]"), side);
-    const auto shape = std::make_shared<const Parametrisation>(parametrisation(fill.shape));
-    const std::array<double, 4> box = fill.box.value_or(fluid.box);
-    const double region_area = fill.box ? (box[2] - box[0]) * (box[3] - box[1]) : fluid.area;
-    const long count = count_of(fill, region_area, area(reference));
-    int attempts = 0;
-    for (long placed = 0; placed < count;) {
-      if (++attempts > attempts_per_body) {
-        throw std::invalid_argument(
-            "[[fill]]: found room for " + std::to_string(placed) + " of " + std::to_string(count) +
-            " bodies; lower area_fraction, count or clearance, or change the seed");
-      }
-      const Complex position{uniform(random, box[0], box[2]), uniform(random, box[1], box[3])};
-      const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
-      Obstacle body = make_obstacle(reference, shape, {position, orientation});
-      if (fill.box && !in_box(body.curve.nodes, box)) continue;
-      if (!obstacles.leave_room_for(body, fill.clearance)) continue;
-      obstacles.add(std::move(body));
-      filled.bodies.push_back(
-          {fill.shape, position, orientation, {}, 0.0, false, {}, 0.0, fill.n_nodes});
-      ++placed;
-      attempts = 0;
-    }
+  std::mt19937_64 random(filled.seed);
+  for (const Fill& fill : file.fills) {
+    const auto discretised =
+        discretise(fill.shape, fill.n_nodes, ComponentKind::free_body, "[[fill]]");
+    const auto bodies = place_bodies(fill, *discretised, region_of(fill, fluid), random, obstacles);
+    filled.bodies.insert(filled.bodies.end(), bodies.begin(), bodies.end());
   }
   return filled;
 }

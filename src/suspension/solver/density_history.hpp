@@ -20,17 +20,14 @@ namespace stokesbook {
 /// kept (09.15).
 class DensityHistory {
  public:
-  /// Creates an empty history.
-  ///
-  /// @param  most  largest number of times that are kept, >= 1; the polynomial's degree is one less
+  /// Creates an empty history, which keeps at most `most` >= 1 times; the polynomial's degree is one
+  /// less.
   explicit DensityHistory(std::size_t most) : most_(most) {}
 
   /// Returns whether the history is empty.
-  /// @return true at the start
   bool empty() const { return entries_.empty(); }
 
-  /// Returns the resolutions of the latest density.
-  /// @return resolution of each component; none if the history is empty
+  /// Returns the resolutions of the latest density; none if the history is empty.
   Resolutions latest_resolutions() const {
     return entries_.empty() ? Resolutions{} : entries_.back().resolutions;
   }
@@ -38,23 +35,16 @@ class DensityHistory {
   /// Adds a density. The new density replaces the density of the same time; if there is none, and
   /// the history is full, the new density replaces the oldest one.
   ///
-  /// @param  t               time
-  /// @param  configuration   where the components are
-  /// @param  discretisation  shapes on whose nodes the density is given, one per component
-  /// @param  densities       at all n nodes, length / time; the same number of columns every time
+  /// @param  densities  at all n nodes, length / time; the same number of columns every time
   void add(double t, const Configuration& configuration, const Discretisation& discretisation,
            Eigen::MatrixXcd densities);
 
-  /// Adapts the history to a reversal of flow, walls and loads: from then on bodies retrace their
-  /// paths, with densities of the other sign.
-  ///
-  /// @param  t  time of the reversal; the density of the time t - s becomes that of the time t + s
+  /// Adapts the history to a reversal of flow, walls and loads at the time t: from then on bodies
+  /// retrace their paths, and the density at t + s is minus the density at t - s.
   void reverse(double t);
 
   /// Guesses the density at a time.
   ///
-  /// @param  t               time
-  /// @param  configuration   where the components are
   /// @param  discretisation  of each component; nodes may differ from those of earlier solutions
   /// @return                 guess at all n nodes, length / time; no rows if the history is empty
   /// @par Cost               O(n) if the nodes are the same, O(N^2) for each component whose nodes
@@ -62,14 +52,10 @@ class DensityHistory {
   Eigen::MatrixXcd guess(double t, const Configuration& configuration,
                          const Discretisation& discretisation) const;
 
-  /// Packs the history into numbers.
-  /// @return one vector per time, the oldest first
+  /// Packs the history into numbers: one vector per time, the oldest first.
   std::vector<Eigen::VectorXd> packed() const;
 
-  /// Replaces the history by a packed one.
-  ///
-  /// @param  packed      from packed(), of a history of the same components
-  /// @param  components  number of components
+  /// Replaces the history by one that packed() returned, of the same number of components.
   void unpack(const std::vector<Eigen::VectorXd>& packed, std::size_t components);
 
  private:

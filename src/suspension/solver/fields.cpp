@@ -1,5 +1,7 @@
-// Evaluates velocity, pressure, vorticity, stress (07.1) and dissipation on a grid, and estimates
-// their errors by a solution on more nodes (chapter 12, section "How fine").
+// Evaluates velocity, pressure, vorticity, stress (07.1) and dissipation at the points of a grid that
+// lie in the fluid, and estimates their errors by a solution on more nodes (chapter 12, section "How
+// fine"). The side of a point follows from the divisor Delta of the barycentric formula: the point
+// is in the fluid if Re Delta > 1/2 (06.15). An R-tree selects the components to test.
 #include "suspension/solver/fields.hpp"
 
 #include <algorithm>
@@ -7,11 +9,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "near_singular/barycentric.hpp"
 #include "stress/stress.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/bodies/field_grid.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/solver/fluid_mask.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -19,15 +21,19 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+// The test of the side of one component on which a point lies.
+struct SideTest {
+  Barycentric barycentric;  // in the component's frame, like the side and the reach
+  Side side;
+  double reach;
+  Complex position, turn;  // the point x lies at (x - position) turn in this frame
 
-std::vector<Index> fluid_indices(const std::vector<std::uint8_t>& in_fluid) {
-  std::vector<Index> indices;
-  for (std::size_t i = 0; i < in_fluid.size(); ++i) {
-    if (in_fluid[i] == 1) indices.push_back(static_cast<Index>(i));
+  bool has_fluid_at(Complex point) const {
+    const Complex local = (point - position) * turn;
+    if (std::abs(local) > reach) return side == Side::fluid_outside;
+    return barycentric.side(local) > 0.5;
   }
-  return indices;
-}
+};
 
 // Returns the mean pressure on the outer wall, divided by the viscosity; zero if there is no outer
 // wall.
@@ -58,64 +64,91 @@ double relative_difference(const auto& p, const auto& q) {
   return largest > 0.0 ? difference / largest : 0.0;
 }
 
-// Safety factor: if both solutions are resolved, the solution on more nodes is far more accurate;
-// if they are not, it has an error, too.
-constexpr double safety_of_fields = 2.0;
-
-FieldErrors errors_of(const Field& coarse, const Field& fine) {
-  FieldErrors errors = field_differences(coarse, fine);
-  for (auto& [quantity, error] : errors) error *= safety_of_fields;
-  return errors;
-}
-
 FieldErrors unknown_errors(const Field& field) {
   FieldErrors errors = field_differences(field, field);
   for (auto& [quantity, error] : errors) error = std::numeric_limits<double>::infinity();
   return errors;
 }
 
-// Largest number of refinements, by a quarter each: to nearly four times as many nodes.
-constexpr int most_raised = 6;
-
 }  // namespace
+
+FieldGrid field_grid(const FieldSettings& settings) {
+  const auto [left, bottom, right, top] = settings.box;
+  const double width = right - left, height = top - bottom;
+  const double spacing = std::max(width, height) / (settings.resolution - 1);
+  const auto cells = [&](double side) { return std::max(1.0, std::round(side / spacing)); };
+  const Complex size(cells(width), cells(height));
+  const Complex centre(0.5 * (left + right), 0.5 * (bottom + top));
+  return {centre - 0.5 * spacing * size, spacing, static_cast<Index>(size.real()) + 1,
+          static_cast<Index>(size.imag()) + 1};
+}
+
+std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
+                                   const Discretisation& discretisation,
+                                   const ComplexVector& points) {
+  std::vector<SideTest> enclosing, others;
+  std::vector<Rectangle> rectangles;  // squares about the others
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const Curve& curve = discretisation[k]->curve;
+    const auto [position, orientation] = configuration[k];
+    const double reach = outer_radius(curve, 0.0);
+    const Complex turn = std::polar(1.0, -orientation);
+    const bool encloses = curve.side == Side::fluid_inside;
+    (encloses ? enclosing : others)
+        .push_back({Barycentric(curve), curve.side, reach, position, turn});
+    if (!encloses) rectangles.push_back(square_about(position, reach));
+  }
+  const RectangleIndex index(rectangles);
+  std::vector<std::uint8_t> result(static_cast<std::size_t>(points.size()));
+#pragma omp parallel for schedule(dynamic, 256)
+  for (Index i = 0; i < points.size(); ++i) {
+    const Complex point = points[i];
+    const auto has_fluid = [&](const SideTest& test) { return test.has_fluid_at(point); };
+    const bool fluid = std::ranges::all_of(enclosing, has_fluid) &&
+                       std::ranges::all_of(index.meeting({point, point}),
+                                           [&](std::size_t k) { return has_fluid(others[k]); });
+    result[static_cast<std::size_t>(i)] = fluid ? 1 : 0;
+  }
+  return result;
+}
 
 Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   if (!solver.scene().output.fields) {
     throw std::invalid_argument("evaluate_field: the scene requests no fields (output.fields)");
   }
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   const FieldSettings& settings = *solver.scene().output.fields;
-  const auto asked = [&](FieldQuantity quantity) {
+  const auto is_requested = [&](FieldQuantity quantity) {
     return std::ranges::count(settings.quantities, quantity) > 0;
   };
   Field field;
   field.grid = field_grid(settings);
   const ComplexVector all = field.grid.points();
   field.in_fluid = in_fluid(solution.instant.configuration, solver.discretisation(), all);
-  const std::vector<Index> fluid = fluid_indices(field.in_fluid);
+  std::vector<Index> fluid;
+  for (Index i = 0; i < all.size(); ++i) {
+    if (field.in_fluid[static_cast<std::size_t>(i)] == 1) fluid.push_back(i);
+  }
   const ComplexVector points = all(fluid);
-  if (asked(FieldQuantity::velocity)) {
+  if (is_requested(FieldQuantity::velocity)) {
     field.velocity = ComplexVector::Constant(all.size(), {nowhere, nowhere});
     field.velocity(fluid) = solver.velocity(solution, points);
   }
   if (settings.quantities == std::vector{FieldQuantity::velocity}) return field;
   const std::vector<FlowDerivatives> flow = solver.derivatives(solution, points);
   const double mu = solver.scene().viscosity;
+  const double datum = is_requested(FieldQuantity::pressure) ? pressure_datum(solver, solution) : 0;
   const auto fill = [&](FieldQuantity quantity, Eigen::VectorXd& values, const auto& value_of) {
-    if (!asked(quantity)) return;
+    if (!is_requested(quantity)) return;
     values = Eigen::VectorXd::Constant(all.size(), nowhere);
     for (std::size_t i = 0; i < fluid.size(); ++i) values[fluid[i]] = value_of(flow[i]);
   };
-  if (asked(FieldQuantity::pressure)) {
-    const double datum = pressure_datum(solver, solution);
-    fill(FieldQuantity::pressure, field.pressure,
-         [&](const FlowDerivatives& at) { return mu * (at.pressure - datum); });
-  }
-  fill(FieldQuantity::vorticity, field.vorticity,
-       [](const FlowDerivatives& at) { return at.vorticity; });
-  fill(FieldQuantity::shear_stress, field.shear_stress,
-       [&](const FlowDerivatives& at) { return stress(at, mu).s12; });
+  using At = const FlowDerivatives&;
+  fill(FieldQuantity::pressure, field.pressure, [&](At at) { return mu * (at.pressure - datum); });
+  fill(FieldQuantity::vorticity, field.vorticity, [](At at) { return at.vorticity; });
+  fill(FieldQuantity::shear_stress, field.shear_stress, [&](At at) { return stress(at, mu).s12; });
   fill(FieldQuantity::dissipation, field.dissipation,
-       [&](const FlowDerivatives& at) { return dissipation_density(at, mu); });
+       [&](At at) { return dissipation_density(at, mu); });
   return field;
 }
 
@@ -132,15 +165,20 @@ FieldErrors field_differences(const Field& p, const Field& q) {
 }
 
 EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution) {
+  // If both solutions are resolved, the solution on more nodes is far more accurate; if they are
+  // not, it has an error, too.
+  constexpr double safety = 2.0;
+  // Largest number of refinements, by a quarter each: to nearly four times as many nodes.
+  constexpr int most_refinements = 6;
   EstimatedField found{evaluate_field(solver, solution), {}};
-  bool may_raise = false;
+  bool may_refine = false;
   for (std::size_t k = 0; k < solution.discretisation.size(); ++k) {
-    may_raise = may_raise || component_of(solver.scene(), k).has_automatic_nodes();
+    may_refine = may_refine || component_of(solver.scene(), k).has_automatic_nodes();
   }
   Solution latest = solution;
   while (true) {
     try {
-      latest = solver.refined(latest);
+      latest = solver.solve_refined(latest);
     } catch (const SolverError&) {
       if (found.solves == 0) found.errors = unknown_errors(found.field);
       return found;
@@ -148,13 +186,14 @@ EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& s
     ++found.solves;
     found.cost += {latest.gmres.iterations, latest.gmres.applications};
     Field finer = evaluate_field(solver, latest);
-    found.errors = errors_of(found.field, finer);
-    if (!may_raise) return found;
+    found.errors = field_differences(found.field, finer);
+    for (auto& [quantity, error] : found.errors) error *= safety;
+    if (!may_refine) return found;
     found.field = std::move(finer);
-    const bool met = std::ranges::all_of(found.errors, [&](const auto& error) {
+    const bool is_met = std::ranges::all_of(found.errors, [&](const auto& error) {
       return error.second <= solver.scene().solver.tolerance;
     });
-    if (met || found.solves == most_raised) return found;
+    if (is_met || found.solves == most_refinements) return found;
   }
 }
 

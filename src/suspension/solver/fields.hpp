@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "record/field.hpp"
 #include "suspension/solver/solver.hpp"
@@ -12,13 +14,30 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
+/// Places the points of a grid in its box.
+///
+/// The longer side of the box has `resolution` points, the first and the last of them at its ends.
+/// Cells are square. The shorter side has the number of cells that fits best, at least one. The
+/// grid is centred in the box, so that the grid ends within half a cell of the box's corners.
+FieldGrid field_grid(const FieldSettings& settings);
+
+/// Finds the points that lie in the fluid, outside all bodies and inner walls, and inside the
+/// enclosing wall, by Barycentric::side().
+///
+/// @return        one per point: 1 in the fluid, otherwise 0
+/// @par Accuracy  if shapes are resolved, points farther from the boundary than 1e-12 of a
+/// component's size are assigned correctly, also between nodes: @ref claim_06_25
+/// @par Cost      a search in a RectangleIndex per point, O(N) for a point inside a bounding circle
+std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
+                                   const Discretisation& discretisation,
+                                   const ComplexVector& points);
+
 /// Evaluates the quantities that a scene requests, on the grid of the scene.
 ///
 /// In an unbounded fluid the pressure is zero far away. In an enclosed fluid the pressure is known
 /// up to a constant only, and its mean over the outer wall is set to zero.
-/// @param  solver    of a scene with output.fields
-/// @param  solution  of any instant
-/// @return           the field; its values outside the fluid are not numbers
+/// @param  solver  of a scene with output.fields
+/// @return         the field; its values outside the fluid are not numbers
 /// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
 /// @ref claim_06_8
@@ -29,11 +48,8 @@ Field evaluate_field(const SuspensionSolver& solver, const Solution& solution);
 /// Errors by quantity. The keys are "velocity" and the names in field_scalars.
 using FieldErrors = std::map<std::string, double, std::less<>>;
 
-/// Compares two fields on one grid.
-///
-/// @param  p  one field
-/// @param  q  the other field, with the same quantities
-/// @return    largest difference of each quantity at a point, over the largest value of q
+/// Compares two fields with the same quantities on one grid.
+/// @return largest difference of each quantity at a point, over the largest value of q
 FieldErrors field_differences(const Field& p, const Field& q);
 
 /// A field, with its estimated errors.
@@ -48,7 +64,7 @@ struct EstimatedField {
 ///
 /// Derivatives of the velocity require more nodes than the velocities of bodies. The estimate of a
 /// quantity is twice its largest change, at a point of the grid, by a quarter more nodes and a
-/// smaller residual, see SuspensionSolver::refined(). If nodes are automatic, their number is
+/// smaller residual, see SuspensionSolver::solve_refined(). If nodes are automatic, their number is
 /// increased, at most six times, until all estimates meet the tolerance; the field is then that of
 /// the solution with the most nodes.
 /// @param  solver    of a scene with output.fields
@@ -56,7 +72,7 @@ struct EstimatedField {
 /// @return           the field and its errors; infinite errors if they cannot be estimated
 /// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  errors are at most twice their estimates, @ref claim_12_60
-/// @par Cost      that of refined() and evaluate_field() per estimate
+/// @par Cost      that of solve_refined() and evaluate_field() per estimate
 EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution);
 
 /// @}

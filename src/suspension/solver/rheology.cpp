@@ -11,6 +11,7 @@
 #include "stress/dissipation.hpp"
 #include "stress/stresslet.hpp"
 #include "suspension/bodies/background_flow.hpp"
+#include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
 
@@ -18,25 +19,21 @@ using Eigen::Index;
 
 namespace {
 
-// Returns the number of a wall among all components.
-std::size_t index_of(const Scene& scene, const Wall& wall) {
-  return scene.bodies.size() + static_cast<std::size_t>(&wall - scene.walls.data());
+// Returns the torque of a Couette cell's inner wall.
+double inner_torque(const Scene& scene, const Solution& solution) {
+  const auto number = only_wall(scene, WallRole::inner) - scene.walls.data();
+  return solution.loads[scene.bodies.size() + static_cast<std::size_t>(number)].torque;
 }
 
 double torque_without_bodies(Scene scene) {
   scene.bodies.clear();
   const SuspensionSolver solver(scene);
-  const Solution solution = solver.solve(solver.start());
-  return solution.loads[index_of(scene, *only_wall(scene, WallRole::inner))].torque;
+  return inner_torque(scene, solver.solve(solver.start()));
 }
 
 bool deforms(const Wall& wall) {
   return std::holds_alternative<LinearWall>(wall.motion) ||
          std::holds_alternative<RadialWall>(wall.motion);
-}
-
-bool has_outer_wall(const Scene& scene) {
-  return std::ranges::count(scene.walls, WallRole::outer, &Wall::role) > 0;
 }
 
 bool is_sheared(const BackgroundFlow& flow) {
@@ -97,46 +94,43 @@ Rheometer::Rheometer(const SuspensionSolver& solver) : solver_(solver) {
 
 double Rheometer::order_parameter(const Configuration& configuration) const {
   const Scene& scene = solver_.scene();
+  if (!empty_torque_ && (count_components(scene).outer > 0 || !is_sheared(scene.flow))) {
+    return Rheology::undefined;
+  }
   double sum = 0.0, count = 0.0;
   for (std::size_t k = 0; k < long_axes_.size(); ++k) {
     if (!long_axes_[k]) continue;
     double flow = 0.0;
     if (empty_torque_) {
-      const Wall& outer = *only_wall(scene, WallRole::outer);
-      flow = std::arg(imaginary * (configuration[k].position - outer.position));
+      const Complex centre = only_wall(scene, WallRole::outer)->position;
+      flow = std::arg(imaginary * (configuration[k].position - centre));
     }
     // cos 2(theta - theta_f) with the direction theta_f of the flow.
     sum += std::cos(2.0 * (configuration[k].orientation + *long_axes_[k] - flow));
     count += 1.0;
   }
-  const bool defined = empty_torque_ || (!has_outer_wall(scene) && is_sheared(scene.flow));
-  return defined && count > 0.0 ? sum / count : Rheology::undefined;
+  return count > 0.0 ? sum / count : Rheology::undefined;
 }
 
 double Rheometer::excess_dissipation(const Solution& solution,
                                      const std::vector<Complex>& stresslets) const {
   const auto& [configuration, amplitude] = solution.instant;
   const Scene& scene = solver_.scene();
-  const bool linear = !std::holds_alternative<TaylorGreenFlow>(scene.flow);
-  if (!linear || std::ranges::any_of(scene.walls, deforms)) {
+  if (std::holds_alternative<TaylorGreenFlow>(scene.flow) ||
+      std::ranges::any_of(scene.walls, deforms)) {
     return Rheology::undefined;
   }
-  ComplexVector centres(static_cast<Index>(configuration.size()));
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    centres[static_cast<Index>(k)] = configuration[k].position;
-  }
-  const ComplexVector stream = amplitude * background_velocity(scene.flow, centres);
-  const FlowDerivatives gradient = background_derivatives(scene.flow, centres.head(1))[0];
-  const Complex strain = amplitude * gradient.strain;
-  const double rotation = 0.5 * amplitude * gradient.vorticity;
   // The sum of E:S_k (07.16), F_k . (U_k - u_inf(c_k)) and L_k (omega_k - Omega_inf).
   double power = 0.0;
   for (std::size_t k = 0; k < stresslets.size(); ++k) {
-    const RigidMotion& motion = solution.motions[k];
-    const Load& load = solution.loads[k];
-    power += dot(strain, stresslets[k]) +
-             dot(load.force, motion.velocity - stream[static_cast<Index>(k)]) +
-             load.torque * (motion.omega - rotation);
+    const Complex centre = configuration[k].position;
+    const auto [stream, rotation] = background_rigid_motion(scene.flow, centre);
+    const Complex strain =
+        background_derivatives(scene.flow, ComplexVector::Constant(1, centre))[0].strain;
+    const auto& [velocity, omega] = solution.motions[k];
+    const auto& [force, torque] = solution.loads[k];
+    power += dot(amplitude * strain, stresslets[k]) + dot(force, velocity - amplitude * stream) +
+             torque * (omega - amplitude * rotation);
   }
   return power;
 }
@@ -152,7 +146,7 @@ Rheology Rheometer::operator()(const Solution& solution) const {
           ? solver_.disturbance(solution)
           : SolvedFlow(solver_.problem(solution.instant, solution.discretisation), {},
                        solution.density);
-  if (has_outer_wall(scene)) {
+  if (is_bounded(flow.problem())) {
     const std::vector<double> powers = power_of_loads(flow);
     rheology.dissipation = std::accumulate(powers.begin(), powers.end(), 0.0);
   } else {
@@ -166,9 +160,8 @@ Rheology Rheometer::operator()(const Solution& solution) const {
     rheology.uniform_velocity = solution.uniform_velocity;
   }
   if (empty_torque_) {
-    const std::size_t inner = index_of(scene, *only_wall(scene, WallRole::inner));
     rheology.torque_ratio =
-        solution.loads[inner].torque / (solution.instant.amplitude * *empty_torque_);
+        inner_torque(scene, solution) / (solution.instant.amplitude * *empty_torque_);
   }
   return rheology;
 }

@@ -14,9 +14,8 @@ namespace stokesbook {
 /// Finds the direction of the long axis of a curve, which is the principal axis of the enclosed
 /// area: \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
 ///
-/// @param  curve  N nodes
-/// @return        angle, radians; none if \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as
-///                for circles, and for stars of three arms or more
+/// @return        angle, radians; none if \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as for
+///                circles, and for stars of three arms or more
 /// @par Accuracy  that of the trapezoid rule: geometric in N for analytic curves, @ref claim_01_9
 std::optional<double> long_axis(const Curve& curve);
 
@@ -40,18 +39,14 @@ std::optional<double> long_axis(const Curve& curve);
 /// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
 class Rheometer {
  public:
-  /// Prepares the measurements.
+  /// Prepares the measurements for the scene of a solver, which must outlive the rheometer.
   ///
-  /// @param  solver  of the scene; must outlive the rheometer
   /// @throws SolverError when a Couette cell cannot be solved without its bodies
-  /// @par Cost       in a Couette cell, one solve without bodies
+  /// @par Cost  in a Couette cell, one solve without bodies
   explicit Rheometer(const SuspensionSolver& solver);
 
-  /// Measures a solution.
-  ///
-  /// @param  solution  of any instant
-  /// @return           all quantities that the scene defines
-  /// @par Cost         O(n) for n nodes in all, and the derivatives at nodes of walls that deform
+  /// Measures all quantities that the scene defines.
+  /// @par Cost  O(n) for n nodes in all, and the derivatives at nodes of walls that deform
   Rheology operator()(const Solution& solution) const;
 
  private:

@@ -5,8 +5,7 @@
 
 #include "closure/closure.hpp"
 #include "krylov/gmres.hpp"
-#include "suspension/bodies/configuration.hpp"
-#include "suspension/bodies/discretised_shape.hpp"
+#include "scene/scene.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/system/linear_system.hpp"
 
@@ -19,9 +18,8 @@ namespace stokesbook {
 struct SolveCost {
   int gmres_iterations = 0;  ///< of all solves for motions and loads
   int matvecs = 0;           ///< applications of the operator, including those of error estimates
+
   /// Adds the work of another solve.
-  /// @param  other  counts
-  /// @return        the sum
   SolveCost& operator+=(const SolveCost& other) {
     gmres_iterations += other.gmres_iterations;
     matvecs += other.matvecs;
@@ -31,23 +29,46 @@ struct SolveCost {
 
 /// One quasi-static solution: all that velocities, fields and rheology of its instant require.
 struct Solution {
-  Instant instant;                             ///< poses and flow amplitude
-  Discretisation discretisation;               ///< nodes of the density
-  std::shared_ptr<const LinearSystem> system;  ///< on these nodes; none if it was dropped
-  ComplexVector density;                       ///< at all nodes, components in order, length / time
+  Instant instant;                               ///< poses and flow amplitude
+  Discretisation discretisation;                 ///< nodes of the density
+  std::shared_ptr<const LinearSystem> system{};  ///< on these nodes; none if it was dropped
+  ComplexVector density{};  ///< at all nodes, components in order, length / time
   std::vector<RigidMotion>
-      motions;                  ///< of every component about its position: solved on free bodies,
+      motions{};                ///< of every component about its position: solved on free bodies,
                                 ///< prescribed for held bodies and rigid walls, else zero
-  std::vector<Load> loads;      ///< of every component on the fluid, about its position
-  Complex uniform_velocity;     ///< of the fluid at infinity beside the background
-  GmresResult gmres;            ///< of the linear system, converged
-  double velocity_scale = 0.0;  ///< largest velocity in the data of the problem, which exclude the
-                                ///< rigid motions of carried_by(); length / time
+  std::vector<Load> loads{};    ///< of every component on the fluid, about its position
+  Complex uniform_velocity{};   ///< of the fluid at infinity beside the background
+  GmresResult gmres{};          ///< of the linear system, converged
+  double velocity_scale = 0.0;  ///< largest velocity in the data of the problem, which exclude
+                                ///< background_rigid_motion(); length / time
   double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; NaN
                                 ///< if the error was not estimated
-  std::vector<Gap> gaps;        ///< close pairs in ascending order, the closest pair first
-  SolveCost cost;               ///< work for this solution
+  std::vector<Gap> gaps{};      ///< close pairs in ascending order, the closest pair first
+  SolveCost cost{};             ///< work for this solution
 };
+
+/// Returns the velocity of the frame in which an enclosed problem is solved: that of a container
+/// which translates as a whole; 0 in all other scenes.
+Complex frame_velocity(const Scene& scene, double amplitude);
+
+/// Poses the boundary value problem of an instant: bodies, then walls, with their nodes, loads and
+/// velocities.
+///
+/// Data of free bodies in an unbounded fluid are straining_velocity(), those of all other
+/// components the velocities relative to frame_velocity(): the solver solves for a disturbance that
+/// does not depend on how fast the flow or the container carries all bodies.
+StokesProblem instant_problem(const Scene& scene, const Instant& instant,
+                              const Discretisation& discretisation);
+
+/// Poses the problem of a solution's instant, on a discretisation of its own, in which free bodies
+/// bear the loads of the solution: those of the scene, and those of contact if there is any.
+StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
+                             const Discretisation& discretisation);
+
+/// Completes a solution that has an instant, a discretisation and a system by the solution `gmres`
+/// of this system: motions of free bodies and loads of all other components, by the functionals of
+/// chapter 03.
+Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres);
 
 /// @}
 

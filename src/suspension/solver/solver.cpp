@@ -1,5 +1,6 @@
 // Solves one instant: solves, estimates the error, and solves again with more nodes or a tighter
-// GMRES tolerance until the estimate meets the tolerance of the scene (chapter 12).
+// GMRES tolerance until the estimate meets the tolerance of the scene (chapter 12). Evaluates the
+// flow of a solution, near curves and far from them (chapters 06 to 08).
 #include "suspension/solver/solver.hpp"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 #include <map>
 
 #include "double_layer/double_layer.hpp"
+#include "suspension/bodies/background_flow.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/nodes/density_decay.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
 #include "suspension/solver/solver_checks.hpp"
@@ -16,14 +17,7 @@
 
 namespace stokesbook {
 
-using Eigen::Index;
-
 namespace {
-
-// The resolution that a component requires alone.
-Resolution own_resolution(const ComponentView& component, double tolerance) {
-  return {own_nodes(component, side_of(component.kind), tolerance, component.name())};
-}
 
 double mean_spacing(const Scene& scene, const Discretisation& discretisation) {
   double length = 0.0, nodes = 0.0;
@@ -37,11 +31,6 @@ double mean_spacing(const Scene& scene, const Discretisation& discretisation) {
 // At most this many times, nodes are increased because of the error estimate alone, although no
 // tail of a density is large.
 constexpr int most_increases_without_tail = 3;
-
-// The tightest GMRES tolerance of a solve: a hundredth of the planned one, but above rounding.
-double least_gmres_tolerance(const Plan& plan) {
-  return std::max(1e-14, 0.01 * plan.gmres_tolerance);
-}
 
 // Increases node numbers to at least those of `least`; empty: to none.
 Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
@@ -62,35 +51,24 @@ DensityGuess guess_from(const Solution& solution) {
   };
 }
 
-// Estimates the error of the density on each component from the tail of its Fourier coefficients.
-std::vector<TailEstimate> tails_of(const LinearSystem& discrete, const Solution& solution) {
-  const ComplexVector complement = discrete.system.closure().without_rigid_part(solution.density);
-  const std::vector<Index>& offsets = discrete.system.offsets();
-  std::vector<TailEstimate> tails;
-  for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
-    tails.push_back(tail_estimate(complement.segment(offsets[k], offsets[k + 1] - offsets[k]),
-                                  solution.velocity_scale));
-    // The tail does not show the aliasing error of the kernel, which the shape residual measures.
-    tails[k].error = std::max(tails[k].error, solution.discretisation[k]->shape_residual);
-  }
-  return tails;
-}
-
 }  // namespace
 
 SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(make_plan(scene)) {
-  const bool bounded = plan_.null_space_fix;
-  const bool interpolate = scene.solver.near_singular == NearSingular::interpolation;
-  const std::size_t count = count_components(scene_);
-  // A solve uses at most one shape a component, and its error estimate another: those of two kept.
-  const std::size_t most_shapes = 4 * count;
-  const DiscretisationNeeds needs{
-      plan_.near_correction, interpolate ? std::optional(scene.solver.tolerance) : std::nullopt,
-      bounded ? std::nullopt : scene.gauge_length};
-  cache_ = std::make_shared<DiscretisationCache>(needs, most_shapes);
+  const std::size_t count = count_components(scene).all();
+  DiscretisationNeeds needs{plan_.near_correction, {}, {}};
+  if (scene.solver.near_singular == NearSingular::interpolation) {
+    needs.interpolation_tolerance = scene.solver.tolerance;
+  }
+  if (!plan_.null_space_fix) needs.gauge_length = scene.gauge_length;
+  // A solve uses at most one shape per component, and its error estimate another: the shapes of two
+  // solves are kept.
+  cache_ = std::make_shared<DiscretisationCache>(needs, 4 * count);
   Resolutions own;
-  for (std::size_t k = 0; k < count; ++k)
-    own.push_back(own_resolution(component_of(scene_, k), scene_.solver.tolerance));
+  for (std::size_t k = 0; k < count; ++k) {
+    const ComponentView component = component_of(scene_, k);
+    own.push_back({own_nodes(component.shape, component.n_nodes, side_of(component.kind),
+                             scene.solver.tolerance, component.name())});
+  }
   throw_if(limit_error(scene_, own, {}));
   discretisation_ = discretise(own);
   std::map<const DiscretisedShape*, int> least;
@@ -127,7 +105,7 @@ std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) cons
   return find_gaps(configuration, discretisation_, scene_.solver.tolerance);
 }
 
-std::vector<Gap> SuspensionSolver::open_gaps(const Configuration& configuration) const {
+std::vector<Gap> SuspensionSolver::find_open_gaps(const Configuration& configuration) const {
   std::vector<Gap> gaps = this->gaps(configuration);
   throw_if<ConfigurationError>(overlap_error(scene_, gaps, configuration));
   return gaps;
@@ -142,41 +120,41 @@ Discretisation SuspensionSolver::discretise(const Resolutions& resolutions) cons
   return discretisation;
 }
 
+std::shared_ptr<const LinearSystem> SuspensionSolver::assemble(
+    const StokesProblem& problem, const Configuration& configuration, const std::vector<Gap>& gaps,
+    const Discretisation& discretisation) const {
+  return std::make_shared<const LinearSystem>(preconditioned_system(
+      scene_, plan_, problem, configuration, gaps, discretisation, separation()));
+}
+
 LinearSystem SuspensionSolver::linear_system(const Instant& instant,
                                              const Discretisation& discretisation) const {
   const Configuration& configuration = instant.configuration;
-  return preconditioned_system(scene_, plan_, problem(instant, discretisation), configuration,
-                               gaps(configuration), discretisation, separation());
+  return *assemble(instant_problem(scene_, instant, discretisation), configuration,
+                   gaps(configuration), discretisation);
 }
 
-SuspensionSolver::System SuspensionSolver::system(const Instant& instant,
-                                                  const std::vector<Gap>& gaps,
-                                                  const Resolutions& resolutions) const {
+// Discretises the components of an instant and assembles its linear system.
+Solution SuspensionSolver::prepare(const Instant& instant, const std::vector<Gap>& gaps,
+                                   const Resolutions& resolutions) const {
   const Configuration& configuration = instant.configuration;
   throw_if<ConfigurationError>(limit_error(scene_, resolutions, gaps));
-  Discretisation discretisation = this->discretise(resolutions);
+  Solution prepared{instant, discretise(resolutions)};
+  const Discretisation& discretisation = prepared.discretisation;
   throw_if<ConfigurationError>(geometry_error(scene_, gaps, configuration, discretisation));
-  const StokesProblem problem = this->problem(instant, discretisation);
+  const StokesProblem problem = instant_problem(scene_, instant, discretisation);
   throw_if(data_error(scene_, problem));
-  auto discrete = std::make_shared<const LinearSystem>(preconditioned_system(
-      scene_, plan_, problem, configuration, gaps, discretisation, separation()));
-  return {instant, std::move(discretisation), std::move(discrete)};
+  prepared.system = assemble(problem, configuration, gaps, discretisation);
+  prepared.velocity_scale = prepared.system->system.right_hand_side().cwiseAbs().maxCoeff();
+  prepared.gaps = gaps;
+  return prepared;
 }
 
-Solution SuspensionSolver::attempt(const Instant& instant, const std::vector<Gap>& gaps,
-                                   const Effort& effort) const {
-  const System system = this->system(instant, gaps, effort.resolutions);
-  const ComplexVector guess = effort.guess ? effort.guess(system.discretisation) : ComplexVector{};
-  Solution solution = converged(system, effort.gmres_tolerance, guess);
-  solution.velocity_scale = system.discrete->system.right_hand_side().cwiseAbs().maxCoeff();
-  solution.gaps = gaps;
-  return solution;
-}
-
-Solution SuspensionSolver::converged(const System& system, double gmres_tolerance,
-                                     const ComplexVector& guess) const {
+Solution SuspensionSolver::solve_system(Solution prepared, double gmres_tolerance,
+                                        const ComplexVector& guess) const {
+  const LinearSystem& discrete = *prepared.system;
   GmresResult gmres =
-      stokesbook::solve(*system.discrete, system.discrete->system.right_hand_side(),
+      stokesbook::solve(discrete, discrete.system.right_hand_side(),
                         {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
   if (!gmres.converged) {
     throw SolverError(
@@ -184,32 +162,29 @@ Solution SuspensionSolver::converged(const System& system, double gmres_toleranc
         " after " + std::to_string(gmres.iterations) + " iterations, asked " +
         short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
   }
-  return complete_solution(scene_, system.instant, system.discretisation, system.discrete,
-                           std::move(gmres));
+  return complete_solution(scene_, std::move(prepared), std::move(gmres));
+}
+
+Solution SuspensionSolver::solve_once(const Instant& instant, const std::vector<Gap>& gaps,
+                                      const SolveParameters& parameters) const {
+  Solution prepared = prepare(instant, gaps, parameters.resolutions);
+  const ComplexVector guess =
+      parameters.guess ? parameters.guess(prepared.discretisation) : ComplexVector{};
+  return solve_system(std::move(prepared), parameters.gmres_tolerance, guess);
 }
 
 // A quarter more nodes, and at least as many as the softest modes require.
 Resolutions SuspensionSolver::finer_than(const Solution& solution) const {
-  return at_least(least_, finer(resolutions_of(solution.discretisation)));
+  return at_least(least_, refine(resolutions_of(solution.discretisation)));
 }
 
-Solution SuspensionSolver::refined(const Solution& solution) const {
-  const Configuration& configuration = solution.instant.configuration;
-  const Resolutions resolutions = finer_than(solution);
-  throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
-  System system{solution.instant, discretise(resolutions), {}};
-  const StokesProblem problem = loaded_problem(scene_, solution, system.discretisation);
-  system.discrete = std::make_shared<const LinearSystem>(preconditioned_system(
-      scene_, plan_, problem, configuration, solution.gaps, system.discretisation, separation()));
-  Solution finer =
-      converged(system, least_gmres_tolerance(plan_), guess_from(solution)(system.discretisation));
-  finer.velocity_scale = solution.velocity_scale;
-  finer.gaps = solution.gaps;
-  return finer;
+// The tightest GMRES tolerance of a solve: a hundredth of the planned one, but above rounding.
+double SuspensionSolver::least_gmres_tolerance() const {
+  return std::max(1e-14, 0.01 * plan_.gmres_tolerance);
 }
 
-ErrorEstimate SuspensionSolver::estimate(const LinearSystem& discrete,
-                                         const Solution& solution) const {
+ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& discrete,
+                                                        const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
   const Discretisation finer = discretise(finer_than(solution));
   const LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
@@ -220,6 +195,58 @@ ErrorEstimate SuspensionSolver::estimate(const LinearSystem& discrete,
     // The correction drowns in rounding: the error is unknown.
     return {std::numeric_limits<double>::infinity(), 0};
   }
+}
+
+// [solve]
+
+Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& guess,
+                                 const Resolutions& least) const {
+  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
+  SolveParameters parameters{at_least(least, first_resolutions(instant.configuration, gaps)),
+                             plan_.gmres_tolerance, guess};
+  SolveCost cost;
+  while (true) {
+    Solution solution = solve_once(instant, gaps, parameters);
+    const auto [error, matvecs] = estimate_on_finer_nodes(*solution.system, solution);
+    cost += {solution.gmres.iterations, solution.gmres.applications + matvecs};
+    solution.error_estimate = error;
+    solution.cost = cost;
+    if (error <= scene_.solver.tolerance) return solution;
+    const std::vector<TailEstimate> tails = tail_estimates(
+        *solution.system, solution.discretisation, solution.density, solution.velocity_scale);
+    SolveParameters next = refine_parameters(parameters, tails, error);
+    if (next.resolutions == parameters.resolutions &&
+        next.gmres_tolerance == parameters.gmres_tolerance) {
+      throw ConfigurationError(
+          accuracy_error(scene_, parameters.resolutions, least_, tails, error, gaps));
+    }
+    next.guess = guess_from(solution);
+    parameters = std::move(next);
+  }
+}
+// [solve]
+
+SuspensionSolver::SolveParameters SuspensionSolver::refine_parameters(
+    const SolveParameters& parameters, const std::vector<TailEstimate>& tails, double error) const {
+  SolveParameters next{refine_by_tails(scene_, parameters.resolutions, tails, error),
+                       parameters.gmres_tolerance,
+                       {},
+                       parameters.increases_without_tail};
+  // If all tails are small, the system is so ill-conditioned that a small residual does not imply a
+  // small error.
+  const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
+    next.gmres_tolerance = std::min(parameters.gmres_tolerance, least_gmres_tolerance());
+  }
+  // With few nodes the tail of a density may be small by accident, or a point may just miss the
+  // near-field criterion: nodes are added even though no tail is large.
+  if (next.resolutions == parameters.resolutions &&
+      next.gmres_tolerance == parameters.gmres_tolerance &&
+      parameters.increases_without_tail < most_increases_without_tail) {
+    next.resolutions = refine_automatic(scene_, parameters.resolutions);
+    ++next.increases_without_tail;
+  }
+  return next;
 }
 
 LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_tolerance) const {
@@ -233,99 +260,95 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
   const Completion completion = discrete.system.closure().complete(loaded.density);
   for (std::size_t k = 0; k < loaded.discretisation.size(); ++k) {
     if (loaded.discretisation[k]->kind != ComponentKind::free_body) continue;
-    // The motion relative to the flow that carries the body: carried_by() is no part of the
-    // problem.
+    // These motions are relative to the flow that carries the body: background_rigid_motion() is no
+    // part of the problem.
     const auto& [velocity, omega] = completion.motions[k];
     solution.velocity_scale =
         std::max({solution.velocity_scale, std::abs(velocity),
                   loaded.discretisation[k]->gyration_radius * std::abs(omega)});
   }
-  const ErrorEstimate estimate = this->estimate(discrete, solution);
+  const ErrorEstimate estimate = estimate_on_finer_nodes(discrete, solution);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
-  const Effort effort{resolutions, gmres_tolerance, {}, most_increases_without_tail};
-  const Effort next = more_effort(effort, tails_of(discrete, solution), estimate.error);
+  const SolveParameters parameters{resolutions, gmres_tolerance, {}, most_increases_without_tail};
+  const auto tails =
+      tail_estimates(discrete, solution.discretisation, solution.density, solution.velocity_scale);
+  const SolveParameters next = refine_parameters(parameters, tails, estimate.error);
   const bool too_many = !limit_error(scene_, next.resolutions, loaded.gaps).empty();
   return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
 }
 
-// [solve]
-
-Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& guess,
-                                 const Resolutions& least) const {
-  const std::vector<Gap> gaps = open_gaps(instant.configuration);
-  Effort effort{at_least(least, first_resolutions(instant.configuration, gaps)),
-                plan_.gmres_tolerance, guess};
-  SolveCost cost;
-  while (true) {
-    Solution solution = attempt(instant, gaps, effort);
-    const ErrorEstimate estimate = this->estimate(*solution.system, solution);
-    cost.gmres_iterations += solution.gmres.iterations;
-    cost.matvecs += solution.gmres.applications + estimate.matvecs;
-    solution.error_estimate = estimate.error;
-    solution.cost = cost;
-    if (solution.error_estimate <= scene_.solver.tolerance) return solution;
-    const std::vector<TailEstimate> tails = tails_of(*solution.system, solution);
-    Effort next = more_effort(effort, tails, solution.error_estimate);
-    if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance) {
-      throw ConfigurationError(
-          accuracy_error(scene_, effort.resolutions, least_, tails, solution.error_estimate, gaps));
-    }
-    next.guess = guess_from(solution);
-    effort = std::move(next);
-  }
-}
-// [solve]
-
-SuspensionSolver::Effort SuspensionSolver::more_effort(const Effort& effort,
-                                                       const std::vector<TailEstimate>& tails,
-                                                       double error) const {
-  const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
-  Effort next{raised(scene_, effort.resolutions, tails, error),
-              effort.gmres_tolerance,
-              {},
-              effort.increases_without_tail};
-  // All tails are small: the system is so ill-conditioned that a small residual does not imply a
-  // small error.
-  if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
-    next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance(plan_));
-  }
-  // With few nodes the tail of a density may be small by accident, or a point may just miss the
-  // near-field criterion: nodes are added even though no tail is large.
-  if (next.resolutions == effort.resolutions && next.gmres_tolerance == effort.gmres_tolerance &&
-      effort.increases_without_tail < most_increases_without_tail) {
-    next.resolutions = finer_automatic(scene_, effort.resolutions);
-    ++next.increases_without_tail;
-  }
-  return next;
-}
-
 Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolutions& earlier,
                                         const DensityGuess& guess) const {
-  const std::vector<Gap> gaps = open_gaps(instant.configuration);
+  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
   const Resolutions resolutions = at_least(earlier, first_resolutions(instant.configuration, gaps));
-  Solution solution = attempt(instant, gaps, {resolutions, plan_.gmres_tolerance, guess});
+  Solution solution = solve_once(instant, gaps, {resolutions, plan_.gmres_tolerance, guess});
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;
 }
 
 Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGuess& guess) const {
-  const std::vector<Gap> gaps = open_gaps(instant.configuration);
-  const System system = this->system(instant, gaps, first_resolutions(instant.configuration, gaps));
-  const SuspensionOperator& apply = system.discrete->system;
-  const ComplexVector rhs = apply.right_hand_side(), before = guess(system.discretisation);
+  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
+  Solution solution = prepare(instant, gaps, first_resolutions(instant.configuration, gaps));
+  const auto& [problem, apply, precondition, is_factorised] = *solution.system;
+  const ComplexVector rhs = apply.right_hand_side(), before = guess(solution.discretisation);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
-  sweep.solution = interleaved(before) + system.discrete->precondition(interleaved(residual));
+  sweep.solution = interleaved(before) + precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
-  Solution solution = complete_solution(scene_, system.instant, system.discretisation,
-                                        system.discrete, std::move(sweep));
-  solution.velocity_scale = rhs.cwiseAbs().maxCoeff();
-  solution.gaps = gaps;
-  const ErrorEstimate estimate = this->estimate(*system.discrete, solution);
-  solution.error_estimate = estimate.error;
-  solution.cost = {0, 1 + estimate.matvecs};
+  solution = complete_solution(scene_, std::move(solution), std::move(sweep));
+  const auto [error, matvecs] = estimate_on_finer_nodes(*solution.system, solution);
+  solution.error_estimate = error;
+  solution.cost = {0, 1 + matvecs};
   return solution;
+}
+
+Solution SuspensionSolver::solve_refined(const Solution& solution) const {
+  const auto& [configuration, amplitude] = solution.instant;
+  const Resolutions resolutions = finer_than(solution);
+  throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
+  Solution finer{solution.instant, discretise(resolutions)};
+  const StokesProblem problem = loaded_problem(scene_, solution, finer.discretisation);
+  finer.system = assemble(problem, configuration, solution.gaps, finer.discretisation);
+  finer.velocity_scale = solution.velocity_scale;
+  finer.gaps = solution.gaps;
+  const ComplexVector guess = guess_from(solution)(finer.discretisation);
+  return solve_system(std::move(finer), least_gmres_tolerance(), guess);
+}
+
+ComplexVector SuspensionSolver::velocity(const Solution& solution,
+                                         const ComplexVector& points) const {
+  const auto& [configuration, amplitude] = solution.instant;
+  const StokesProblem problem = instant_problem(scene_, solution.instant, solution.discretisation);
+  const auto near_curves = scene_.solver.near_singular == NearSingular::off
+                               ? std::vector<PlacedCurve>{}
+                               : placed_schemes(configuration, solution.discretisation);
+  const SolvedFlow flow(problem, near_curves, solution.density,
+                        {plan_.near_tolerance, planned_sum(plan_)});
+  const ComplexVector velocity = flow.velocity(points);
+  if (is_bounded(problem)) return velocity.array() + frame_velocity(scene_, amplitude);
+  return velocity + amplitude * background_velocity(scene_.flow, points);
+}
+
+SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
+  return {instant_problem(scene_, solution.instant, solution.discretisation),
+          placed_cauchy_schemes(solution.instant.configuration, solution.discretisation),
+          solution.density,
+          {plan_.near_tolerance, planned_sum(plan_)}};
+}
+
+std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solution,
+                                                           const ComplexVector& points) const {
+  const SolvedFlow flow = disturbance(solution);
+  std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
+  if (is_bounded(flow.problem())) return derivatives;
+  const double amplitude = solution.instant.amplitude;
+  const std::vector<FlowDerivatives> background = background_derivatives(scene_.flow, points);
+  for (std::size_t i = 0; i < derivatives.size(); ++i) {
+    const auto& [pressure, vorticity, strain] = background[i];
+    derivatives[i] += {amplitude * pressure, amplitude * vorticity, amplitude * strain};
+  }
+  return derivatives;
 }
 
 }  // namespace stokesbook

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "stress/solved_flow.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/nodes/density_decay.hpp"
-#include "suspension/nodes/first_nodes.hpp"
-#include "suspension/solver/flow.hpp"
-#include "suspension/solver/instant_problem.hpp"
+#include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/solution.hpp"
 #include "suspension/system/error_estimate.hpp"
 #include "suspension/system/plan.hpp"
@@ -41,19 +39,16 @@ class SuspensionSolver {
  public:
   /// Plans a scene and discretises its shapes.
   ///
-  /// @param  scene  to be solved
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @throws SolverError when shapes with automatic nodes require more nodes than "auto" allows,
   ///                and by separation_error()
-  /// @par Cost      that of DiscretisationCache::get() a distinct shape, node count and kind
+  /// @par Cost      that of DiscretisationCache::get() per distinct shape, node number and kind
   explicit SuspensionSolver(const Scene& scene);
 
-  /// Returns the instant at which the scene starts.
-  /// @return the scene's poses, bodies first, then walls; amplitude 1
+  /// Returns the instant at which the scene starts, with the amplitude 1.
   Instant start() const;
 
-  /// Returns the least gap that contact maintains.
-  /// @return length; 0 in scenes without contact
+  /// Returns the least gap that contact maintains, length; 0 in scenes without contact.
   double separation() const;
 
   /// Solves for the motions of free bodies and the loads on all others, and estimates their error.
@@ -61,39 +56,34 @@ class SuspensionSolver {
   /// Components with automatic nodes get the nodes that shapes and gaps require, and more while the
   /// estimate exceeds the tolerance. If the nodes suffice, the GMRES tolerance is tightened
   /// instead.
-  /// @param  instant  poses and flow amplitude
-  /// @param  guess    density with which GMRES begins
-  /// @param  least    lower bounds for automatic node numbers; empty: none
-  /// @return          density, motions and loads of all components, and the error estimate
+  /// @param  guess  density with which GMRES begins
+  /// @param  least  lower bounds for automatic node numbers; empty: none
   /// @throws ConfigurationError when components overlap, when shapes or gaps are not resolved, and
-  ///                when no node number within the limits of node_choice.hpp meets the tolerance
+  ///                when no allowed number of nodes meets the tolerance
   /// @throws SolverError on net flux, net force without gauge, a gauge length not
   ///                large against held components, a preconditioner that is singular, no
   ///                convergence, and numbers that are not finite
-  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner an
+  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner per
   ///                iteration of GMRES, and estimate_error(); again for each finer resolution
   Solution solve(const Instant& instant, const DensityGuess& guess = {},
                  const Resolutions& least = {}) const;
 
-  /// Estimates the error of a solution to which contact forces were added.
+  /// Estimates the error of a solution whose density and loads include contact forces.
   ///
-  /// @param  loaded           solution whose density and loads include the contact forces
   /// @param  gmres_tolerance  to which the contact forces were solved
-  /// @return                  the estimate, and the effort of the next solve if the estimate
-  ///                          exceeds the tolerance; the same effort if more would not help
-  /// @par Cost      that of discretise() and of estimate_error()
+  /// @return                  the estimate, and resolutions and GMRES tolerance of the next solve if
+  ///                          the estimate exceeds the tolerance; those of `loaded` if more nodes
+  ///                          or a tighter tolerance would not help
+  /// @par Cost  that of discretise() and of estimate_error()
   LoadedCheck check_loaded(const Solution& loaded, double gmres_tolerance) const;
 
   /// Solves a configuration near one that was solved before, without an error estimate: for the
   /// stages of a time step, and for steps between estimates.
   ///
-  /// @param  instant  poses and flow amplitude
   /// @param  earlier  resolution that sufficed before; gaps that have closed require more
   /// @param  guess    as in solve()
-  /// @return          density, motions and loads of all components
   /// @throws SolverError as solve() does, except for estimates
-  /// @par Cost      find_gaps(), and one application of SuspensionOperator and preconditioner an
-  ///                iteration of GMRES
+  /// @par Cost      that of solve() without estimate_error()
   Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
                         const DensityGuess& guess = {}) const;
 
@@ -103,156 +93,108 @@ class SuspensionSolver {
   ///
   /// The estimate includes the error of the sweep, and may exceed the tolerance. The residual is
   /// that of the earlier density.
-  /// @param  instant  poses and flow amplitude
   /// @param  guess    the earlier density, not empty
-  /// @return          density, motions and loads of all components, and the error estimate
   /// @throws SolverError as solve() does, except for estimates and convergence
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
   ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
   Solution solve_lagged(const Instant& instant, const DensityGuess& guess) const;
 
-  /// Evaluates the fluid's velocity in a solution.
-  ///
-  /// @param  solution  of any instant
-  /// @param  points    m points in the fluid or on its boundary, length
-  /// @return           m velocities, length / time
-  /// @par Cost      m n kernel evaluations for n nodes in all
-  /// @par Not for   points inside bodies; points near the boundary if solver.near_singular is off
-  ComplexVector velocity(const Solution& solution, const ComplexVector& points) const {
-    return flow_velocity(scene_, plan_, solution, points);
-  }
-
-  /// Prepares a solution for the evaluation of stresses and powers, without the background flow.
-  ///
-  /// @param  solution  of any instant
-  /// @return           the disturbance, near the boundary by the Cauchy scheme for any value of
-  ///                   solver.near_singular
-  SolvedFlow disturbance(const Solution& solution) const {
-    return stokesbook::disturbance(scene_, plan_, solution);
-  }
-
   /// Solves under the loads of a solution with a quarter more nodes, to a hundredth of the GMRES
-  /// tolerance.
+  /// tolerance, without an error estimate.
   ///
   /// A quantity without an error estimate of its own, such as a traction, can be computed from both
   /// solutions: twice the difference estimates the error of the given solution.
-  /// @param  solution  with or without contact forces
-  /// @return           the finer solution, without an error estimate
   /// @throws SolverError when GMRES does not converge, or there are too many nodes
-  /// @par Cost      that of a solve with a good guess
-  Solution refined(const Solution& solution) const;
+  /// @par Cost  that of a solve with a good guess
+  Solution solve_refined(const Solution& solution) const;
 
-  /// Evaluates pressure over viscosity, vorticity and strain in a solution, the background's
-  /// included.
+  /// Evaluates the fluid's velocity in a solution at m points in the fluid or on its boundary.
+  ///
+  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Not for   points inside bodies; points near the boundary if solver.near_singular is off
+  ComplexVector velocity(const Solution& solution, const ComplexVector& points) const;
+
+  /// Prepares a solution for the evaluation of stresses and powers, without the background flow;
+  /// near the boundary by the Cauchy scheme for any value of solver.near_singular.
+  SolvedFlow disturbance(const Solution& solution) const;
+
+  /// Evaluates pressure over viscosity, vorticity and strain, 1 / time, in a solution, including
+  /// the background, at m points in the fluid or at nodes of its boundary.
   ///
   /// The pressure is zero at infinity; in an enclosed fluid it is known up to a constant only.
-  /// @param  solution  of any instant
-  /// @param  points    m points in the fluid, or nodes of its boundary, length
-  /// @return           m values, 1 / time
   /// @par Cost      m n kernel evaluations for n nodes in all
   /// @par Not for   points inside bodies
   std::vector<FlowDerivatives> derivatives(const Solution& solution,
-                                           const ComplexVector& points) const {
-    return flow_derivatives(scene_, plan_, solution, points);
-  }
+                                           const ComplexVector& points) const;
 
-  /// Poses the boundary value problem of an instant at a resolution.
-  ///
-  /// @param  instant         poses and flow amplitude
-  /// @param  discretisation  of each component, such as a solution's
-  /// @return                 bodies, then walls, with their nodes, loads and velocities
+  /// Poses the boundary value problem of an instant at a resolution, by instant_problem().
   StokesProblem problem(const Instant& instant, const Discretisation& discretisation) const {
     return instant_problem(scene_, instant, discretisation);
   }
 
-  /// Builds the linear system of an instant at a resolution.
-  ///
-  /// @param  instant         poses and flow amplitude
-  /// @param  discretisation  of each component
-  /// @return                 problem, operator, and the preconditioner of the plan
-  /// @throws SolverError when the preconditioner is singular, as for a held component whose size is
-  ///                at the degenerate scale of flow.gauge_length
+  /// Builds the linear system of an instant at a resolution, by preconditioned_system().
   LinearSystem linear_system(const Instant& instant, const Discretisation& discretisation) const;
 
-  /// Recommends nodes for every component, so that shapes and the gaps of a configuration meet the
-  /// tolerance.
-  ///
-  /// @param  configuration  where the components are
-  /// @param  gaps           in it, as gaps() finds them
-  /// @return                multiples of 16, one a component; 0 where no number up to 4096 resolves
-  ///                        a shape, and no gap requires more
-  /// @par Cost      that of nodes_for_shape() a distinct shape
+  /// Finds the gaps of a configuration that may require nodes, including overlaps, by find_gaps().
+  std::vector<Gap> gaps(const Configuration& configuration) const;
+
+  /// Recommends nodes for every component, see stokesbook::recommended_nodes().
   std::vector<int> recommended_nodes(const Configuration& configuration,
                                      const std::vector<Gap>& gaps) const {
     return stokesbook::recommended_nodes(discretisation_, scene_.solver.tolerance, configuration,
                                          gaps);
   }
 
-  /// Chooses the resolution with which solve() begins.
-  ///
-  /// @param  configuration  where the components are
-  /// @param  gaps           in it, as gaps() finds them
-  /// @return                given node counts as they are; automatic ones from shapes and gaps
+  /// Chooses the resolution with which solve() begins, see stokesbook::first_resolutions().
   Resolutions first_resolutions(const Configuration& configuration,
                                 const std::vector<Gap>& gaps) const {
     return stokesbook::first_resolutions(scene_, discretisation_, configuration, gaps);
   }
 
-  /// Finds the gaps of a configuration that may require nodes, including overlaps.
-  ///
-  /// @param  configuration  where the components are
-  /// @return                in ascending order, as find_gaps() returns them
-  /// @par Cost      that of find_gaps()
-  std::vector<Gap> gaps(const Configuration& configuration) const;
-
   /// Discretises the shape of each component, or returns what an earlier call built.
   ///
-  /// @param  resolutions  of each component
-  /// @return              bodies, then walls, in the scene's order
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @par Cost      that of DiscretisationCache::get() a component
+  /// @par Cost      that of DiscretisationCache::get() per component
   Discretisation discretise(const Resolutions& resolutions) const;
 
-  /// Returns the scene.
-  /// @return the scene that was planned
+  /// Returns the scene that was planned.
   const Scene& scene() const { return scene_; }
 
-  /// Returns the plan.
-  /// @return the decisions, and their reasons
+  /// Returns the decisions for the scene.
   const Plan& plan() const { return plan_; }
 
-  /// Returns the discretisation that depends on no configuration.
-  /// @return bodies, then walls, in the scene's order; where nodes are automatic, with as many as
-  ///         the shape alone requires
+  /// Returns the discretisation that depends on no configuration: where nodes are automatic, with
+  /// as many as the shape alone requires.
   const Discretisation& discretisation() const { return discretisation_; }
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
-  struct Effort {
+  struct SolveParameters {
     Resolutions resolutions;
     double gmres_tolerance;
     DensityGuess guess;
     int increases_without_tail = 0;  // how often nodes were added although no tail was large
   };
-  struct System {
-    Instant instant;
-    Discretisation discretisation;
-    std::shared_ptr<const LinearSystem> discrete;
-  };
   /// @endcond
-  Solution attempt(const Instant& instant, const std::vector<Gap>& gaps,
-                   const Effort& effort) const;
-  ErrorEstimate estimate(const LinearSystem& discrete, const Solution& solution) const;
+  std::vector<Gap> find_open_gaps(const Configuration& configuration) const;
+  std::shared_ptr<const LinearSystem> assemble(const StokesProblem& problem,
+                                               const Configuration& configuration,
+                                               const std::vector<Gap>& gaps,
+                                               const Discretisation& discretisation) const;
+  Solution prepare(const Instant& instant, const std::vector<Gap>& gaps,
+                   const Resolutions& resolutions) const;
+  Solution solve_system(Solution prepared, double gmres_tolerance,
+                        const ComplexVector& guess) const;
+  Solution solve_once(const Instant& instant, const std::vector<Gap>& gaps,
+                      const SolveParameters& parameters) const;
+  ErrorEstimate estimate_on_finer_nodes(const LinearSystem& discrete,
+                                        const Solution& solution) const;
+  SolveParameters refine_parameters(const SolveParameters& parameters,
+                                    const std::vector<TailEstimate>& tails, double error) const;
   Resolutions finer_than(const Solution& solution) const;
-  Effort more_effort(const Effort& effort, const std::vector<TailEstimate>& tails,
-                     double error) const;
-  System system(const Instant& instant, const std::vector<Gap>& gaps,
-                const Resolutions& resolutions) const;
-  std::vector<Gap> open_gaps(const Configuration& configuration) const;
-  Solution converged(const System& system, double gmres_tolerance,
-                     const ComplexVector& guess) const;
+  double least_gmres_tolerance() const;
 
   Scene scene_;
   Plan plan_;

@@ -1,19 +1,21 @@
-// Checks the data, the geometry and the accuracy of a scene, and explains why it cannot be solved,
-// and which change would help (chapter 12, section "How it fails").
+// Checks the data, the geometry, the memory and the accuracy of a scene, and explains why it cannot
+// be solved, and which change would help (chapter 12, section "How it fails").
 #include "suspension/solver/solver_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <variant>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "closure/bordered_system.hpp"
 #include "krylov/block_diagonal.hpp"
 #include "near_singular/near_field.hpp"
 #include "null_space/null_space.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/nodes/density_decay.hpp"
-#include "suspension/nodes/memory.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "text/number_text.hpp"
 
@@ -21,9 +23,74 @@ namespace stokesbook {
 
 namespace {
 
-// No solve is attempted if the error estimate of a shape or gap, made before the solve, exceeds the
-// tolerance by this factor. On 45 random scenes such estimates were up to 1200 times the error.
-constexpr double hopeless = 1e4;
+std::string tolerance_of(const Scene& scene) {
+  return "solver.tolerance = " + short_number(scene.solver.tolerance);
+}
+
+std::string name_of(const Scene& scene, std::size_t component) {
+  return component_of(scene, component).name();
+}
+
+// Names the components of a gap: "body 0 and wall 1".
+std::string pair_of(const Scene& scene, const Gap& gap) {
+  return name_of(scene, gap.a) + " and " + name_of(scene, gap.b);
+}
+
+// Returns " (nearest: body 3, 0.01 apart)", or an empty text if no component is near.
+std::string nearest_neighbour(const Scene& scene, std::size_t component,
+                              const std::vector<Gap>& gaps) {
+  const auto nearest = std::ranges::find_if(
+      gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
+  if (nearest == gaps.end()) return {};
+  const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
+  return " (nearest: " + name_of(scene, other) + ", " + short_number(nearest->points.gap) +
+         " apart)";
+}
+
+std::string gigabytes(double bytes) {
+  return short_number(bytes / 1e9) + " GB";
+}
+
+std::string shape_message(const Scene& scene, std::size_t component,
+                          const DiscretisedShape& discretised) {
+  const double tolerance = scene.solver.tolerance;
+  const int nodes = nodes_for_shape(discretised.shape, discretised.curve.side, tolerance,
+                                    discretised.resolution.n_nodes);
+  return name_of(scene, component) + ": " + std::to_string(discretised.curve.size()) +
+         " nodes resolve its shape to " + short_number(discretised.shape_residual) + " only" +
+         (nodes > 0
+              ? ", " + tolerance_of(scene) + "; set n_nodes to at least " + std::to_string(nodes)
+              : "; " + unresolved_shape(discretised.shape, tolerance));
+}
+
+// Explains that the trapezoid rule of a curve is too inaccurate at the nearest point of the other
+// curve, which matters if there are no near corrections. The error is 200 exp(-N |Im s|) (06.5).
+std::string plain_rule_message(const Scene& scene, const Gap& gap,
+                               const Configuration& configuration,
+                               const Discretisation& discretisation) {
+  const auto error = [&](std::size_t component, Complex target) {
+    const auto [position, orientation] = configuration[component];
+    const Curve curve = place(discretisation[component]->curve, position, orientation);
+    return std::exp(near_cut(1.0) - preimage_depth(curve, target));
+  };
+  const double worst = std::max(error(gap.a, gap.points.point_b), error(gap.b, gap.points.point_a));
+  if (worst <= scene.solver.tolerance) return {};
+  return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
+         " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
+         ", " + tolerance_of(scene) + "; set solver.near_singular = \"auto\"";
+}
+
+std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
+  const auto advice = [&](std::size_t component, double decay) {
+    return name_of(scene, component) +
+           " n_nodes = " + std::to_string(recommended_nodes(decay, scene.solver.tolerance));
+  };
+  return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
+         " apart, too close for their nodes: estimated error " + short_number(resolution.error) +
+         " of the velocities, " + tolerance_of(scene) + "; give " +
+         advice(gap.a, resolution.decay.a) + " and " + advice(gap.b, resolution.decay.b) +
+         " at least";
+}
 
 // Returns the radius of all components with prescribed velocity about the mean of their nodes; 0 if
 // there is no such component.
@@ -65,76 +132,6 @@ bool moves_against_its_force(const Component& body, const StokesProblem& problem
          least_mobility(body, problem) < -rounding;
 }
 
-// Returns whether two curves overlap or touch. Curves touch if their distance is at most the
-// rounding error of their positions.
-bool overlaps(const Gap& gap, const Configuration& configuration) {
-  const Complex point = gap.points.point_a;
-  const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
-  return gap.points.gap <= 1e-14 * size;
-}
-
-std::string overlap_message(const Scene& scene, const Gap& gap) {
-  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() +
-         " overlap, touch or lie on the wrong side of each other, by about " +
-         short_number(-gap.points.gap) + " near (" + short_number(gap.points.point_a.real()) +
-         ", " + short_number(gap.points.point_a.imag()) +
-         "): move them apart, or take smaller steps if this happened during a run";
-}
-
-std::string shape_message(const Scene& scene, std::size_t component,
-                          const DiscretisedShape& discretised) {
-  const double tolerance = scene.solver.tolerance;
-  const int nodes = nodes_for_shape(discretised.shape, discretised.curve.side, tolerance,
-                                    discretised.resolution.n_nodes);
-  return component_of(scene, component).name() + ": " + std::to_string(discretised.curve.size()) +
-         " nodes resolve its shape to " + short_number(discretised.shape_residual) + " only" +
-         (nodes > 0 ? ", solver.tolerance = " + short_number(tolerance) +
-                          "; set n_nodes to at least " + std::to_string(nodes)
-                    : "; " + unresolved_shape(discretised.shape, tolerance));
-}
-
-// Explains that the trapezoid rule of a curve is too inaccurate at the nearest point of the other
-// curve, which matters if there are no near corrections. The error is 200 exp(-N |Im s|) (06.5).
-std::string plain_rule_message(const Scene& scene, const Gap& gap, const SmoothCurve& a,
-                               const SmoothCurve& b) {
-  const auto error = [](const Curve& curve, Complex target) {
-    return std::exp(near_cut(1.0) - preimage_depth(curve, target));
-  };
-  const double worst =
-      std::max(error(a.nodes, gap.points.point_b), error(b.nodes, gap.points.point_a));
-  if (worst <= scene.solver.tolerance) return {};
-  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() + " are " +
-         short_number(gap.points.gap) +
-         " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
-         ", solver.tolerance = " + short_number(scene.solver.tolerance) +
-         "; set solver.near_singular = \"auto\"";
-}
-
-std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
-  const double tolerance = scene.solver.tolerance;
-  const auto advice = [&](std::size_t component, double decay) {
-    return component_of(scene, component).name() +
-           " n_nodes = " + std::to_string(recommended_nodes(decay, tolerance));
-  };
-  return component_of(scene, gap.a).name() + " and " + component_of(scene, gap.b).name() + " are " +
-         short_number(gap.points.gap) + " apart, too close for their nodes: estimated error " +
-         short_number(resolution.error) +
-         " of the velocities, solver.tolerance = " + short_number(tolerance) + "; give " +
-         advice(gap.a, resolution.decay.a) + " and " + advice(gap.b, resolution.decay.b) +
-         " at least";
-}
-
-// Returns " (nearest: body 3, 0.01 apart)", or an empty text if no component is near.
-std::string nearest_neighbour(const Scene& scene, std::size_t component,
-                              const std::vector<Gap>& gaps) {
-  const auto nearest = std::ranges::find_if(
-      gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
-  if (nearest == gaps.end()) return {};
-  const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
-  return " (nearest: " + component_of(scene, other).name() + ", " +
-         short_number(nearest->points.gap) + " apart)";
-}
-
 }  // namespace
 
 std::string separation_error(double separation, const Configuration& start,
@@ -157,14 +154,109 @@ std::string separation_error(double separation, const Configuration& start,
          short_number(distance) + " from the origin: set at least " + short_number(least);
 }
 
+double available_memory() {
+  const double machine =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? std::min(machine, static_cast<double>(limit.rlim_cur)) : machine;
+}
+
+std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available) {
+  // Components with fewer nodes are not counted: their matrices are small, and the search for other
+  // components of the same shape would not pay.
+  constexpr int few_nodes = 128;
+  std::map<int, std::vector<std::size_t>> distinct;  // components by node number, one per shape
+  double bytes = 0.0;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const int nodes = resolutions[k].n_nodes;
+    if (nodes < few_nodes) continue;
+    std::vector<std::size_t>& others = distinct[nodes];
+    const bool is_counted = std::ranges::any_of(others, [&](std::size_t other) {
+      return component_of(scene, other).shape == component_of(scene, k).shape;
+    });
+    if (is_counted) continue;
+    others.push_back(k);
+    bytes += memory_of_discretised_shape(nodes);
+  }
+  if (bytes <= available) return {};
+  const auto largest = std::ranges::max_element(resolutions, {}, &Resolution::n_nodes);
+  const auto component = static_cast<std::size_t>(largest - resolutions.begin());
+  return name_of(scene, component) + " has " + std::to_string(largest->n_nodes) +
+         " nodes, whose matrices take " + gigabytes(memory_of_discretised_shape(largest->n_nodes)) +
+         ", and those of all shapes " + gigabytes(bytes) + ", but only " + gigabytes(available) +
+         " are available: reduce n_nodes, or raise " + tolerance_of(scene);
+}
+
+std::string limit_error(const Scene& scene, const Resolutions& resolutions,
+                        const std::vector<Gap>& gaps) {
+  // An application of the operator to so many nodes takes some seconds on one core, and a solve
+  // takes some 2 GB.
+  constexpr int most_nodes_in_all = 1 << 20;
+  long long all = 0;
+  bool has_automatic_nodes = false;
+  for (std::size_t k = 0; k < resolutions.size(); ++k) {
+    const int nodes = resolutions[k].n_nodes;
+    all += nodes;
+    if (!component_of(scene, k).has_automatic_nodes()) continue;
+    has_automatic_nodes = true;
+    if (nodes <= most_nodes_of_a_component) continue;
+    return name_of(scene, k) + nearest_neighbour(scene, k, gaps) +
+           " would need n_nodes = " + std::to_string(nodes) + " for " + tolerance_of(scene) +
+           "; the limit of \"auto\" is " + std::to_string(most_nodes_of_a_component) +
+           " for a component: set n_nodes, or raise the tolerance";
+  }
+  if (has_automatic_nodes && all > most_nodes_in_all) {
+    return "the components would need " + std::to_string(all) + " nodes in all for " +
+           tolerance_of(scene) + "; the limit of \"auto\" is " + std::to_string(most_nodes_in_all) +
+           " in all: set n_nodes, or raise the tolerance";
+  }
+  return memory_error(scene, resolutions, available_memory());
+}
+
+std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
+                          const Configuration& configuration) {
+  if (gaps.empty()) return {};
+  const Gap& gap = gaps.front();
+  const Complex point = gap.points.point_a;
+  // Curves touch if their distance is at most the rounding error of their positions.
+  const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
+  if (!(gap.points.gap <= 1e-14 * size)) return {};
+  return pair_of(scene, gap) + " overlap, touch or lie on the wrong side of each other, by about " +
+         short_number(-gap.points.gap) + " near (" + short_number(point.real()) + ", " +
+         short_number(point.imag()) +
+         "): move them apart, or take smaller steps if this happened during a run";
+}
+
+std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
+                           const Configuration& configuration,
+                           const Discretisation& discretisation) {
+  // No solve is attempted if the error estimate of a shape or gap, made before the solve, exceeds
+  // this bound. On 45 random scenes such estimates were up to 1200 times the error.
+  const double largest_error = 1e4 * scene.solver.tolerance;
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    if (discretisation[k]->shape_residual > largest_error) {
+      return shape_message(scene, k, *discretisation[k]);
+    }
+  }
+  for (const Gap& gap : gaps) {
+    const GapResolution resolution = gap_resolution(gap, configuration, discretisation);
+    if (resolution.error > largest_error) return gap_message(scene, gap, resolution);
+    if (scene.solver.near_singular == NearSingular::off) {
+      const std::string message = plain_rule_message(scene, gap, configuration, discretisation);
+      if (!message.empty()) return message;
+    }
+  }
+  return {};
+}
+
 std::string data_error(const Scene& scene, const StokesProblem& problem) {
   if (is_bounded(problem)) {
     const double flux = net_flux(problem);
     if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
     return "the walls' velocities drive a net flux of " + short_number(flux) +
            " out of the enclosed fluid, which is incompressible: change the velocities so that the "
-           "net "
-           "flux is zero";
+           "net flux is zero";
   }
   const auto* uniform = std::get_if<UniformFlow>(&scene.flow);
   if (uniform != nullptr && uniform->velocity != 0.0 && has_free_uniform_velocity(problem)) {
@@ -182,8 +274,7 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
   }
   for (std::size_t k = 0; scene.gauge_length && k < problem.components.size(); ++k) {
     if (!moves_against_its_force(problem.components[k], problem)) continue;
-    return component_of(scene, k).name() +
-           " would move against its force with flow.gauge_length = " +
+    return name_of(scene, k) + " would move against its force with flow.gauge_length = " +
            short_number(*scene.gauge_length) +
            ", which must be large compared with the bodies (Stokes' paradox); set at least " +
            short_number(2.0 *
@@ -205,14 +296,14 @@ std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
   const double tolerance = scene.solver.tolerance;
   if (!std::isfinite(error)) {
     return "the error of the velocities cannot be estimated, because the effect of more nodes is "
-           "below rounding: move the closest bodies apart, or raise solver.tolerance = " +
-           short_number(tolerance);
+           "below rounding: move the closest bodies apart, or raise " +
+           tolerance_of(scene);
   }
-  const std::string estimate = "estimated error " + short_number(error) +
-                               " of the velocities, solver.tolerance = " + short_number(tolerance);
+  const std::string estimate =
+      "estimated error " + short_number(error) + " of the velocities, " + tolerance_of(scene);
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     if (resolutions[k].n_nodes >= least[k].n_nodes) continue;
-    return component_of(scene, k).name() + " is slender or lobed, and " +
+    return name_of(scene, k) + " is slender or lobed, and " +
            std::to_string(resolutions[k].n_nodes) +
            " nodes do not resolve its densities: " + estimate + "; set n_nodes to at least " +
            std::to_string(least[k].n_nodes);
@@ -226,62 +317,9 @@ std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
   const auto component = static_cast<std::size_t>(worst - tails.begin());
   const int nodes = resolutions[component].n_nodes;
   const int advice = rounded_nodes(extrapolated_nodes(nodes, worst->decay, error / tolerance));
-  return "the density on " + component_of(scene, component).name() + " is not resolved" +
+  return "the density on " + name_of(scene, component) + " is not resolved" +
          nearest_neighbour(scene, component, gaps) + ": " + estimate + " with its " +
          std::to_string(nodes) + " nodes; set n_nodes = " + std::to_string(advice);
-}
-
-std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
-                          const Configuration& configuration) {
-  const bool apart = gaps.empty() || !overlaps(gaps.front(), configuration);
-  return apart ? std::string{} : overlap_message(scene, gaps.front());
-}
-
-std::string limit_error(const Scene& scene, const Resolutions& resolutions,
-                        const std::vector<Gap>& gaps) {
-  long long all = 0;
-  bool chosen = false;
-  for (std::size_t k = 0; k < resolutions.size(); ++k) {
-    const int nodes = resolutions[k].n_nodes;
-    all += nodes;
-    if (!component_of(scene, k).has_automatic_nodes()) continue;
-    chosen = true;
-    if (nodes <= most_nodes_of_a_component) continue;
-    return component_of(scene, k).name() + nearest_neighbour(scene, k, gaps) +
-           " would need n_nodes = " + std::to_string(nodes) +
-           " for solver.tolerance = " + short_number(scene.solver.tolerance) +
-           "; the limit of \"auto\" is " + std::to_string(most_nodes_of_a_component) +
-           " for a component: set n_nodes, or raise the tolerance";
-  }
-  if (!chosen || all <= most_nodes_in_all) {
-    return memory_error(scene, resolutions, available_memory());
-  }
-  return "the components would need " + std::to_string(all) +
-         " nodes in all for solver.tolerance = " + short_number(scene.solver.tolerance) +
-         "; the limit of \"auto\" is " + std::to_string(most_nodes_in_all) +
-         " in all: set n_nodes, or raise the tolerance";
-}
-
-std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
-                           const Configuration& configuration,
-                           const Discretisation& discretisation) {
-  const double tolerance = scene.solver.tolerance;
-  for (std::size_t k = 0; k < discretisation.size(); ++k) {
-    if (discretisation[k]->shape_residual > hopeless * tolerance) {
-      return shape_message(scene, k, *discretisation[k]);
-    }
-  }
-  for (const Gap& gap : gaps) {
-    const GapResolution resolution = gap_resolution(gap, configuration, discretisation);
-    if (resolution.error > hopeless * tolerance) return gap_message(scene, gap, resolution);
-    if (scene.solver.near_singular == NearSingular::off) {
-      const std::string message =
-          plain_rule_message(scene, gap, smooth_curve(*discretisation[gap.a], configuration[gap.a]),
-                             smooth_curve(*discretisation[gap.b], configuration[gap.b]));
-      if (!message.empty()) return message;
-    }
-  }
-  return {};
 }
 
 }  // namespace stokesbook

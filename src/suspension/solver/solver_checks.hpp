@@ -6,86 +6,81 @@
 #include "scene/scene.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/nodes/density_decay.hpp"
+#include "suspension/system/error_estimate.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
 
-/// Throws an error unless its message is empty.
-///
-/// @tparam Error    type of the error
-/// @param  message  message of the error; empty: no error
-/// @throws Error with the message, unless it is empty
+/// Throws an error of the given type unless its message is empty.
 template <class Error = SolverError>
 void throw_if(const std::string& message) {
   if (!message.empty()) throw Error(message);
 }
 
+/// Explains that the minimum separation is too small: below 1e-8 of the largest radius, where
+/// polygons take too long, or below 1e-10 of the distance from the origin, where rounding errors of
+/// positions are no longer small against the tolerance of gaps.
+///
+/// @param  separation  least gap that contact maintains, length; 0: no contact
+/// @return             a message naming lengths and limit; empty if the separation is allowed
+std::string separation_error(double separation, const Configuration& start,
+                             const Discretisation& discretisation);
+
+/// Returns how much memory the process may take, in bytes: the memory of the machine, or the
+/// process's address-space limit if it is less.
+double available_memory();
+
+/// Estimates the memory of a DiscretisedShape in bytes: three dense matrices, 2 N x 2 N each.
+constexpr double memory_of_discretised_shape(int n_nodes) {
+  return 3.0 * 8.0 * (2.0 * n_nodes) * (2.0 * n_nodes);
+}
+
+/// Explains that the matrices of all shapes take more memory than is available.
+///
+/// @param  available  bytes
+/// @return            a message with numbers of nodes and bytes; empty if the memory suffices
+std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available);
+
+/// Explains that automatic nodes exceed their limits, most_nodes_of_a_component or about a million
+/// in all, or that the matrices exceed the available memory.
+///
+/// @param  gaps  in ascending order, for the name of the nearest neighbour
+/// @return       a message naming numbers and limits; empty within the limits
+std::string limit_error(const Scene& scene, const Resolutions& resolutions,
+                        const std::vector<Gap>& gaps);
+
 /// Explains which components overlap, or touch to rounding.
 ///
-/// @param  scene          names the components
-/// @param  gaps           in ascending order
-/// @param  configuration  poses of all components
-/// @return                a message naming components and place; empty if all are apart
+/// @param  gaps  in ascending order
+/// @return       a message naming components and place; empty if all are apart
 std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
                           const Configuration& configuration);
 
 /// Explains which shape or gap is resolved so badly that a solution could not meet the tolerance.
 /// The check requires no solve.
 ///
-/// @param  scene           names the components and the tolerance
-/// @param  gaps            in ascending order
-/// @param  configuration   poses of all components
-/// @param  discretisation  of each component
-/// @return                 a message naming components, values and what to change; empty if a solve
-///                         may succeed
+/// @return  a message naming components, values and what to change; empty if a solve may succeed
 std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
                            const Configuration& configuration,
                            const Discretisation& discretisation);
-
-/// Explains that the required numbers of automatic nodes exceed the limits of node_choice.hpp, or
-/// that the matrices exceed the available memory.
-///
-/// @param  scene        names the components
-/// @param  resolutions  required resolution of each component
-/// @param  gaps         in ascending order, for the name of the nearest neighbour
-/// @return              a message naming numbers and limits; empty within the limits
-std::string limit_error(const Scene& scene, const Resolutions& resolutions,
-                        const std::vector<Gap>& gaps);
-
-/// Explains that the minimum separation is too small: below 1e-8 of the largest radius, where
-/// polygons take too long, or below 1e-10 of the distance from the origin, where rounding errors of
-/// positions are no longer small against the tolerance of gaps.
-///
-/// @param  separation      least gap that contact maintains, length; 0: no contact
-/// @param  start           poses of all components
-/// @param  discretisation  of each component
-/// @return                 a message naming lengths and limit; empty if the separation is allowed
-std::string separation_error(double separation, const Configuration& start,
-                             const Discretisation& discretisation);
 
 /// Explains why the data have no solution, or no reliable solution: a net flux out of an enclosed
 /// fluid; a net force in an unbounded fluid; a gauge length that is not large against bodies; or a
 /// uniform flow that has no effect.
 ///
-/// @param  scene    with its tolerance and gauge length
-/// @param  problem  of the scene
-/// @return          a message naming values and what to change; empty if the data are valid
+/// @return  a message naming values and what to change; empty if the data are valid
 std::string data_error(const Scene& scene, const StokesProblem& problem);
 
 /// Explains that a solution does not meet the tolerance, and which change would help: more nodes on
 /// a component that has fewer than its softest mode requires, more nodes on the component whose
 /// density has the largest tail, or a larger tolerance.
 ///
-/// @param  scene        names the components and the tolerance
-/// @param  resolutions  of each component
-/// @param  least        resolutions that the softest mode of each component requires
-/// @param  tails        of the density on each component
-/// @param  error        error estimate of the solution, above the tolerance
-/// @param  gaps         in ascending order, for the name of the nearest neighbour
-/// @return              a message with the estimate and a number of nodes that should suffice
+/// @param  least  resolutions that the softest mode of each component requires
+/// @param  error  error estimate of the solution, above the tolerance
+/// @param  gaps   in ascending order, for the name of the nearest neighbour
+/// @return        a message with the estimate and a number of nodes that should suffice
 std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
                            const Resolutions& least, const std::vector<TailEstimate>& tails,
                            double error, const std::vector<Gap>& gaps);

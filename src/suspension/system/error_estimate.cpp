@@ -1,13 +1,18 @@
-// Estimates the error of a solution by a correction on finer nodes: interpolates the density,
-// solves for the correction of its residual, and compares motions and loads before and after
-// (chapter 12, section "How fine").
+// Estimates the error of a solution by a correction on finer nodes: interpolates the density, solves
+// for the correction of its residual, and compares motions and loads before and after. If the error
+// is too large, the tails of the densities show which components to refine (chapter 12, section
+// "How fine").
 #include "suspension/system/error_estimate.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 
 #include "double_layer/double_layer.hpp"
+#include "suspension/bodies/components.hpp"
+#include "suspension/nodes/node_choice.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
@@ -15,10 +20,6 @@ namespace stokesbook {
 using Eigen::Index;
 
 namespace {
-
-// Safety factor: if the densities are hardly resolved, the solution on finer nodes has an error,
-// too.
-constexpr double safety = 2.0;
 
 // Returns the GMRES tolerance for the correction, relative to its right-hand side r, for
 // relative = |r| / |b| and iteration = |r_0| / |b|. The tolerance is the lesser of 100 |r| / |b|,
@@ -100,7 +101,109 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
                                        closure.complete(interpolated + change), scale)
                            .value_or(change.cwiseAbs().maxCoeff() / scale);
+  // If the densities are hardly resolved, the solution on finer nodes has an error, too.
+  constexpr double safety = 2.0;
   return {safety * moved, correction.iterations + 2};
+}
+
+TailEstimate tail_estimate(const ComplexVector& density, double scale) {
+  const double largest = density.cwiseAbs().maxCoeff();
+  if (largest == 0.0) return {0.0, std::numeric_limits<double>::infinity()};
+  const Index n = density.size();
+  const ComplexVector c = fourier_coefficients(density);
+  const Index window = std::max<Index>(3, n / 16);
+  const auto largest_mode = [&](Index from) {
+    double most = 0.0;
+    for (Index k = from; k < from + window; ++k) {
+      most = std::max({most, std::abs(c[k]), std::abs(c[n - k])});
+    }
+    return most;
+  };
+  // The largest modes near k = 3n/16, near k = 3n/8, and at the end of the spectrum, k = n/2.
+  const double early = largest_mode(std::max<Index>(1, 3 * n / 16 - window / 2));
+  const double late = largest_mode(3 * n / 8 - window / 2);
+  const double last = largest_mode(n / 2 - window);
+  const double decay = std::max(0.0, std::log(early / late) / (0.1875 * static_cast<double>(n)));
+  // A spectrum that does not decay is treated like one that decays over its whole length, at the
+  // rate 2/n.
+  const double rate = std::max(decay, 2.0 / static_cast<double>(n));
+  // Sum of the modes k > n/2, as a geometric series that continues the modes near 3n/8.
+  const double beyond =
+      late * std::exp(-0.125 * rate * static_cast<double>(n)) / -std::expm1(-rate);
+  const double sum = std::max(beyond, 3.0 * last);
+  // min(60 sum^2 / largest, 10 sum), relative to the scale.
+  return {sum / scale * std::min(60.0 * sum / largest, 10.0), decay};
+}
+
+std::vector<TailEstimate> tail_estimates(const LinearSystem& discrete,
+                                         const Discretisation& discretisation,
+                                         const ComplexVector& density, double scale) {
+  const ComplexVector complement = discrete.system.closure().without_rigid_part(density);
+  const std::vector<Index>& offsets = discrete.system.offsets();
+  std::vector<TailEstimate> tails;
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    tails.push_back(
+        tail_estimate(complement.segment(offsets[k], offsets[k + 1] - offsets[k]), scale));
+    tails[k].error = std::max(tails[k].error, discretisation[k]->shape_residual);
+  }
+  return tails;
+}
+
+Resolutions refine(Resolutions resolutions) {
+  // A quarter more nodes, rounded to an even number.
+  for (auto& [n_nodes, grading] : resolutions) n_nodes += std::max(16, 2 * ((n_nodes + 7) / 8));
+  return resolutions;
+}
+
+Resolutions coarsen(Resolutions resolutions) {
+  for (auto& [n_nodes, grading] : resolutions) n_nodes = rounded_nodes(0.5 * n_nodes);
+  return resolutions;
+}
+
+Resolutions refine_automatic(const Scene& scene, Resolutions before) {
+  const Resolutions finer = refine(before);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (component_of(scene, k).has_automatic_nodes()) before[k] = finer[k];
+  }
+  return before;
+}
+
+Resolutions refine_pairs(const Scene& scene, Resolutions before,
+                         const std::vector<ComponentPair>& pairs) {
+  std::set<std::size_t> components;
+  for (const auto& [a, b] : pairs) components.insert({a, b});
+  for (const std::size_t k : components) {
+    int& nodes = before[k].n_nodes;
+    if (!component_of(scene, k).has_automatic_nodes()) continue;
+    nodes = std::min(rounded_nodes(1.5 * nodes), std::max(nodes, most_nodes_of_a_component));
+  }
+  return before;
+}
+
+double extrapolated_nodes(int n_nodes, double decay, double excess) {
+  // n + ln(excess) / decay, at most 3n/2.
+  const double nodes = n_nodes, orders = std::log(excess);
+  return nodes + std::min(orders / std::max(decay, 1e-300), 0.5 * nodes);
+}
+
+Resolutions refine_by_tails(const Scene& scene, Resolutions before,
+                            const std::vector<TailEstimate>& tails, double error) {
+  // The error that one component may cause, and the error at which more nodes aim if a component
+  // causes a larger one.
+  const double allowed = 0.1 * scene.solver.tolerance, aimed_at = 0.05 * scene.solver.tolerance;
+  const double most = std::ranges::max(tails, {}, &TailEstimate::error).error;
+  if (most < allowed) return before;
+  // The component with the largest tail is held responsible for the whole error, and the others in
+  // proportion to their tails.
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double share = error * tails[k].error / most;
+    if (!component_of(scene, k).has_automatic_nodes() || !(share > allowed)) continue;
+    constexpr double least_factor = 1.125;
+    int& nodes = before[k].n_nodes;
+    const double required = extrapolated_nodes(nodes, tails[k].decay, share / aimed_at);
+    nodes = rounded_nodes(std::max(required, least_factor * nodes));
+  }
+  return before;
 }
 
 }  // namespace stokesbook

@@ -80,12 +80,18 @@ std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
   return fmm_.derivatives({density, points.force, points.torque}, workspace_);
 }
 
-FlowSum fast_sum(double tolerance) {
+FlowSum planned_sum(const Plan& plan) {
+  const auto is_fast = [=](const SolvedFlow& flow, const ComplexVector& targets) {
+    return plan.is_fast_at(targets.size(), flow.density().size());
+  };
+  const double tolerance = plan.sum_tolerance;
   return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
+            if (!is_fast(flow, targets)) return direct_sum().velocity(flow, targets);
             return FastSum(flow.problem(), targets, tolerance)
                 .velocity(flow.density(), flow.completion().loads);
           },
           [=](const SolvedFlow& flow, const ComplexVector& targets) {
+            if (!is_fast(flow, targets)) return direct_sum().derivatives(flow, targets);
             return FastSum(flow.problem(), targets, tolerance)
                 .derivatives(flow.density(), flow.completion().loads);
           }};

@@ -5,49 +5,40 @@
 #include "closure/closure.hpp"
 #include "fmm/fmm.hpp"
 #include "stress/solved_flow.hpp"
+#include "suspension/system/plan.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
 
-/// Evaluates the double layer and the singularities of a problem by the fast multipole method.
+/// Evaluates the double layer and the singularities of a problem with n nodes by the fast multipole
+/// method.
 ///
 /// All applications of one object share scratch memory, so that they must not run in two threads at
 /// a time.
-/// @par Accuracy  the tolerance, @ref claim_08_15
+/// @par Accuracy  the tolerance, relative in the 2-norm of velocities, @ref claim_08_15
 class FastSum {
  public:
   /// Plans the sum at the nodes themselves.
-  ///
-  /// @param  problem    components with their nodes, n in all
-  /// @param  tolerance  of velocities, relative in the 2-norm, > 0
-  /// @par Cost          O(n log n)
+  /// @par Cost  O(n log n)
   FastSum(const StokesProblem& problem, double tolerance);
 
-  /// Plans the sum at other targets.
-  ///
-  /// @param  problem    components with their nodes, n in all
-  /// @param  targets    m points, none of them a loaded component's centre, length
-  /// @param  tolerance  of velocities, relative in the 2-norm, > 0
-  /// @par Cost          O(n log n + m log m)
+  /// Plans the sum at m other targets, none of them the centre of a loaded component.
+  /// @par Cost  O(n log n + m log m)
   FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance);
 
-  /// Evaluates the velocity of the layer and the singularities.
+  /// Evaluates the velocity of the layer and the singularities at the targets.
   ///
   /// @param  density  of the layer at all n nodes, length / time
   /// @param  loads    of every component
-  /// @return          velocities at the targets, length / time
   /// @par Cost        O(n + m)
   ComplexVector velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
 
-  /// Evaluates pressure, vorticity and strain of the layer and the singularities.
+  /// Evaluates pressure, vorticity and strain of the layer and the singularities, 1 / time.
   ///
-  /// @param  density  of the layer at all n nodes, length / time
-  /// @param  loads    of every component
-  /// @return          derivatives at the targets, 1 / time
-  /// @par Accuracy    a hundred times the tolerance, @ref claim_08_18
-  /// @par Cost        O(n + m)
+  /// @par Accuracy  a hundred times the tolerance, @ref claim_08_18
+  /// @par Cost      O(n + m)
   std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
                                            const std::vector<Load>& loads) const;
 
@@ -71,11 +62,9 @@ class FastSum {
   mutable FmmWorkspace workspace_;
 };
 
-/// Returns a sum that evaluates a SolvedFlow at targets by the fast multipole method.
-///
-/// @param  tolerance  of velocities, relative in the 2-norm, > 0
-/// @return            functions of a flow with n nodes and m targets; every call plans a FastSum
-FlowSum fast_sum(double tolerance);
+/// Returns a sum that evaluates a SolvedFlow at targets by a FastSum or directly, whichever the
+/// plan expects to be faster for their number. Every call plans anew.
+FlowSum planned_sum(const Plan& plan);
 
 /// @}
 

@@ -1,45 +1,25 @@
-// Assembles the operator (12.1) and the preconditioner of an instant, and solves the system by
-// GMRES (chapters 05 and 12).
+// Assembles the linear system of an instant and solves it by GMRES (chapter 05). The operator (12.1)
+// is applied without a matrix; each of its lines adds the result of one chapter (chapter 12).
 #include "suspension/system/linear_system.hpp"
 
 #include <stdexcept>
 
 #include "double_layer/double_layer.hpp"
-#include "krylov/direct.hpp"
-#include "suspension/bodies/components.hpp"
+#include "null_space/null_space.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/system/clusters.hpp"
-#include "suspension/system/layer_blocks.hpp"
-#include "suspension/system/near_curves.hpp"
-#include "suspension/system/preconditioner_choice.hpp"
+#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook {
 
+using Eigen::Index;
+
 namespace {
 
-// Returns the inverse of a component's own block, or throws an error that explains why the block is
-// singular.
-std::shared_ptr<const Eigen::MatrixXd> inverse_block(const Scene& scene, std::size_t component,
-                                                     const DiscretisedShape& discretised) {
-  try {
-    return discretised.inverse_block.get();
-  } catch (const std::domain_error& error) {
-    throw SolverError(
-        component_of(scene, component).name() + ": " + error.what() +
-        "; a gauge_length close to the size of a held component is a degenerate scale");
-  }
-}
-
-// Returns the preconditioner by clusters, or throws an error that explains why it is singular.
-ClusterPreconditioner clusters_of(const StokesProblem& problem, const Configuration& configuration,
-                                  const Discretisation& discretisation,
-                                  const std::vector<PlacedCurve>& near) {
-  try {
-    return cluster_preconditioner(problem, configuration, discretisation, near);
-  } catch (const std::domain_error& error) {
-    throw SolverError("preconditioner by clusters: " + std::string(error.what()) +
-                      "; set solver.preconditioner = \"block_diagonal\"");
-  }
+std::variant<StressletSum, FastSum> make_sum(const StokesProblem& problem,
+                                             const std::vector<Curve>& curves, const Plan& plan) {
+  const Index n = node_offsets(problem).back();
+  if (plan.is_fast(n)) return FastSum(problem, plan.sum_tolerance);
+  return StressletSum(curves, StressletSum::automatic_storage(n));
 }
 
 // Returns the curves near which the operator corrects its sums; empty if none is planned.
@@ -50,6 +30,81 @@ std::vector<PlacedCurve> near_curves(const Plan& plan, const Configuration& conf
 }
 
 }  // namespace
+
+std::vector<PlacedCurve> placed_cauchy_schemes(const Configuration& configuration,
+                                               const Discretisation& discretisation) {
+  std::vector<PlacedCurve> placed;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    const DiscretisedShape& shape = *discretisation[k];
+    // A scene with a single component plans no near corrections; the flow near that component
+    // requires its scheme nevertheless.
+    placed.push_back(
+        {shape.cauchy ? shape.cauchy : std::make_shared<const CauchyCurve>(shape.curve),
+         configuration[k].position, configuration[k].orientation});
+  }
+  return placed;
+}
+
+std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
+                                        const Discretisation& discretisation) {
+  std::vector<PlacedCurve> placed = placed_cauchy_schemes(configuration, discretisation);
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    if (discretisation[k]->interpolation) placed[k].scheme = discretisation[k]->interpolation;
+  }
+  return placed;
+}
+
+SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
+                                       const std::vector<PlacedCurve>& placed, const Plan& plan)
+    : curves_(curves_of(problem)),
+      offsets_(node_offsets(problem)),
+      closure_(problem),
+      sum_(make_sum(problem, curves_, plan)) {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
+  }
+  if (!placed.empty()) {
+    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes,
+                  NearSettings{plan.near_tolerance});
+  }
+}
+
+// The terms of (12.1), in this order: the sum D and the singularities of the loads, the jump -1/2,
+// the smooth velocities of the closure, near corrections (06.17), diagonals (02.9), N_0 (04.6).
+// [operator]
+ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const {
+  const ComplexVector rest = closure_.without_rigid_part(density);
+  ComplexVector velocity = plain_velocity(rest, closure_.density_loads(density)) - 0.5 * rest +
+                           closure_.smooth_velocity(density);
+  if (near_) velocity += (*near_)(rest);
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    velocity.segment(offsets_[k], curves_[k].size()) +=
+        diagonal_velocity(curves_[k], rest.segment(offsets_[k], curves_[k].size()));
+  }
+  if (enclosing_wall_) {
+    const Curve& wall = curves_[*enclosing_wall_];
+    const Index first = offsets_[*enclosing_wall_];
+    velocity.segment(first, wall.size()) +=
+        null_space_velocity(wall, rest.segment(first, wall.size()));
+  }
+  return velocity;
+}
+// [operator]
+
+ComplexVector SuspensionOperator::right_hand_side() const {
+  const auto* fast = std::get_if<FastSum>(&sum_);
+  if (fast == nullptr) return closure_.right_hand_side();
+  // g_k - u_inf - sum_p (S_p F_p + R_p L_p) as in (03.10).
+  return closure_.boundary_data() -
+         fast->velocity(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
+}
+
+ComplexVector SuspensionOperator::plain_velocity(const ComplexVector& density,
+                                                 const std::vector<Load>& loads) const {
+  if (const auto* fast = std::get_if<FastSum>(&sum_)) return fast->velocity(density, loads);
+  return std::get<StressletSum>(sum_)(density) +
+         closure_.singular_velocity(loads, all_nodes(curves_));
+}
 
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess) {
@@ -76,27 +131,12 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,
                                    const Discretisation& discretisation, double separation) {
-  const std::vector<PlacedCurve> near = near_curves(plan, configuration, discretisation);
-  LinearSystem discrete{problem, SuspensionOperator(problem, near, plan)};
-  switch (chosen_preconditioner(plan, gaps, discretisation, separation)) {
-    case PreconditionerKind::direct:
-      discrete.precondition =
-          DirectPreconditioner(problem, layer_blocks(problem, near, plan.near_tolerance));
-      discrete.is_factorised = true;
-      return discrete;
-    case PreconditionerKind::clusters:
-      discrete.precondition = clusters_of(problem, configuration, discretisation, near);
-      return discrete;
-    case PreconditionerKind::none:
-      return discrete;
-    default:
-      break;
-  }
-  std::vector<BlockDiagonalPreconditioner::Member> members;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({inverse_block(scene, k, *discretisation[k]), configuration[k].orientation});
-  }
-  discrete.precondition = BlockDiagonalPreconditioner(std::move(members));
+  LinearSystem discrete = unpreconditioned_system(plan, problem, configuration, discretisation);
+  const auto kind = chosen_preconditioner(plan, gaps, discretisation, separation);
+  discrete.precondition =
+      make_preconditioner(kind, plan, scene, problem, configuration, discretisation,
+                          near_curves(plan, configuration, discretisation));
+  discrete.is_factorised = kind == PreconditionerKind::direct;
   return discrete;
 }
 

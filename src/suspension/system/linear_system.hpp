@@ -1,16 +1,73 @@
 #pragma once
 
+#include <optional>
+#include <variant>
 #include <vector>
 
-#include "closure/problem.hpp"
+#include "closure/closure.hpp"
+#include "double_layer/stresslet_sum.hpp"
 #include "krylov/gmres.hpp"
+#include "near_singular/near_correction.hpp"
 #include "suspension/bodies/gaps.hpp"
-#include "suspension/system/operator.hpp"
+#include "suspension/system/fast_sum.hpp"
+#include "suspension/system/plan.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
+
+/// Places the Cauchy scheme of each component, as derivatives of the velocity require it.
+/// @par Cost  that of a CauchyCurve for each component that is prepared without one
+std::vector<PlacedCurve> placed_cauchy_schemes(const Configuration& configuration,
+                                               const Discretisation& discretisation);
+
+/// Places the near-singular scheme of each component: the interpolation scheme if the scene selects
+/// it, otherwise the Cauchy scheme.
+/// @par Cost  as that of placed_cauchy_schemes()
+std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
+                                        const Discretisation& discretisation);
+
+/// The matrix-free operator (12.1) of one configuration: maps a density to velocities at the nodes.
+///
+/// The layer \f$ (-\frac12 + D)(I-P)\eta \f$ is a direct or fast sum with diagonal and near
+/// correction. The closure and the null-space fix add their terms.
+class SuspensionOperator {
+ public:
+  /// Plans sum, near correction and closure of one configuration.
+  ///
+  /// @param  problem  the boundary value problem, n nodes in all
+  /// @param  placed   placed curves of the components for near corrections; empty: none
+  /// @param  plan     method and tolerance of the sums, and tolerance of the near corrections
+  /// @throws std::invalid_argument when Closure refuses the problem
+  SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
+                     const Plan& plan);
+
+  /// Applies the operator to a density at all n nodes.
+  /// @par Cost  n^2 kernel evaluations, or O(n) by FastSum; and that of NearCorrection
+  ComplexVector operator()(const ComplexVector& density) const;
+
+  /// Assembles the right-hand side of the closure's system: velocities at all n nodes.
+  /// @par Cost  a Stokeslet and a rotlet per node and loaded component, or O(n) by FastSum
+  ComplexVector right_hand_side() const;
+
+  /// Returns the position of each component's first node, and as the last entry n.
+  const std::vector<Eigen::Index>& offsets() const { return offsets_; }
+
+  /// Returns the closure of the problem, which computes motions and loads from the density.
+  const Closure& closure() const { return closure_; }
+
+ private:
+  // Evaluates the double layer by the trapezoid rule, and the singularities of loads.
+  ComplexVector plain_velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
+
+  std::vector<Curve> curves_;
+  std::vector<Eigen::Index> offsets_;
+  std::optional<std::size_t> enclosing_wall_;
+  Closure closure_;
+  std::variant<StressletSum, FastSum> sum_;
+  std::optional<NearCorrection> near_;
+};
 
 /// The linear system of one instant at one resolution.
 struct LinearSystem {
@@ -21,41 +78,26 @@ struct LinearSystem {
                                 ///< errors of its near corrections
 };
 
-/// Solves a system by GMRES.
+/// Solves a system with n nodes by GMRES.
 ///
-/// @param  discrete  the system, n nodes in all
-/// @param  rhs       velocities at all n nodes, length / time
-/// @param  options   when to stop
-/// @param  guess     density with which GMRES begins, at all n nodes; empty: zero
-/// @return           solution and history, interleaved
+/// @param  rhs    velocities at all n nodes, length / time
+/// @param  guess  density with which GMRES begins, at all n nodes; empty: zero
+/// @return        solution and history, interleaved
 /// @throws SolverError when gmres() breaks down, or meets numbers that are not finite
-/// @par Cost         that of gmres()
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
 
 /// Builds the linear system of a problem without a preconditioner.
-///
-/// @param  plan            of the scene
-/// @param  problem         of an instant
-/// @param  configuration   where the components are
-/// @param  discretisation  of each component
-/// @return                 problem and operator
 LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
                                      const Configuration& configuration,
                                      const Discretisation& discretisation);
 
 /// Builds the linear system of a problem with the preconditioner that plan and gaps require.
 ///
-/// @param  scene           scene whose components are named in messages
-/// @param  plan            of the scene
-/// @param  problem         of an instant
-/// @param  configuration   where the components are
-/// @param  gaps            of the configuration, as find_gaps() returns them
-/// @param  discretisation  of each component
-/// @param  separation      least gap that contact maintains, length; 0: no contact
-/// @return                 problem, operator and preconditioner
-/// @throws SolverError when the preconditioner is singular, as the block of a held component is
-///                whose size is at the degenerate scale of flow.gauge_length
+/// @param  scene       scene whose components are named in messages
+/// @param  gaps        of the configuration, from find_gaps()
+/// @param  separation  least gap that contact maintains, length; 0: no contact
+/// @throws SolverError as make_preconditioner() does
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,

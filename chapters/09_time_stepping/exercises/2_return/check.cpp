@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "study/plot.hpp"
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "time_stepping/runge_kutta.hpp"
 

@@ -1,6 +1,6 @@
 // Packs a configuration into the state vector that time steppers advance, and unpacks it
 // (chapters 09 and 12).
-#include "suspension/bodies/state.hpp"
+#include "suspension/bodies/configuration.hpp"
 
 namespace stokesbook {
 

@@ -1,6 +1,6 @@
 // Poses the boundary value problem of an instant, and reads motions and loads from the density that
 // solves it (chapters 03 and 12).
-#include "suspension/solver/instant_problem.hpp"
+#include "suspension/solver/solution.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,6 +13,43 @@
 namespace stokesbook {
 
 using Eigen::Index;
+
+namespace {
+
+// Returns the prescribed rigid motion of a held body or a wall about its position; zero for walls
+// whose velocity is not rigid, and whose curves do not move.
+RigidMotion prescribed_motion(const ComponentView& component) {
+  if (component.body != nullptr) return {component.body->velocity, component.body->omega};
+  const WallMotion& motion = component.wall->motion;
+  if (const auto* rotating = std::get_if<RotatingWall>(&motion)) return {0.0, rotating->omega};
+  if (const auto* translating = std::get_if<TranslatingWall>(&motion)) {
+    return {translating->velocity, 0.0};
+  }
+  return {};
+}
+
+// Evaluates the prescribed velocity of a held body or a wall at its placed nodes.
+ComplexVector prescribed_velocity(const ComponentView& component, const Curve& curve,
+                                  Complex position) {
+  if (component.wall != nullptr) {
+    const WallMotion& motion = component.wall->motion;
+    if (const auto* linear = std::get_if<LinearWall>(&motion)) {
+      return background_velocity(LinearFlow{linear->gradient}, curve.x);
+    }
+    if (const auto* radial = std::get_if<RadialWall>(&motion)) {
+      return -radial->speed * normals(curve);
+    }
+  }
+  const auto& [velocity, omega] = prescribed_motion(component);
+  // U + omega (x - c)^perp (03.1), with z^perp = i z.
+  return (velocity + imaginary * omega * (curve.x.array() - position)).matrix();
+}
+
+RigidMotion scaled(double amplitude, const RigidMotion& motion) {
+  return {amplitude * motion.velocity, amplitude * motion.omega};
+}
+
+}  // namespace
 
 Complex frame_velocity(const Scene& scene, double amplitude) {
   const auto outer = std::ranges::find(scene.walls, WallRole::outer, &Wall::role);
@@ -46,7 +83,7 @@ StokesProblem instant_problem(const Scene& scene, const Instant& instant,
     const Component& component = problem.components[k];
     problem.background.segment(offsets[k], component.curve.size()) =
         amplitude * (component.kind == ComponentKind::free_body
-                         ? strain_on(scene.flow, component)
+                         ? straining_velocity(scene.flow, component)
                          : background_velocity(scene.flow, component.curve.x));
   }
   return problem;
@@ -64,35 +101,28 @@ StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
   return problem;
 }
 
-Solution complete_solution(const Scene& scene, const Instant& instant,
-                           const Discretisation& discretisation,
-                           std::shared_ptr<const LinearSystem> system, GmresResult gmres) {
-  const double amplitude = instant.amplitude;
-  Solution solution;
-  solution.instant = instant;
-  solution.discretisation = discretisation;
-  solution.system = std::move(system);
+Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres) {
+  const double amplitude = solution.instant.amplitude;
+  const auto& [problem, system, precondition, is_factorised] = *solution.system;
   solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
-  const Completion completion = solution.system->system.closure().complete(solution.density);
+  const Completion completion = system.closure().complete(solution.density);
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
-  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+  for (std::size_t k = 0; k < solution.motions.size(); ++k) {
     const ComponentView component = component_of(scene, k);
     if (component.kind != ComponentKind::free_body) {
-      const RigidMotion motion = prescribed_motion(component);
-      solution.motions[k] = {amplitude * motion.velocity, amplitude * motion.omega};
-    } else {
-      const StokesProblem& problem = solution.system->problem;
-      RigidMotion carried{frame_velocity(scene, amplitude), 0.0};
-      if (!is_bounded(problem)) {
-        carried = carried_by(scene.flow, problem.components[k].centre);
-        carried = {amplitude * carried.velocity, amplitude * carried.omega};
-      }
-      solution.motions[k].velocity += carried.velocity;
-      solution.motions[k].omega += carried.omega;
+      solution.motions[k] = scaled(amplitude, prescribed_motion(component));
+      continue;
     }
+    // The problem leaves out the rigid motion of the flow at the body, and of the container.
+    const Complex centre = problem.components[k].centre;
+    const RigidMotion carried =
+        is_bounded(problem) ? RigidMotion{frame_velocity(scene, amplitude)}
+                            : scaled(amplitude, background_rigid_motion(scene.flow, centre));
+    solution.motions[k].velocity += carried.velocity;
+    solution.motions[k].omega += carried.omega;
   }
   return solution;
 }

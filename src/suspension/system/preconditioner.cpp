@@ -1,0 +1,260 @@
+// Chooses and builds the preconditioner that takes the least time for a configuration, by its number
+// of nodes and its narrow gaps (chapter 05, section "Bodies that nearly touch"): blocks of single
+// components, clusters of neighbours, or a factorisation. The last two assemble the double layer
+// between components (02.6); at near nodes a scheme of close evaluation replaces the trapezoid rule
+// (06.17).
+#include "suspension/system/preconditioner.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+
+#include "double_layer/stresslet_sum.hpp"
+#include "krylov/direct.hpp"
+#include "near_singular/near_field.hpp"
+#include "suspension/bodies/components.hpp"
+#include "suspension/bodies/solver_error.hpp"
+#include "trapezoid/rectangle_index.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace {
+
+// Least number of components of a crowd.
+constexpr std::size_t cluster_crowd = 150;
+
+using Inverses = std::map<const DiscretisedShape*, std::shared_ptr<const MatrixXd>>;
+
+bool is_inner(const std::shared_ptr<const DiscretisedShape>& discretised) {
+  return discretised->kind != ComponentKind::enclosing_wall;
+}
+
+// Counts the pairs whose gap is less than `reach` times the smaller radius of gyration.
+std::size_t pairs_within(double reach, const std::vector<Gap>& gaps,
+                         const Discretisation& discretisation) {
+  return static_cast<std::size_t>(std::ranges::count_if(gaps, [&](const Gap& gap) {
+    const double radius =
+        std::min(discretisation[gap.a]->gyration_radius, discretisation[gap.b]->gyration_radius);
+    return gap.points.gap < reach * radius;
+  }));
+}
+
+// Assembles the double layer of a curve at targets: rows of near targets by the scheme of close
+// evaluation, all others by the trapezoid rule.
+MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed, const ComplexVector& targets,
+                      double tolerance) {
+  MatrixXd matrix = StressletSum({source}).matrix(targets);
+  if (placed == nullptr) return matrix;
+  const double reach = near_reach(source, tolerance);
+  std::vector<Index> near;
+  for (Index i = 0; i < targets.size(); ++i) {
+    if ((source.x.array() - targets[i]).abs2().minCoeff() < reach * reach &&
+        is_near(source, targets[i], tolerance)) {
+      near.push_back(i);
+    }
+  }
+  if (near.empty()) return matrix;
+  // Rows of the scheme are in the frame of the curve: R rows R^T in the plane, with the rotation R.
+  const Complex turn = std::polar(1.0, placed->orientation);
+  const ComplexVector local = (targets(near).array() - placed->position) / turn;
+  const MatrixXd rows =
+      std::visit([&](const auto& scheme) { return scheme->velocity_rows(local); }, placed->scheme);
+  Eigen::Matrix2d rotation;
+  rotation << turn.real(), -turn.imag(), turn.imag(), turn.real();
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    for (Index j = 0; j < source.size(); ++j) {
+      matrix.block<2, 2>(2 * near[k], 2 * j) =
+          rotation * rows.block<2, 2>(2 * static_cast<Index>(k), 2 * j) * rotation.transpose();
+    }
+  }
+  return matrix;
+}
+
+// Returns the double layer between any two different components. The arguments must outlive the
+// result.
+LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
+                        double tolerance) {
+  return [&, tolerance](std::size_t target, std::size_t source) {
+    return layer_matrix(problem.components[source].curve,
+                        placed.empty() ? nullptr : &placed[source],
+                        problem.components[target].curve.x, tolerance);
+  };
+}
+
+// Inverts the cluster_block() of each distinct shape.
+Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, double gauge) {
+  Inverses inverses;
+  std::vector<const DiscretisedShape*> distinct;
+  for (const auto& discretised : discretisation) {
+    if (inverses.try_emplace(discretised.get()).second) distinct.push_back(discretised.get());
+  }
+  // An exception must not leave a parallel loop. If several shapes fail, the exception of the first
+  // one is thrown.
+  std::vector<std::exception_ptr> failures(distinct.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < distinct.size(); ++k) {
+    const DiscretisedShape& discretised = *distinct[k];
+    try {
+      inverses.at(&discretised) = std::make_shared<const MatrixXd>(invert_block(
+          cluster_block({discretised.kind, discretised.curve, {}, {}, 0.0, {}}, form, gauge)));
+    } catch (...) {
+      failures[k] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return inverses;
+}
+
+// Returns the inverse of a component's own block, or throws an error that explains why the block is
+// singular.
+std::shared_ptr<const MatrixXd> own_inverse(const Scene& scene, std::size_t component,
+                                            const DiscretisedShape& discretised) {
+  try {
+    return discretised.inverse_block.get();
+  } catch (const std::domain_error& error) {
+    throw SolverError(
+        component_of(scene, component).name() + ": " + error.what() +
+        "; a gauge_length close to the size of a held component is a degenerate scale");
+  }
+}
+
+}  // namespace
+
+bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation,
+                 double separation) {
+  constexpr Index most_nodes = 1000, most_nodes_a_contact = 400;
+  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a factorisation
+  // pays; gaps, over the separation, of pairs that a step may press together.
+  constexpr double tight = 0.02, in_contact = 1.1;
+  Index nodes = 0;
+  for (const auto& discretised : discretisation) nodes += discretised->curve.size();
+  if (nodes > most_nodes) return false;
+  const auto contacts = std::ranges::count_if(
+      gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
+  return nodes <= most_nodes_a_contact * contacts ||
+         3 * pairs_within(tight, gaps, discretisation) >= discretisation.size();
+}
+
+bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+  constexpr Index most_nodes = 256;
+  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that clusters pay.
+  constexpr double tight = 0.003, tight_in_crowd = 0.005;
+  if (std::ranges::any_of(discretisation, [](const auto& discretised) {
+        return is_inner(discretised) && discretised->curve.size() > most_nodes;
+      })) {
+    return false;
+  }
+  std::vector<Gap> inner = gaps;
+  std::erase_if(inner, [&](const Gap& gap) {
+    return !is_inner(discretisation[gap.a]) || !is_inner(discretisation[gap.b]);
+  });
+  const std::size_t count = discretisation.size();
+  return 3 * pairs_within(tight, inner, discretisation) >= count ||
+         (count >= cluster_crowd && pairs_within(tight_in_crowd, inner, discretisation) > 0);
+}
+
+PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
+                                         const Discretisation& discretisation, double separation) {
+  if (plan.direct_at_tight_gaps && direct_pays(gaps, discretisation, separation)) {
+    return PreconditionerKind::direct;
+  }
+  if (plan.clusters_at_tight_gaps && clusters_pay(gaps, discretisation)) {
+    return PreconditionerKind::clusters;
+  }
+  return plan.preconditioner;
+}
+
+std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
+                                                       const Discretisation& discretisation) {
+  // Largest gap of neighbours in a cluster, over the mean radius of gyration of the pair.
+  constexpr double cluster_reach = 2.0;
+  const std::size_t count = discretisation.size();
+  std::vector<double> radius;
+  std::vector<Rectangle> rectangles;
+  std::vector<SmoothCurve> curves;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    radius.push_back(discretisation[k]->gyration_radius);
+    curves.push_back(smooth_curve(*discretisation[k], configuration[k]));
+    rectangles.push_back(bounding_rectangle(curves[k].nodes.x));
+    if (is_inner(discretisation[k])) largest = std::max(largest, radius[k]);
+  }
+  const RectangleIndex index(rectangles);
+  std::vector<std::vector<Neighbour>> neighbours(count);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < count; ++a) {
+    if (!is_inner(discretisation[a])) continue;
+    // Rectangles are widened by the largest gap of a neighbour, which exceeds the distance by which
+    // a curve can leave the bounding rectangle of its nodes.
+    const double widening = 0.5 * cluster_reach * (radius[a] + largest);
+    for (const std::size_t b : index.meeting(widened(rectangles[a], widening))) {
+      if (b == a || !is_inner(discretisation[b])) continue;
+      const double mean = 0.5 * (radius[a] + radius[b]);
+      // The smaller number comes first, so that both components find exactly the same gap.
+      const double gap = closest_points(curves[std::min(a, b)], curves[std::max(a, b)]).gap;
+      if (gap < cluster_reach * mean) neighbours[a].push_back({b, gap / mean});
+    }
+  }
+  return neighbours;
+}
+
+ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) {
+  // Largest gap of contacts, which may make a rigid network, over the mean radius of gyration.
+  constexpr double touching = 0.05;
+  const std::size_t count = neighbours.size();
+  std::size_t contacts = 0;  // each contact is counted from both sides
+  for (const std::vector<Neighbour>& of_one : neighbours) {
+    contacts += static_cast<std::size_t>(
+        std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < touching; }));
+  }
+  const bool is_rigid = contacts >= 2 * count;
+  return count < cluster_crowd || is_rigid ? ClusterForm::resistance : ClusterForm::mobility;
+}
+
+ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
+                                             const Configuration& configuration,
+                                             const Discretisation& discretisation,
+                                             const std::vector<PlacedCurve>& placed,
+                                             std::optional<ClusterForm> given_form) {
+  // Tolerance of the layers between components: a preconditioner may have errors of this size.
+  constexpr double layer_tolerance = 1e-3;
+  const auto neighbours = cluster_neighbours(configuration, discretisation);
+  const ClusterForm form = given_form.value_or(cluster_form(neighbours));
+  const Inverses inverses = inverse_blocks(discretisation, form, held_gauge(problem));
+  std::vector<BlockDiagonalPreconditioner::Member> alone;
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    alone.push_back({inverses.at(discretisation[k].get()), configuration[k].orientation});
+  }
+  return {problem, form, std::move(alone), neighbours,
+          layer_blocks(problem, placed, layer_tolerance)};
+}
+
+LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
+                              const StokesProblem& problem, const Configuration& configuration,
+                              const Discretisation& discretisation,
+                              const std::vector<PlacedCurve>& placed) {
+  if (kind == PreconditionerKind::none) return {};
+  if (kind == PreconditionerKind::direct) {
+    return DirectPreconditioner(problem, layer_blocks(problem, placed, plan.near_tolerance));
+  }
+  if (kind == PreconditionerKind::clusters) {
+    try {
+      return cluster_preconditioner(problem, configuration, discretisation, placed);
+    } catch (const std::domain_error& error) {
+      throw SolverError("preconditioner by clusters: " + std::string(error.what()) +
+                        "; set solver.preconditioner = \"block_diagonal\"");
+    }
+  }
+  std::vector<BlockDiagonalPreconditioner::Member> members;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    members.push_back({own_inverse(scene, k, *discretisation[k]), configuration[k].orientation});
+  }
+  return BlockDiagonalPreconditioner(std::move(members));
+}
+
+}  // namespace stokesbook
