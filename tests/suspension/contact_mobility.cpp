@@ -204,16 +204,16 @@ BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
     const VectorXd weights = VectorXd::Constant(3, weight);
     do {
       BOOST_TEST(softest(now, response(now.loads)) > 0.0);
-      const double corrected = response.corrected_by(weights);
+      const double corrected = response.relative_correction(weights);
       most_corrected = std::max(most_corrected, corrected);
       // The correction of a large load is measured relative to the velocities that the load causes,
       // so it does not depend on how large the load is.
       if (weight > 1.0) {
-        BOOST_TEST(response.corrected_by(10.0 * weights) == corrected,
+        BOOST_TEST(response.relative_correction(10.0 * weights) == corrected,
                    boost::test_tools::tolerance(1e-3));
       }
     } while (response.refine(weights));
-    BOOST_TEST(response.corrected_by(weights) <= 0.1 * now.scene.solver.tolerance);
+    BOOST_TEST(response.relative_correction(weights) <= 0.1 * now.scene.solver.tolerance);
   }
   BOOST_TEST(most_corrected > now.scene.solver.tolerance);
 }

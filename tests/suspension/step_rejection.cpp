@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(a_rejected_try_counts_by_what_it_cost) {
     solution.gmres.residual = residual;
     return solution;
   };
-  const StepInfo begun = begun_step(solved(10, 1e-7), 0.5);
+  const StepInfo begun = begin_step(solved(10, 1e-7), 0.5);
   ContactOutcome outcome;
   outcome.force_imbalance = 1e-16;
   outcome.result.iterations = 3;

@@ -3,22 +3,22 @@
 // The loops from the outside in, each with the condition that ends it:
 //   ContactSteps::advance   until the error of the step is allowed: shorten the step
 //     ContactSteps::begin     until the first stage is resolved: halve the step
-//       ContactSteps::resolve   until nodes and GMRES tolerance suffice for the contact forces
+//       ContactStages::resolve  until nodes and GMRES tolerance suffice for the contact forces
 //         SuspensionContact::resolve   until the linear problems have solutions: better mobility
-//           GapConstraints::resolved     exact Jacobian of the gaps, then that of the forces
+//           GapConstraints::resolve      exact Jacobian of the gaps, then that of the forces
 //             resolve_contact              Newton's method for the gaps: one linear complementarity
 //                                          problem an iteration (chapter 11)
 //               ContactMobility::refine      until the combination of columns is accurate: GMRES
 #include "suspension/contact/contact.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/contact/gap_constraints.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -34,20 +34,48 @@ constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
 // separation by this part.
 constexpr double relative_slack_of_starts = 1e-3;
 
-void append(std::string& list, const std::string& text) {
-  list += (list.empty() ? "" : ", ") + text;
-}
-
-bool is_close(const ContactResult& result, double separation) {
-  return result.status == ContactStatus::not_converged && result.violations.back() < separation;
-}
-
 // Improves a mobility for which a linear complementarity problem had no solution, or for which a
 // force does not open its own gap. Returns false if no improvement is left.
 bool improve(ContactMobility& mobility, ContactStatus status) {
   const bool unsolved = status == ContactStatus::no_linear_solution;
   if (!unsolved && status != ContactStatus::response_not_seen) return false;
-  return mobility.tighten() || (unsolved && mobility.keep_correction());
+  return mobility.tighten() || (unsolved && mobility.accept_any_correction());
+}
+
+ContactParty contact_party(const Scene& scene, std::size_t component) {
+  const ComponentView view = component_of(scene, component);
+  return {view.wall != nullptr, view.number};
+}
+
+std::vector<ContactForce> contact_forces(const Scene& scene, const ContactResult& result,
+                                         const GapConstraints& constraints,
+                                         const Separation& separation) {
+  std::vector<ContactForce> forces;
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    const auto row = static_cast<Index>(i);
+    if (result.multipliers[row] <= 0.0) continue;
+    const GapConstraint& found = constraints.at(result.keys[i]);
+    forces.push_back({contact_party(scene, found.a), contact_party(scene, found.b),
+                      found.force_on_a.point, found.force_on_a.normal, result.multipliers[row],
+                      separation.between(found.a, found.b) + result.gaps[row]});
+  }
+  return forces;
+}
+
+// Lists the pairs whose gap does not open under its own force; all pairs if the linear problem has
+// no solution, or if the mobility was corrected by more than the tolerance.
+std::vector<ComponentPair> unresolved_pairs(const ContactOutcome& outcome,
+                                            const GapConstraints& constraints, double tolerance) {
+  const ContactResult& result = outcome.result;
+  const bool is_solved =
+      result.status != ContactStatus::no_linear_solution && outcome.correction <= tolerance;
+  std::vector<ComponentPair> pairs;
+  for (std::size_t i = 0; i < result.keys.size(); ++i) {
+    if (is_solved && result.response[static_cast<Index>(i)] > 0.0) continue;
+    const GapConstraint& found = constraints.at(result.keys[i]);
+    pairs.emplace_back(found.a, found.b);
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -78,41 +106,6 @@ Imbalance imbalance(const VectorXd& force, const Configuration& acting,
   return {std::abs(net) / largest, std::abs(torque) / (largest * (farthest + radius))};
 }
 
-VectorXd to_numbers(const CloserPairs& pairs) {
-  VectorXd numbers(static_cast<Index>(3 * pairs.size()));
-  Index i = 0;
-  for (const auto& [pair, gap] : pairs) {
-    numbers.segment<3>(i) << static_cast<double>(pair.first), static_cast<double>(pair.second), gap;
-    i += 3;
-  }
-  return numbers;
-}
-
-CloserPairs to_pairs(const VectorXd& numbers) {
-  CloserPairs pairs;
-  for (Index i = 0; i < numbers.size(); i += 3) {
-    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
-        numbers[i + 2];
-  }
-  return pairs;
-}
-
-ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit) {
-  ContactShapes shapes;
-  for (const auto& discretised : discretisation) {
-    const auto is_equal = [&](const std::shared_ptr<const DiscretisedShape>& earlier) {
-      return earlier->shape == discretised->shape && earlier->curve.side == discretised->curve.side;
-    };
-    const auto known = static_cast<std::size_t>(std::ranges::find_if(discretisation, is_equal) -
-                                                discretisation.begin());
-    shapes.push_back(known < shapes.size()
-                         ? shapes[known]
-                         : std::make_shared<const ContactShape>(contact_shape(
-                               discretised->shape, discretised->curve.side, sag_limit)));
-  }
-  return shapes;
-}
-
 SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
     : solver_(solver),
       separation_(solver.separation()),
@@ -120,10 +113,6 @@ SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
   double sag = 0.0;
   for (const auto& shape : shapes_) sag = std::max(sag, shape->sag);
   polygon_separation_ = separation_ + 2.0 * sag;
-}
-
-bool SuspensionContact::is_free(std::size_t component) const {
-  return solver_.discretisation()[component]->kind == ComponentKind::free_body;
 }
 
 std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
@@ -135,7 +124,7 @@ std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
 std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
   std::vector<PolygonGap> gaps = polygon_gaps(shapes_, configuration, polygon_separation_);
   std::erase_if(gaps, [this](const PolygonGap& found) {
-    return found.gap > 0.0 && !is_free(found.a) && !is_free(found.b);
+    return found.gap > 0.0 && !is_movable_pair(solver_.discretisation(), found.a, found.b);
   });
   return gaps;
 }
@@ -148,41 +137,37 @@ double SuspensionContact::curve_gap(const PolygonGap& found,
   return closest_points(curve(found.a), curve(found.b)).gap;
 }
 
-ContactParty SuspensionContact::party(std::size_t component) const {
-  const ComponentView view = component_of(solver_.scene(), component);
-  return {view.wall != nullptr, view.number};
-}
-
-ContactRules SuspensionContact::rules(const CloserPairs& closer) const {
-  return {{polygon_separation_, closer}, relative_tolerance * separation_};
+ConstraintRules SuspensionContact::constraint_rules(const CloserPairs& closer) const {
+  return {{{polygon_separation_, closer}, relative_tolerance * separation_}, {separation_, closer}};
 }
 
 CloserPairs SuspensionContact::admit_start(const Configuration& configuration) const {
-  std::string overlaps, narrow;
+  std::vector<std::string> overlaps, narrow;
   CloserPairs closer;
   for (const PolygonGap& found : gaps(configuration)) {
     const std::string pair = names(found.a, found.b);
     if (found.gap <= 0.0) {
-      append(overlaps, pair + " by " + short_number(-found.gap));
+      overlaps.push_back(pair + " by " + short_number(-found.gap));
     } else {
       const double gap = curve_gap(found, configuration);
       closer[{found.a, found.b}] = gap;
       if (gap < (1.0 - relative_slack_of_starts) * separation_) {
-        append(narrow, pair + " are " + short_number(gap) + " apart");
+        narrow.push_back(pair + " are " + short_number(gap) + " apart");
       }
     }
   }
-  if (!overlaps.empty()) throw ConfigurationError("bodies overlap at the start: " + overlaps);
+  if (!overlaps.empty())
+    throw ConfigurationError("bodies overlap at the start: " + joined(overlaps));
   if (!narrow.empty() && !solver_.scene().contact->allow_close) {
     throw ConfigurationError("pairs are closer at the start than contact.minimum_separation = " +
-                             short_number(separation_) + ": " + narrow +
+                             short_number(separation_) + ": " + joined(narrow) +
                              "; set contact.allow_close = true, or move them");
   }
   return closer;
 }
 
-CloserPairs SuspensionContact::widened(const CloserPairs& closer,
-                                       const Configuration& configuration) const {
+CloserPairs SuspensionContact::update_closer(const CloserPairs& closer,
+                                             const Configuration& configuration) const {
   if (closer.empty()) return {};
   CloserPairs result;
   for (const PolygonGap& found : gaps(configuration)) {
@@ -196,16 +181,16 @@ CloserPairs SuspensionContact::widened(const CloserPairs& closer,
 std::string SuspensionContact::too_close(const Configuration& configuration,
                                          const CloserPairs& closer) const {
   const Separation kept{separation_, closer};
-  std::string pairs;
+  std::vector<std::string> pairs;
   for (const PolygonGap& found : gaps(configuration)) {
     const double gap = found.gap > 0.0 ? curve_gap(found, configuration) : found.gap;
     // Twice the tolerance of the contact loop, whose closest points differ by rounding: they were
     // found from other starting points.
     const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
     if (gap >= least) continue;
-    append(pairs, names(found.a, found.b) + " are " + short_number(gap) + " apart");
+    pairs.push_back(names(found.a, found.b) + " are " + short_number(gap) + " apart");
   }
-  return pairs;
+  return joined(pairs);
 }
 
 double SuspensionContact::relative_displacement(const Configuration& start,
@@ -216,24 +201,21 @@ double SuspensionContact::relative_displacement(const Configuration& start,
     return area(curve) / perimeter(curve);
   };
   double largest = 0.0;
-  for (const Contact& contact : interferences(shapes_, paths, rules({})).contacts) {
+  for (const Contact& contact :
+       interferences(shapes_, paths, constraint_rules({}).polygons).contacts) {
     const std::size_t a = contact.a, b = contact.b;
-    if (!is_free(a) && !is_free(b)) continue;
-    const double way = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
+    if (!is_movable_pair(solver_.discretisation(), a, b)) continue;
+    const double length = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
     const double width = std::min(area_over_perimeter(a), area_over_perimeter(b));
-    largest = std::max(largest, way / width);
+    largest = std::max(largest, length / width);
   }
   return largest;
 }
 
-ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobility& mobility,
-                                          const CloserPairs& closer) const {
-  const auto begun = std::chrono::steady_clock::now();
-  const ConstraintRules rules{
-      this->rules(closer), {separation_, closer}, [this](std::size_t a, std::size_t b) {
-        return is_free(a) || is_free(b);
-      }};
-  GapConstraints rows(stage, solver_.discretisation(), shapes_, rules);
+ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
+                                          ContactMobility& mobility) const {
+  const ConstraintRules rules = constraint_rules(stage.closer);
+  GapConstraints constraints(stage, solver_.discretisation(), shapes_, rules);
   const ContactStep step{
       .free_velocity = stage.free_velocity,
       .dt = stage.dt,
@@ -245,63 +227,34 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage, ContactMobi
       },
       .refine = [&](const VectorXd& multipliers) { return mobility.refine(multipliers); },
       .guess =
-          stage.added.size() > 0 ? stage.free_velocity + stage.share * stage.added : VectorXd{},
+          stage.guess.size() > 0 ? stage.free_velocity + stage.share * stage.guess : VectorXd{},
       .name =
           [&](const ContactKey& key) {
-            const GapConstraint& row = rows.seen(key);
-            return names(row.a, row.b);
+            const GapConstraint& constraint = constraints.at(key);
+            return names(constraint.a, constraint.b);
           }};
   ContactOutcome outcome{};
   const auto attempt = [&] {
-    outcome.result = rows.resolved(step);
+    outcome.result = constraints.resolve(step);
     outcome.iterations += outcome.result.iterations;
   };
   attempt();
   // A second run begins with all pairs that the first one found, and often succeeds if the first
   // one has nearly converged.
-  if (is_close(outcome.result, separation_)) attempt();
+  if (outcome.result.status == ContactStatus::not_converged &&
+      outcome.result.violations.back() < separation_) {
+    attempt();
+  }
   while (improve(mobility, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
-  for (std::size_t i = 0; i < result.keys.size(); ++i) {
-    const double force = result.multipliers[static_cast<Index>(i)];
-    if (force <= 0.0) continue;
-    const GapConstraint& row = rows.seen(result.keys[i]);
-    outcome.forces.push_back(
-        {party(row.a), party(row.b), row.on_a.point, row.on_a.normal, force,
-         rules.curves.between(row.a, row.b) + result.gaps[static_cast<Index>(i)]});
-  }
-  if (result.status == ContactStatus::resolved) {
-    outcome.corrected = mobility.corrected_by(result.multipliers);
-  }
-  const bool solved = result.status != ContactStatus::no_linear_solution &&
-                      outcome.corrected <= solver_.scene().solver.tolerance;
-  for (std::size_t i = 0; i < result.keys.size(); ++i) {
-    if (solved && result.response[static_cast<Index>(i)] > 0.0) continue;
-    const GapConstraint& row = rows.seen(result.keys[i]);
-    outcome.unseen.emplace_back(row.a, row.b);
-  }
+  if (outcome.is_resolved()) outcome.correction = mobility.relative_correction(result.multipliers);
+  outcome.forces = contact_forces(solver_.scene(), result, constraints, rules.curves);
+  outcome.unresolved = unresolved_pairs(outcome, constraints, solver_.scene().solver.tolerance);
   const auto [net_force, net_torque] = imbalance(result.force, stage.acting, shapes_);
   outcome.force_imbalance = net_force;
   outcome.torque_imbalance = net_torque;
   outcome.kkt_residual = result.kkt_residual / separation_;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
-  outcome.seconds = passed.count();
   return outcome;
-}
-
-Solution SuspensionContact::with_forces(Solution free, const ContactOutcome& outcome,
-                                        const ContactMobility& mobility) const {
-  if (outcome.forces.empty()) return free;
-  const LoadSolution added = mobility.combined(outcome.result.multipliers);
-  free.density += added.density;
-  free.uniform_velocity += added.completion.uniform_velocity;
-  for (std::size_t k = 0; k < free.motions.size(); ++k) {
-    free.loads[k].force += added.completion.loads[k].force;
-    free.loads[k].torque += added.completion.loads[k].torque;
-    free.motions[k].velocity += added.completion.motions[k].velocity;
-    free.motions[k].omega += added.completion.motions[k].omega;
-  }
-  return free;
 }
 
 }  // namespace stokesbook

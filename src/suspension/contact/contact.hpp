@@ -3,35 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "lcp/contact_loop.hpp"
 #include "record/run_data.hpp"
-#include "stiv/interferences.hpp"
 #include "stiv/polygon_gaps.hpp"
 #include "suspension/contact/contact_mobility.hpp"
+#include "suspension/contact/gap_constraints.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
-
-/// Packs pairs into numbers.
-///
-/// @param  pairs  P of them
-/// @return        3P numbers: both components, and the gap
-Eigen::VectorXd to_numbers(const CloserPairs& pairs);
-
-/// Unpacks pairs.
-///
-/// @param  numbers  as to_numbers() packs them
-/// @return          pairs
-CloserPairs to_pairs(const Eigen::VectorXd& numbers);
-
-/// Makes the polygons of components. Components of one shape and side share a polygon.
-///
-/// @param  discretisation  of all components
-/// @param  sag_limit       largest distance of a polygon from its curve, length
-/// @return                 one a component
-ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
 
 /// The net force and torque of the forces that components exert on each other.
 struct Imbalance {
@@ -51,20 +31,6 @@ struct Imbalance {
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
                     const ContactShapes& shapes);
 
-/// A stage of a step for which contact is to be resolved.
-struct ContactStage {
-  const Configuration& start;  ///< where the step begins
-  Eigen::VectorXd
-      free_velocity;  ///< mean velocity of the step without contact, as to_rate() packs it
-  double dt;          ///< length of the step
-  const Configuration& acting;  ///< where forces act, and where the mobility is evaluated
-  double share;                 ///< part of the step during which the forces act, 1 or 1/2
-  /// Velocities that contact added in this stage of the step before, as to_rate() packs them; empty
-  /// in the first step.
-  const Eigen::VectorXd& added;
-  int most_iterations;  ///< largest number of linear complementarity problems
-};
-
 /// The contact of a stage.
 struct ContactOutcome {
   ContactResult result;              ///< mean velocity, multipliers, and the end of the loop
@@ -73,12 +39,14 @@ struct ContactOutcome {
   double torque_imbalance = 0.0;     ///< net torque of all pairs, by imbalance()
   double kkt_residual = 0.0;         ///< of the result, over the separation
   int iterations = 0;                ///< linear problems, including those with inaccurate columns
-  double corrected = 0.0;            ///< ContactMobility::corrected_by() of resolved forces
-  double seconds = 0.0;              ///< wall time, including that of the mobility
+  double correction = 0.0;           ///< ContactMobility::relative_correction() of resolved forces
   /// Pairs whose nodes do not resolve the contact forces: their own force does not open the gap, or
   /// the linear problem has no solution, or the mobility was corrected by more than the solver's
   /// tolerance.
-  std::vector<ComponentPair> unseen{};
+  std::vector<ComponentPair> unresolved{};
+
+  /// Returns whether the velocity of the result keeps all gaps open.
+  bool is_resolved() const { return result.status == ContactStatus::resolved; }
 };
 
 /// Keeps the components of a scene at their minimum separation.
@@ -90,19 +58,11 @@ struct ContactOutcome {
 /// closest. No state with too_close() pairs is accepted.
 class SuspensionContact {
  public:
-  /// Prepares the polygons of a scene.
-  ///
-  /// @param  solver  of a scene with [contact], which must outlive this
+  /// Prepares the polygons of a scene with [contact]. The solver must outlive this.
   explicit SuspensionContact(const SuspensionSolver& solver);
 
-  /// Returns the least gap that is maintained.
-  /// @return delta, length
-  double separation() const { return separation_; }
-
-  /// Finds the pairs that start with a gap of at most the separation.
+  /// Finds the pairs that start with a gap of at most the separation, and their gaps.
   ///
-  /// @param  configuration  where the components are
-  /// @return                their gaps, length
   /// @throws ConfigurationError when components overlap, with all pairs and depths; and when gaps
   ///                are narrower than the separation, unless contact.allow_close is true
   CloserPairs admit_start(const Configuration& configuration) const;
@@ -113,26 +73,13 @@ class SuspensionContact {
   /// @param  closer         pairs at the start, or after the step before
   /// @param  configuration  where the components are now
   /// @return                pairs that are still closer than the separation
-  CloserPairs widened(const CloserPairs& closer, const Configuration& configuration) const;
+  CloserPairs update_closer(const CloserPairs& closer, const Configuration& configuration) const;
 
-  /// Resolves the contact of a stage.
+  /// Resolves the contact of a stage, with the mobility of the configuration in which forces act.
   ///
-  /// @param  stage     to resolve
-  /// @param  mobility  of the configuration in which forces act
-  /// @param  closer    pairs that may be closer than the separation
-  /// @return           contact; its velocity is valid only if its status is resolved
+  /// @return           contact; its velocity is valid only if it is resolved
   /// @throws SolverError as ContactMobility does
-  ContactOutcome resolve(const ContactStage& stage, ContactMobility& mobility,
-                         const CloserPairs& closer) const;
-
-  /// Adds the contact forces to a solution.
-  ///
-  /// @param  free      solution without contact forces in the configuration in which they act
-  /// @param  outcome   resolved contact
-  /// @param  mobility  as given to resolve()
-  /// @return           motions, loads and density with the contact forces
-  Solution with_forces(Solution free, const ContactOutcome& outcome,
-                       const ContactMobility& mobility) const;
+  ContactOutcome resolve(const ContactStage& stage, ContactMobility& mobility) const;
 
   /// Measures how far a step moves components past each other that come near each other.
   ///
@@ -153,12 +100,10 @@ class SuspensionContact {
   std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:
-  bool is_free(std::size_t component) const;
   std::string names(std::size_t a, std::size_t b) const;
   std::vector<PolygonGap> gaps(const Configuration& configuration) const;
   double curve_gap(const PolygonGap& found, const Configuration& configuration) const;
-  ContactRules rules(const CloserPairs& closer) const;
-  ContactParty party(std::size_t component) const;
+  ConstraintRules constraint_rules(const CloserPairs& closer) const;
 
   const SuspensionSolver& solver_;
   double separation_;

@@ -13,19 +13,13 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// The solution under loads on free bodies alone.
-struct LoadSolution {
-  ComplexVector density;  ///< at all n nodes, length / time
-  Completion completion;  ///< motions of free bodies, loads of all components on the fluid
-};
-
 /// Columns of the contact mobility in earlier configurations, from which solves for similar loads
 /// begin. The latest come first. As many older ones are kept, since a contact that is lost for some
 /// steps may come back. Loads and densities are stored in the frames of their components, in which
 /// they change little while a contact lasts.
 struct MobilityColumns {
-  Eigen::MatrixXd loads;  ///< 3K x m, as ContactMobility takes them, but in components' frames
-  Eigen::VectorXd flows;  ///< norms of their right-hand sides, m numbers, length / time
+  Eigen::MatrixXd loads;      ///< 3K x m, as ContactMobility takes them, but in components' frames
+  Eigen::VectorXd rhs_norms;  ///< norms of their right-hand sides, m numbers, length / time
   DensityHistory densities{1};  ///< of their solutions, a column each
   /// Relative residual that a reused column is assumed to have one step later, if its load has
   /// turned by a tenth at most.
@@ -54,10 +48,9 @@ struct MobilityColumns {
 /// solved to a tighter tolerance, and in the end used with their correction, however large.
 ///
 /// The residual of a combination shows the quality of the columns. Columns with a larger residual
-/// than assumed are solved for. All columns are solved to a tenth of their tolerance when
-/// refinements have taken as many iterations as that takes, or when the residual grows from one
-/// refinement to the next. The columns of the next configuration may have a residual ten times as
-/// large.
+/// than assumed are solved for. The tolerance of all columns is divided by ten when refinements
+/// have taken as many iterations as that takes, or when the residual grows from one refinement to
+/// the next. The columns of the next configuration may have a residual ten times as large.
 class ContactMobility {
  public:
   /// Takes a solution; nothing is solved yet.
@@ -96,21 +89,17 @@ class ContactMobility {
   /// @par Cost      a solve; none if the multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
-  /// Divides the tolerance of all columns by ten from now on.
-  ///
-  /// @return  false if it was that of the solver already
+  /// Divides the tolerance of all columns by ten from now on. Returns false if the tolerance was
+  /// that of the solver already.
   bool tighten();
 
-  /// Adds up the solutions of the latest call.
-  ///
-  /// @param  multipliers  m numbers, one a column of the loads
-  /// @return              their combination
-  LoadSolution combined(const Eigen::VectorXd& multipliers) const;
+  /// Adds the combination of the latest columns with m multipliers to the solution: to its motions,
+  /// loads and density.
+  Solution loaded_solution(const Eigen::VectorXd& multipliers) const;
 
-  /// Accepts corrections of any size by definite_correction() from now on.
-  ///
-  /// @return  false if they were accepted before
-  bool keep_correction();
+  /// Accepts corrections of any size by definite_correction() from now on. Returns false if they
+  /// were accepted before.
+  bool accept_any_correction();
 
   /// Measures the part of the combination of the latest columns that definite_correction() has
   /// added.
@@ -119,18 +108,15 @@ class ContactMobility {
   /// @return              largest added velocity of a component, over the velocity scale of the
   ///                      scene, or over the largest velocity of the combination if that is larger;
   ///                      angular velocities are multiplied by the radius of gyration
-  double corrected_by(const Eigen::VectorXd& multipliers) const;
+  double relative_correction(const Eigen::VectorXd& multipliers) const;
 
-  /// Returns all columns, for the next configuration.
-  /// @return columns; the earlier ones if none was computed
+  /// Returns all columns, for the next configuration; the earlier ones if none was computed.
   MobilityColumns columns() const;
 
   /// Returns the work so far.
-  /// @return iterations and applications
   const SolveCost& cost() const { return cost_; }
 
-  /// Counts solves.
-  /// @return columns and combinations solved for
+  /// Counts the columns and combinations that were solved for.
   int solves() const { return solves_; }
 
  private:
@@ -138,48 +124,46 @@ class ContactMobility {
   /// @cond
   struct Column {
     Eigen::SparseVector<double> load;
-    Eigen::SparseVector<double> forces;  // the load, torques over the radius of gyration
+    Eigen::SparseVector<double> scaled_load;  // torques over the radius of gyration
     ComplexVector density;
     std::vector<RigidMotion> motions{};
     double tolerance = 1.0;  // estimated relative residual
-    double flow = 0.0;  // norm of its right-hand side; for reused columns that of the earlier one
+    double rhs_norm = 0.0;   // of reused columns: that of the earlier right-hand side
+  };
+  struct Combination {
+    Eigen::SparseVector<double> load;
+    ComplexVector density;
   };
   /// @endcond
-  void begin();
-  std::size_t find_or_add(Column asked);
-  void reuse_similar(Column& asked) const;
-  void solve_by_factors(Column& asked) const;
-  void solve_to_tolerance(Column& asked, double separation);
-  void complete(Column& column, double flow) const;
-  GmresResult solve(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
+  std::size_t find_or_add(Column column);
+  void reuse_similar(Column& column) const;
+  void solve_by_factors(Column& column) const;
+  void solve_to_tolerance(Column& column, double angle);
+  void complete(Column& column, double rhs_norm) const;
+  GmresResult run_gmres(const ComplexVector& rhs, double tolerance, const ComplexVector& guess);
   bool refine_combination(const Eigen::VectorXd& multipliers);
-  Eigen::VectorXd weights(const Eigen::VectorXd& multipliers) const;
+  Eigen::VectorXd column_weights(const Eigen::VectorXd& multipliers) const;
   double residual_bound(const Eigen::VectorXd& weights) const;
-  Eigen::SparseVector<double> combined_load(const Eigen::VectorXd& multipliers) const;
+  Combination combine(const Eigen::VectorXd& multipliers) const;
 
   const SuspensionSolver& solver_;
-  Configuration configuration_;
-  Discretisation discretisation_;
+  Solution solution_;
   MobilityColumns earlier_;
-  double exact_;      // relative residual of combinations
-  double tolerance_;  // relative residual of columns
-  std::shared_ptr<const LinearSystem> discrete_;
-  double flow_ = 0.0;      // norm of the scene's own right-hand side
-  double velocity_scale_;  // largest velocity of the scene's flow
-  // Factors that make forces of loads: 1 over the radius of gyration for torques; 0 for loads that
-  // supports bear. Empty before the first load.
-  Eigen::VectorXd over_lengths_;
-  std::vector<Column> earlier_columns_;  // of earlier configurations, on the nodes of this one
-  std::vector<Column> columns_;          // of all loads so far
-  std::vector<std::size_t> latest_;      // columns of the loads of the latest call
-  Eigen::MatrixXd velocities_;           // of these columns
-  Eigen::MatrixXd correction_;           // of these velocities, by definite_correction()
-  double most_correction_;   // largest motion of the correction, over the velocity scale
-  bool corrects_ = true;     // false: columns are used without a correction
-  Eigen::VectorXd refined_;  // weights of the latest combination that was solved for
-  double missing_ = 0.0;     // residual of that combination before its solve
-  double allowed_ = 0.0;     // residual that it may have
-  int spent_ = 0;            // iterations of refinements since the latest new load
+  double combination_tolerance_;             // relative residual of combinations
+  double column_tolerance_;                  // relative residual of columns
+  double flow_norm_;                         // norm of the scene's own right-hand side
+  Eigen::VectorXd load_scales_;              // factors from loads to scaled loads
+  std::vector<Column> earlier_columns_;      // of earlier configurations, on the nodes of this one
+  std::vector<Column> columns_;              // of all loads so far
+  std::vector<std::size_t> latest_columns_;  // columns of the loads of the latest call
+  Eigen::MatrixXd velocities_;               // of these columns
+  Eigen::MatrixXd correction_;               // of these velocities, by definite_correction()
+  double most_correction_;  // largest motion of the correction, over the velocity scale
+  bool corrects_ = true;    // false: columns are used without a correction
+  Eigen::VectorXd combination_weights_;  // weights of the latest combination that was solved for
+  double combination_residual_ = 0.0;    // residual of that combination before its solve
+  double allowed_residual_ = 0.0;        // residual that it may have
+  int refinement_iterations_ = 0;        // iterations of refinements since the latest new load
   SolveCost cost_;
   int solves_ = 0;
 };

@@ -1,4 +1,4 @@
-// Raises the negative and small eigenvalues of a computed mobility matrix (chapter 12).
+// Increases the negative and small eigenvalues of a computed mobility matrix (chapter 12).
 #include "suspension/contact/definite_correction.hpp"
 
 #include <Eigen/Cholesky>
@@ -21,9 +21,9 @@ MatrixXd definite_correction(const MatrixXd& loads, const MatrixXd& works) {
   if (symmetric.llt().info() == Eigen::Success) return none;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(symmetric);
   const VectorXd& eigenvalues = modes.eigenvalues();
-  const VectorXd raised = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
+  const VectorXd increase = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
   const MatrixXd vectors = scale.asDiagonal() * modes.eigenvectors();
-  const MatrixXd change = vectors * raised.asDiagonal() * vectors.transpose();
+  const MatrixXd change = vectors * increase.asDiagonal() * vectors.transpose();
   // The least V' with F^T V' = change.
   const MatrixXd gram = loads.transpose() * loads;
   return loads * gram.completeOrthogonalDecomposition().solve(change);

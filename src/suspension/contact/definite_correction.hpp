@@ -14,7 +14,7 @@ namespace stokesbook {
 /// hardly move anything, such as the forces across three gaps around trapped fluid; the
 /// complementarity problem may then have no solution. A negative eigenvalue of the symmetric part,
 /// after a scaling to a unit diagonal, is a lower bound for the errors. All eigenvalues below its
-/// modulus are raised to its modulus.
+/// modulus are increased to its modulus.
 ///
 /// @param  loads  F, D x m, in units in which all components of a load are comparable
 /// @param  works  \f$ F^TV \f$, m x m, of the motions V under these loads

@@ -1,22 +1,53 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "lcp/contact_loop.hpp"
 #include "near_singular/closest_points.hpp"
-#include "suspension/contact/contact.hpp"
+#include "stiv/interferences.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
 /// @addtogroup suspension
 /// @{
 
+/// Makes the polygons of components, whose distance from their curves is at most the sag.
+/// Components of one shape and side share a polygon.
+ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
+
+/// Finds the straight paths of components that move with a velocity, packed by to_state(), for a
+/// time.
+std::vector<RigidPath> straight_paths(const Configuration& start, const Eigen::VectorXd& velocity,
+                                      double dt);
+
+/// Returns whether forces can move two components apart: whether one of them is a free body.
+bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::size_t b);
+
+/// A stage of a step for which contact is to be resolved.
+///
+/// The mean velocity of the step is `known_velocity`, plus `share` times the velocity of the flow
+/// and of contact at `acting`. Velocities are packed by to_state().
+struct ContactStage {
+  std::size_t index;                ///< in its step, 0 or 1
+  double t;                         ///< time at which the forces act
+  double dt;                        ///< length of the step
+  Configuration start;              ///< where the step begins
+  Configuration acting;             ///< where forces act, and where the mobility is evaluated
+  double share;                     ///< part of the step during which the forces act, 1 or 1/2
+  Eigen::VectorXd known_velocity;   ///< from the stage before; zero in the first stage
+  const CloserPairs& closer;        ///< pairs that may be closer than the separation
+  int most_iterations;              ///< largest number of linear complementarity problems
+  Eigen::VectorXd free_velocity{};  ///< mean velocity of the step without contact in this stage
+  Eigen::VectorXd guess{};          ///< velocity that contact adds at `acting`; empty: no guess
+};
+
 /// The point and the direction of a contact force.
-struct ActingForce {
+struct UnitForce {
   Complex point;   ///< length
   Complex normal;  ///< unit vector, of the force on a
 };
@@ -28,41 +59,26 @@ struct GapConstraint {
   ContactRow row;                         ///< of the polygons
   double gap = 0.0;                       ///< at the end of the step, minus the separation; length
   std::optional<ClosestPoints> points{};  ///< of the curves there, if they measure the gap
-  ActingForce on_a{};                     ///< by the curves
+  UnitForce force_on_a{};                 ///< by the curves
 };
 
-/// Finds the straight paths of components.
-///
-/// @param  start     where they begin
-/// @param  velocity  3K numbers, packed as a rate
-/// @param  dt        duration, time
-/// @return           paths of K components
-std::vector<RigidPath> straight_paths(const Configuration& start, const Eigen::VectorXd& velocity,
-                                      double dt);
-
-/// The separations of polygons and of curves, and the pairs that contact concerns.
+/// The separations of polygons and of curves.
 struct ConstraintRules {
   ContactRules polygons;  ///< separations of the polygons, with the sags of both
   Separation curves;      ///< separations of the curves
-  std::function<bool(std::size_t a, std::size_t b)> concerns;  ///< true if forces can move the pair
 };
 
 /// The gap functions of a stage and their Jacobian, as the contact loop of chapter 11 requires
 /// them; remembers all constraints that it has returned.
 ///
-/// The pairs with constraints are those that were violated at some velocity. Their constraints are
-/// those that interferences() finds, those that they had at an earlier velocity, and the closest
-/// point of their curves if that is nearer than all of these. A gap is that of the curves at the
-/// end of the step. Forces act at the closest points of the acting configuration; forces at the
-/// closest points of the end would lower the order of the method by one.
+/// The active pairs, which have constraints, are those that were violated at some velocity. Their
+/// constraints are those that interferences() finds, those that they had at an earlier velocity,
+/// and the closest point of their curves if that is nearer than all of these. A gap is that of the
+/// curves at the end of the step. Forces act at the closest points of the acting configuration;
+/// forces at the closest points of the end would lower the order of the method by one.
 class GapConstraints {
  public:
-  /// Takes a stage. All arguments must outlive the constraints.
-  ///
-  /// @param  stage           to resolve
-  /// @param  discretisation  of all components
-  /// @param  shapes          their polygons
-  /// @param  rules           separations that are kept
+  /// Takes a stage and the polygons of all components. All arguments must outlive the constraints.
   GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
                  const ContactShapes& shapes, const ConstraintRules& rules);
 
@@ -72,28 +88,20 @@ class GapConstraints {
   ///
   /// @param  step  without its rows
   /// @return       result of the last loop, with the iterations of both, at most those of the stage
-  ContactResult resolved(const ContactStep& step);
+  ContactResult resolve(ContactStep step);
 
-  /// Finds a constraint by its key.
-  ///
-  /// @param  key  of a constraint that was returned
-  /// @return      the constraint as it was returned last
-  const GapConstraint& seen(const ContactKey& key) const { return seen_.at(key); }
+  /// Returns a constraint as the contact loop saw it last.
+  const GapConstraint& at(const ContactKey& key) const { return constraints_.at(key); }
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
-  /// @cond
-  enum class Linearisation { exact, symmetric };
-  /// @endcond
-  ContactResult resolved(ContactStep step, Linearisation linearisation, int most_iterations);
-  ContactRows rows(const Eigen::VectorXd& velocity, Linearisation linearisation);
-  std::vector<GapConstraint> pressed_rows(const Eigen::VectorXd& velocity,
-                                          const Configuration& end);
-  void look_for_missed(const std::vector<GapConstraint>& rows, const Configuration& end);
-  void add_former(std::vector<GapConstraint>& rows, const Configuration& end) const;
-  void measure(GapConstraint& row, const Configuration& end) const;
-  bool is_violated(const std::vector<GapConstraint>& rows) const;
-  double sags(const GapConstraint& row) const;
+  ContactRows rows(const Eigen::VectorXd& velocity);
+  std::vector<GapConstraint> active_constraints(const Eigen::VectorXd& velocity,
+                                                const Configuration& end);
+  void find_missed_minimum(const std::vector<GapConstraint>& reported, const Configuration& end);
+  void add_earlier(std::vector<GapConstraint>& constraints, const Configuration& end) const;
+  void measure(GapConstraint& constraint, const Configuration& end) const;
+  bool is_violated(const std::vector<GapConstraint>& constraints) const;
+  double polygon_error(const GapConstraint& constraint) const;
   SmoothCurve curve(std::size_t component, const Configuration& at) const;
   ClosestPoints closest(const RowKey& key, const Configuration& at) const;
 
@@ -101,9 +109,9 @@ class GapConstraints {
   const Discretisation& discretisation_;
   const ContactShapes& shapes_;
   const ConstraintRules& rules_;
-  std::set<ComponentPair> pressed_;                      // pairs violated at some velocity
-  std::map<ComponentPair, std::vector<RowKey>> places_;  // of their constraints so far
-  std::map<ContactKey, GapConstraint> seen_;
+  std::set<ComponentPair> active_;                     // pairs violated at some velocity
+  std::map<ComponentPair, std::vector<RowKey>> keys_;  // of the pairs' constraints so far
+  std::map<ContactKey, GapConstraint> constraints_;    // returned so far
 };
 
 /// @}

@@ -15,14 +15,17 @@ namespace stokesbook {
 
 namespace {
 
-constexpr double sag_of_passing = 1e-3;  // of polygons, over the smallest radius of gyration
-constexpr double accepted_sags =
-    10.0;  // depth of the deepest overlap that is not found, over the sag
+// Largest distance of a polygon from its curve, over the smallest radius of gyration.
+constexpr double sag_of_passing = 1e-3;
+
+// Depth of the deepest overlap that is not found, over this distance.
+constexpr double accepted_sags = 10.0;
 
 double smallest_radius(const Discretisation& discretisation) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& discretised : discretisation)
+  for (const auto& discretised : discretisation) {
     smallest = std::min(smallest, discretised->gyration_radius);
+  }
   return smallest;
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "suspension/contact/contact.hpp"
+#include "suspension/contact/gap_constraints.hpp"
 #include "suspension/solver/solver.hpp"
 
 namespace stokesbook {
@@ -15,9 +15,7 @@ namespace stokesbook {
 /// Neither end of such a step has an overlap: the bodies have changed sides.
 class PassingTest {
  public:
-  /// Takes the shapes of a scene.
-  ///
-  /// @param  solver  of the scene; must outlive the test
+  /// Takes the shapes of a scene. The solver must outlive the test.
   explicit PassingTest(const SuspensionSolver& solver);
 
   /// Looks for pairs that overlap on straight paths with uniform rotations. Overlaps of less than a

@@ -10,10 +10,10 @@
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm_settings.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/motion/stepping.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/plan_lines.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -44,16 +44,15 @@ std::string aligned(const std::string& topic, const std::string& text) {
 
 // Returns whether two resolutions look the same to the reader: the places where nodes crowd differ
 // from body to body, and are not compared.
-bool alike(const Resolution& a, const Resolution& b) {
+bool is_same(const Resolution& a, const Resolution& b) {
   return a.n_nodes == b.n_nodes && a.is_graded() == b.is_graded();
 }
 
-// Returns the recommendation for components with given nodes; `most` is the largest number that is
-// recommended, 0 if there is none.
-std::string recommendation(int most) {
-  return most > 0 ? "; " + std::to_string(most) + " recommended for shape and gaps"
-                  : "; no number up to " + std::to_string(most_nodes_for_shape) +
-                        " resolves the shape to solver.tolerance";
+// Recommends a number of nodes for components with given nodes; 0: no number suffices.
+std::string recommendation(int nodes) {
+  return nodes > 0 ? "; " + std::to_string(nodes) + " recommended for shape and gaps"
+                   : "; no number up to " + std::to_string(most_nodes_for_shape) +
+                         " resolves the shape to solver.tolerance";
 }
 
 // Returns one line for all components that share a shape and a resolution, and whose nodes are all
@@ -71,7 +70,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
     if (done[k]) continue;
     int members = 0, most = 0;
     for (std::size_t j = k; j < discretisation.size(); ++j) {
-      if (discretisation[j] != discretisation[k] || !alike(resolutions[j], resolutions[k]) ||
+      if (discretisation[j] != discretisation[k] || !is_same(resolutions[j], resolutions[k]) ||
           is_chosen(j) != is_chosen(k)) {
         continue;
       }
@@ -81,7 +80,7 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
     }
     lines.push_back(aligned(
         "components",
-        std::to_string(members) + " x " + shape_name(discretisation[k]->shape) + ", " +
+        std::to_string(members) + " x " + std::visit(ShapeName{}, discretisation[k]->shape) + ", " +
             std::to_string(resolutions[k].n_nodes) + " nodes" +
             (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
             (is_chosen(k) ? " initially, chosen for shape and gaps" : recommendation(most))));
@@ -102,30 +101,13 @@ std::string sum_text(const Plan& plan, Eigen::Index nodes) {
                 : "more nodes than the " + std::to_string(break_even(settings)) + " of break-even");
 }
 
-// Describes the size of the linear system, and how its sums are computed.
-std::vector<std::string> size_lines(const Plan& plan, const Resolutions& resolutions) {
-  long long nodes = 0;
-  for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
-  return {aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
-                                  " nodes; motions and loads are functionals of the density "
-                                  "(reduced closure)"),
-          aligned("summation", sum_text(plan, nodes))};
-}
-
-std::vector<std::string> gap_lines(const Scene& scene, const std::vector<Gap>& gaps) {
-  if (gaps.empty()) return {};
-  return {aligned("closest pair", component_of(scene, gaps.front().a).name() + " and " +
-                                      component_of(scene, gaps.front().b).name() + ", " +
-                                      short_number(gaps.front().points.gap) + " apart")};
-}
-
 std::string late_reversals(const Scene& scene) {
   const auto late = std::ranges::upper_bound(scene.reverse_at, scene.time->t_final);
   if (late == scene.reverse_at.end()) return {};
   return "; reverse_at = " + short_number(*late, 6) + " is after the end";
 }
 
-std::string steps_line(const Scene& scene) {
+std::string steps_text(const Scene& scene) {
   constexpr const char* names[] = {
       "explicit Euler",      "Adams-Bashforth 2",  "Heun", "Runge-Kutta 4", "Bogacki-Shampine 3(2)",
       "Dormand-Prince 5(4)", "Prince-Dormand 8(7)"};
@@ -133,7 +115,8 @@ std::string steps_line(const Scene& scene) {
   const std::string method = names[static_cast<int>(time.method)];
   const std::string end = " to t = " + short_number(time.t_final, 6);
   if (adapts_steps(time)) {
-    const double velocities = scene.solver.tolerance, positions = step_tolerance(time);
+    const double velocities = scene.solver.tolerance;
+    const double positions = time.tolerance.value_or(default_step_tolerance);
     return method + ", steps for a tolerance of " + short_number(positions) + end +
            (positions < velocities ? "; solver.tolerance = " + short_number(velocities) +
                                          " is larger, and limits the accuracy"
@@ -144,32 +127,34 @@ std::string steps_line(const Scene& scene) {
   return method + ", about " + short_number(steps, 9) + " steps of " + short_number(*time.dt) + end;
 }
 
-std::string time_line(const Scene& scene) {
-  if (!scene.time) return "none: one solve at t = 0";
-  return steps_line(scene) + late_reversals(scene);
-}
-
 }  // namespace
 
-std::string shape_name(const Shape& shape) {
-  return std::visit(ShapeName{}, shape);
-}
-
 std::vector<std::string> describe(const SuspensionSolver& solver) {
+  const Scene& scene = solver.scene();
   std::vector<std::string> lines;
   for (const auto& [topic, decision, reason] : plan_lines(solver.plan(), solver.scene())) {
     lines.push_back(aligned(topic, decision + ": " + reason));
   }
-  lines.push_back(aligned("time", time_line(solver.scene())));
+  lines.push_back(aligned(
+      "time", scene.time ? steps_text(scene) + late_reversals(scene) : "none: one solve at t = 0"));
   const Configuration start = solver.start().configuration;
   const std::vector<Gap> gaps = solver.gaps(start);
   const Resolutions resolutions = solver.first_resolutions(start, gaps);
-  const auto add = [&](std::vector<std::string> more) {
-    std::ranges::move(more, std::back_inserter(lines));
-  };
-  add(size_lines(solver.plan(), resolutions));
-  add(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)));
-  add(gap_lines(solver.scene(), gaps));
+  long long nodes = 0;
+  for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
+  lines.push_back(
+      aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
+                              " nodes; motions and loads are functionals of the density "
+                              "(reduced closure)"));
+  lines.push_back(aligned("summation", sum_text(solver.plan(), nodes)));
+  std::ranges::move(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)),
+                    std::back_inserter(lines));
+  if (!gaps.empty()) {
+    const Gap& closest = gaps.front();
+    lines.push_back(aligned("closest pair", component_of(scene, closest.a).name() + " and " +
+                                                component_of(scene, closest.b).name() + ", " +
+                                                short_number(closest.points.gap) + " apart"));
+  }
   return lines;
 }
 
@@ -178,15 +163,16 @@ std::string describe(const SuspensionSolver& solver, const Solution& solution) {
   for (const Resolution& resolution : resolutions_of(solution.discretisation)) {
     ++components[resolution.n_nodes];
   }
-  std::string nodes;
+  std::vector<std::string> nodes;
   for (const auto& [count, members] : components) {
-    nodes += (nodes.empty() ? "" : ", ") + std::to_string(members) + " x " + std::to_string(count);
+    nodes.push_back(std::to_string(members) + " x " + std::to_string(count));
   }
-  return aligned("resolution",
-                 "estimated error " + short_number(solution.error_estimate) +
-                     " of the velocities at the start, " +
-                     short_number(solver.scene().solver.tolerance) + " required; nodes " + nodes +
-                     "; " + std::to_string(solution.cost.gmres_iterations) + " GMRES iterations");
+  return aligned("resolution", "estimated error " + short_number(solution.error_estimate) +
+                                   " of the velocities at the start, " +
+                                   short_number(solver.scene().solver.tolerance) +
+                                   " required; nodes " + joined(nodes) + "; " +
+                                   std::to_string(solution.cost.gmres_iterations) +
+                                   " GMRES iterations");
 }
 
 }  // namespace stokesbook

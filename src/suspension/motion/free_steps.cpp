@@ -36,33 +36,31 @@ FreeSteps::FreeSteps(const SuspensionSolver& solver, const OutputSchedule& sched
       settings_(stepping_settings(solver)),
       passing_(solver) {}
 
-StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) const {
+std::optional<CloserPairs> FreeSteps::admit_start(const Configuration&) const {
+  return {};
+}
+
+StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) {
   return {std::move(flow), schedule_.next_event(state.now.t)};
 }
 
 TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
   const TimedSolution& first = start.flow;
-  StepInfo info = begun_step(first.solution, first.seconds);
+  const Configuration here = to_configuration(state.now.state);
+  StepInfo info = begin_step(first.solution, first.seconds);
   const double closest = info.min_gap;
   std::optional<TimedSolution> last;
-  const auto instant = [&](const VectorXd& q) {
-    return Instant{to_configuration(q), state.amplitude};
-  };
   const auto within = [&](double t, const VectorXd& q) {
-    const TimedSolution stage = instants_.solve(t, instant(q), EstimateWhen::never);
+    const TimedSolution stage = instants_.solve_stage(t, {to_configuration(q), state.amplitude});
     info = with_solve(info, stage.solution, stage.seconds);
     return to_rate(stage.solution);
   };
   const auto at_end = [&](double t, const VectorXd& q) {
     if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
-    with_time_in_errors(t, [&] {
-      const std::string passing =
-          passing_.error(to_configuration(state.now.state), to_configuration(q), closest);
-      if (!passing.empty()) throw ConfigurationError(passing);
-    });
-    const EstimateWhen estimate =
-        schedule_.is_written(t) ? EstimateWhen::always : EstimateWhen::when_due;
-    last = instants_.solve(t, instant(q), estimate);
+    const Configuration there = to_configuration(q);
+    const std::string passing = passing_.error(here, there, closest);
+    if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);
+    last = instants_.solve(t, {there, state.amplitude});
     return to_rate(last->solution);
   };
   const TimePoint now{state.now.t, state.now.state, to_rate(first.solution)};

@@ -28,22 +28,31 @@ std::string divergence_error(const Solution& lagged) {
 
 }  // namespace
 
-InstantSolver::InstantSolver(const SuspensionSolver& solver, RunStatistics& statistics)
+InstantSolver::InstantSolver(const SuspensionSolver& solver, const OutputSchedule& schedule,
+                             RunStatistics& statistics)
     : solver_(solver),
+      schedule_(schedule),
       statistics_(statistics),
       memory_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)} {
   memory_.gmres_tolerance = solver.plan().gmres_tolerance;
 }
 
-TimedSolution InstantSolver::solve(double t, const Instant& instant, EstimateWhen estimate) {
+TimedSolution InstantSolver::solve(double t, const Instant& instant) {
+  const bool due = memory_.densities.empty() ||
+                   memory_.solves_since_estimate >= solves_per_estimate || schedule_.is_written(t);
+  return solve(t, instant, due);
+}
+
+TimedSolution InstantSolver::solve_stage(double t, const Instant& instant) {
+  return solve(t, instant, false);
+}
+
+TimedSolution InstantSolver::solve(double t, const Instant& instant, bool estimated) {
   const auto start = std::chrono::steady_clock::now();
-  const bool due =
-      memory_.densities.empty() || memory_.solves_since_estimate >= solves_per_estimate;
-  const bool estimated =
-      estimate == EstimateWhen::always || (estimate == EstimateWhen::when_due && due);
   SolveMemory before = memory_;
-  Solution solution = with_time_in_errors(t, [&] { return solve_by_guess(t, instant, estimated); });
+  Solution solution =
+      with_time_in_errors(t, [&] { return solve_from_guess(t, instant, estimated); });
   if (!estimated) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, instant.configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
@@ -55,27 +64,9 @@ TimedSolution InstantSolver::solve(double t, const Instant& instant, EstimateWhe
   return {std::move(solution), std::move(before), passed.count(), estimated};
 }
 
-Solution InstantSolver::solve_again(double t, const Solution& flow) {
-  Solution solution = with_time_in_errors(t, [&] {
-    return solver_.solve_nearby(flow.instant, memory_.contact_resolutions,
-                                guess(t, flow.instant.configuration));
-  });
-  statistics_.add_solve(solution);
-  solution.error_estimate = flow.error_estimate;
-  memory_.densities.add(t, solution.instant.configuration, solution.discretisation,
-                        solution.density);
-  return solution;
-}
-
-DensityGuess InstantSolver::guess(double t, const Configuration& configuration) const {
-  return [this, t, configuration](const Discretisation& discretisation) -> ComplexVector {
-    return memory_.densities.guess(t, configuration, discretisation);
-  };
-}
-
-Solution InstantSolver::solve_by_guess(double t, const Instant& instant, bool estimated) const {
+Solution InstantSolver::solve_from_guess(double t, const Instant& instant, bool estimated) const {
   const DensityHistory& densities = memory_.densities;
-  const DensityGuess guess = this->guess(t, instant.configuration);
+  const DensityGuess guess = density_guess(t, instant.configuration);
   if (solver_.scene().solver.coupling == Coupling::local && !densities.empty()) {
     Solution solution = solver_.solve_lagged(instant, guess);
     throw_if(divergence_error(solution));
@@ -83,6 +74,24 @@ Solution InstantSolver::solve_by_guess(double t, const Instant& instant, bool es
   }
   return estimated ? solver_.solve(instant, guess, memory_.contact_resolutions)
                    : solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
+}
+
+Solution InstantSolver::solve_again(double t, const Solution& flow) {
+  const Configuration& configuration = flow.instant.configuration;
+  Solution solution = with_time_in_errors(t, [&] {
+    return solver_.solve_nearby(flow.instant, memory_.contact_resolutions,
+                                density_guess(t, configuration));
+  });
+  statistics_.add_solve(solution);
+  solution.error_estimate = flow.error_estimate;
+  memory_.densities.add(t, configuration, solution.discretisation, solution.density);
+  return solution;
+}
+
+DensityGuess InstantSolver::density_guess(double t, const Configuration& configuration) const {
+  return [this, t, configuration](const Discretisation& discretisation) -> ComplexVector {
+    return memory_.densities.guess(t, configuration, discretisation);
+  };
 }
 
 }  // namespace stokesbook

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suspension/motion/output_schedule.hpp"
 #include "suspension/motion/run_state.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/solver/solver.hpp"
@@ -15,14 +16,7 @@ struct TimedSolution {
   SolveMemory before;      ///< memory before the solve
   double seconds = 0.0;    ///< wall time of the solve
   bool estimated = false;  ///< whether the error estimate is its own, not that of an earlier solve
-  int raised = 0;          ///< how often contact required more nodes or a tighter GMRES tolerance
-};
-
-/// When a solve estimates its error.
-enum class EstimateWhen {
-  always,    ///< in this solve
-  when_due,  ///< where several solves before did not
-  never      ///< not in this solve
+  int refinements = 0;     ///< how often contact required more nodes or a tighter GMRES tolerance
 };
 
 /// Solves the instants of a run one after the other. GMRES begins with densities extrapolated from
@@ -32,20 +26,20 @@ enum class EstimateWhen {
 /// than no guess is an error, since the sweeps diverge, as they do in crowds.
 class InstantSolver {
  public:
-  /// Starts without earlier solves.
-  ///
-  /// @param  solver      of the scene, which must outlive this
-  /// @param  statistics  that count the solves, which must outlive this
-  InstantSolver(const SuspensionSolver& solver, RunStatistics& statistics);
+  /// Starts without earlier solves. The scene's solver, the schedule of written times, and the
+  /// statistics that count the solves must outlive this.
+  InstantSolver(const SuspensionSolver& solver, const OutputSchedule& schedule,
+                RunStatistics& statistics);
 
-  /// Solves an instant and remembers its densities.
+  /// Solves an instant and remembers its densities. The error is estimated at written times, in the
+  /// first solve, and after eight solves without an estimate; other solutions carry the latest
+  /// estimate.
   ///
-  /// @param  t         time
-  /// @param  instant   then
-  /// @param  estimate  when the error is estimated; other solutions carry the latest estimate
-  /// @return           the solution and its cost
   /// @throws SolverError with the time, as SuspensionSolver::solve() does
-  TimedSolution solve(double t, const Instant& instant, EstimateWhen estimate);
+  TimedSolution solve(double t, const Instant& instant);
+
+  /// Solves a stage within a step as solve() does, without an estimate of its error.
+  TimedSolution solve_stage(double t, const Instant& instant);
 
   /// Solves the same instant again with the node numbers that contact requires, and remembers its
   /// densities instead.
@@ -56,15 +50,16 @@ class InstantSolver {
   /// @throws SolverError with the time, as SuspensionSolver::solve_nearby() does
   Solution solve_again(double t, const Solution& flow);
 
-  /// Accesses what the next solve takes from those before.
-  /// @return the memory, which contact extends
+  /// Accesses what the next solve takes from those before; contact extends it.
   SolveMemory& memory() { return memory_; }
 
  private:
-  DensityGuess guess(double t, const Configuration& configuration) const;
-  Solution solve_by_guess(double t, const Instant& instant, bool estimated) const;
+  TimedSolution solve(double t, const Instant& instant, bool estimated);
+  Solution solve_from_guess(double t, const Instant& instant, bool estimated) const;
+  DensityGuess density_guess(double t, const Configuration& configuration) const;
 
   const SuspensionSolver& solver_;
+  const OutputSchedule& schedule_;
   RunStatistics& statistics_;
   SolveMemory memory_;
 };

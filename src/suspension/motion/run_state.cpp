@@ -2,9 +2,8 @@
 #include "suspension/motion/run_state.hpp"
 
 #include <algorithm>
-
-#include "suspension/bodies/configuration.hpp"
-#include "suspension/motion/stepping.hpp"
+#include <map>
+#include <string_view>
 
 namespace stokesbook {
 
@@ -15,14 +14,20 @@ namespace {
 // Begins the names of the errors of fields.
 constexpr std::string_view field_error = "field_error_";
 
+using History = std::map<std::string, VectorXd>;
+
+VectorXd one(double number) {
+  return VectorXd::Constant(1, number);
+}
+
 // Stores any number of vectors in a checkpoint.
-void keep(History& history, const std::string& name, const std::vector<VectorXd>& vectors) {
+void add_vectors(History& history, const std::string& name, const std::vector<VectorXd>& vectors) {
   for (std::size_t k = 0; k < vectors.size(); ++k) {
     history[name + "_" + std::to_string(k)] = vectors[k];
   }
 }
 
-std::vector<VectorXd> kept(const History& history, const std::string& name) {
+std::vector<VectorXd> find_vectors(const History& history, const std::string& name) {
   std::vector<VectorXd> vectors;
   while (true) {
     const auto found = history.find(name + "_" + std::to_string(vectors.size()));
@@ -43,15 +48,96 @@ std::vector<int> to_counts(const VectorXd& numbers) {
   return counts;
 }
 
+// Packs three numbers for each pair: both components, and the gap.
+VectorXd to_numbers(const CloserPairs& pairs) {
+  VectorXd numbers(static_cast<Eigen::Index>(3 * pairs.size()));
+  Eigen::Index i = 0;
+  for (const auto& [pair, gap] : pairs) {
+    numbers.segment<3>(i) << static_cast<double>(pair.first), static_cast<double>(pair.second), gap;
+    i += 3;
+  }
+  return numbers;
+}
+
+CloserPairs to_pairs(const VectorXd& numbers) {
+  CloserPairs pairs;
+  for (Eigen::Index i = 0; i < numbers.size(); i += 3) {
+    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
+        numbers[i + 2];
+  }
+  return pairs;
+}
+
+void add_steps(History& history, const StepMemory& memory) {
+  history["error"] = one(memory.error);
+  if (memory.dt) history["dt"] = one(*memory.dt);
+  if (memory.previous) {
+    history["previous_dt"] = one(memory.previous->dt);
+    history["previous_rate"] = memory.previous->rate;
+  }
+  if (memory.reduced) {
+    history["detour_end"] = one(memory.reduced->until);
+    history["detour_dt"] = one(memory.reduced->dt_after);
+  }
+}
+
+StepMemory find_steps(const History& history) {
+  const auto number = [&](const char* name) { return history.at(name)[0]; };
+  StepMemory memory{.error = number("error")};
+  if (history.contains("dt")) memory.dt = number("dt");
+  if (history.contains("previous_dt")) {
+    memory.previous = PreviousStep{number("previous_dt"), history.at("previous_rate")};
+  }
+  if (history.contains("detour_end")) {
+    memory.reduced = ReducedSteps{number("detour_end"), number("detour_dt")};
+  }
+  return memory;
+}
+
+void add_solves(History& history, const SolveMemory& solves) {
+  add_vectors(history, "density", solves.densities.packed());
+  add_vectors(history, "contact_density", solves.columns.densities.packed());
+  history["contact_loads"] = solves.columns.loads.reshaped();
+  history["contact_flows"] = solves.columns.rhs_norms;
+  add_vectors(history, "contact_velocity",
+              {solves.contact_velocities.begin(), solves.contact_velocities.end()});
+  VectorXd nodes(static_cast<Eigen::Index>(solves.contact_resolutions.size()));
+  std::ranges::transform(solves.contact_resolutions, nodes.begin(), &Resolution::n_nodes);
+  history["nodes_in_contact"] = nodes;
+  history["steps_in_contact"] = one(solves.steps_kept);
+  history["contact_tolerances"] = VectorXd{{solves.gmres_tolerance, solves.columns.tolerance}};
+  history["estimate"] =
+      VectorXd{{solves.error_estimate, static_cast<double>(solves.solves_since_estimate)}};
+}
+
+SolveMemory find_solves(const History& history, SolveMemory solves, Eigen::Index state_size) {
+  const auto components = static_cast<std::size_t>(state_size / 3);
+  solves.densities.unpack(find_vectors(history, "density"), components);
+  solves.columns.densities.unpack(find_vectors(history, "contact_density"), components);
+  solves.columns.loads = history.at("contact_loads").reshaped(state_size, Eigen::AutoSize);
+  solves.columns.rhs_norms = history.at("contact_flows");
+  std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());
+  for (const double nodes : history.at("nodes_in_contact")) {
+    solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
+  }
+  solves.steps_kept = static_cast<int>(history.at("steps_in_contact")[0]);
+  const VectorXd& tolerances = history.at("contact_tolerances");
+  solves.gmres_tolerance = tolerances[0];
+  solves.columns.tolerance = tolerances[1];
+  solves.error_estimate = history.at("estimate")[0];
+  solves.solves_since_estimate = static_cast<int>(history.at("estimate")[1]);
+  return solves;
+}
+
 }  // namespace
 
 std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint, RunState state,
                                                    RunStatistics statistics) {
   const History& history = checkpoint.history;
   state.now = {checkpoint.t, checkpoint.state, {}};
-  state.steps = to_memory(history);
+  state.steps = find_steps(history);
   if (state.closer) state.closer = to_pairs(history.at("closer"));
-  state.written = history.at("written")[0];
+  state.last_written = history.at("written")[0];
 
   auto& [totals, resolution, errors, bound] = statistics;
   totals.steps = checkpoint.step;
@@ -69,56 +155,29 @@ std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint,
   errors = history.at("errors");
   resolution.configuration_error = bound.in_units_of_scale(errors);
 
-  SolveMemory& solves = state.solves;
-  const std::size_t components = to_configuration(state.now.state).size();
-  solves.densities.unpack(kept(history, "density"), components);
-  solves.columns.densities.unpack(kept(history, "contact_density"), components);
-  solves.columns.loads =
-      history.at("contact_loads").reshaped(state.now.state.size(), Eigen::AutoSize);
-  solves.columns.flows = history.at("contact_flows");
-  std::ranges::copy(kept(history, "contact_velocity"), solves.added.begin());
-  for (const double nodes : history.at("nodes_in_contact")) {
-    solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
-  }
-  solves.steps_kept = static_cast<int>(history.at("steps_in_contact")[0]);
-  const VectorXd& tolerances = history.at("contact_tolerances");
-  solves.gmres_tolerance = tolerances[0];
-  solves.columns.tolerance = tolerances[1];
-  solves.error_estimate = history.at("estimate")[0];
-  solves.solves_since_estimate = static_cast<int>(history.at("estimate")[1]);
+  state.solves = find_solves(history, std::move(state.solves), checkpoint.state.size());
   return {std::move(state), std::move(statistics)};
 }
 
 Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics) {
   const auto& [totals, resolution, errors, bound] = statistics;
-  Checkpoint checkpoint{state.now.t, totals.steps, state.now.state, to_history(state.steps)};
+  Checkpoint checkpoint{state.now.t, totals.steps, state.now.state, {}};
   History& history = checkpoint.history;
+  add_steps(history, state.steps);
   if (state.closer) history["closer"] = to_numbers(*state.closer);
-  history["written"] = VectorXd::Constant(1, state.written);
+  history["written"] = one(state.last_written);
 
   history["contact_totals"] = VectorXd{
       {totals.largest_force_imbalance, totals.largest_torque_imbalance, totals.energy_injected}};
   history["first_nodes"] = to_numbers(resolution.first_nodes);
   history["most_nodes"] = to_numbers(resolution.most_nodes);
-  history["largest_estimate"] = VectorXd::Constant(1, resolution.velocity_error);
+  history["largest_estimate"] = one(resolution.velocity_error);
   history["errors"] = errors;
   for (const auto& [quantity, error] : resolution.field_errors) {
-    history[std::string(field_error) + quantity] = VectorXd::Constant(1, error);
+    history[std::string(field_error) + quantity] = one(error);
   }
 
-  const SolveMemory& solves = state.solves;
-  keep(history, "density", solves.densities.packed());
-  keep(history, "contact_density", solves.columns.densities.packed());
-  history["contact_loads"] = solves.columns.loads.reshaped();
-  history["contact_flows"] = solves.columns.flows;
-  keep(history, "contact_velocity", {solves.added.begin(), solves.added.end()});
-  VectorXd nodes(static_cast<Eigen::Index>(solves.contact_resolutions.size()));
-  std::ranges::transform(solves.contact_resolutions, nodes.begin(), &Resolution::n_nodes);
-  history["nodes_in_contact"] = nodes;
-  history["steps_in_contact"] = VectorXd::Constant(1, solves.steps_kept);
-  history["contact_tolerances"] = VectorXd{{solves.gmres_tolerance, solves.columns.tolerance}};
-  history["estimate"] =
-      VectorXd{{solves.error_estimate, static_cast<double>(solves.solves_since_estimate)}};
+  add_solves(history, state.solves);
   return checkpoint;
 }
 

@@ -17,14 +17,15 @@ namespace stokesbook {
 
 /// What a solve takes from the solves before it.
 struct SolveMemory {
-  DensityHistory densities;                ///< from which GMRES begins
-  MobilityColumns columns{};               ///< of the contact mobility in the stage before
-  std::array<Eigen::VectorXd, 2> added{};  ///< velocities that contact added in a step's stages
-  Resolutions contact_resolutions{};       ///< that the contact forces require; empty: none
-  int steps_kept = 0;                      ///< steps taken with these resolutions
-  double gmres_tolerance = 0.0;            ///< that the contact forces require
-  double error_estimate = 0.0;             ///< the latest
-  int solves_since_estimate = 0;           ///< solves since the latest error estimate
+  DensityHistory densities;   ///< from which GMRES begins
+  MobilityColumns columns{};  ///< of the contact mobility in the stage before
+  std::array<Eigen::VectorXd, 2>
+      contact_velocities{};           ///< velocities that contact added in a step's stages
+  Resolutions contact_resolutions{};  ///< that the contact forces require; empty: none
+  int steps_kept = 0;                 ///< steps taken with these resolutions
+  double gmres_tolerance = 0.0;       ///< that the contact forces require
+  double error_estimate = 0.0;        ///< the latest
+  int solves_since_estimate = 0;      ///< solves since the latest error estimate
 };
 
 /// All that the rest of a run depends on.
@@ -35,15 +36,11 @@ struct RunState {
   SolveMemory solves;  ///< before the solve at `now`, which a resumed run takes again
   std::optional<CloserPairs> closer{};  ///< pairs that began closer than contact allows, and their
                                         ///< gaps; none in scenes without contact
-  double written = -1.0;                ///< latest written time; -1: none
+  double last_written = -1.0;           ///< latest written time; -1: none
 };
 
 /// Packs a run for its checkpoint. Counts of work are left out: a resumed run takes the step under
 /// way again, and would count that work twice.
-///
-/// @param  state       of the run
-/// @param  statistics  of the run
-/// @return             all that from_checkpoint() requires
 Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics);
 
 /// Unpacks a run: it continues as if it had not stopped, bit for bit.
@@ -51,7 +48,6 @@ Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics)
 /// @param  checkpoint  of a run of the same scene
 /// @param  state       of that scene at its start
 /// @param  statistics  of no steps
-/// @return             both as they were
 /// @throws std::out_of_range when the checkpoint lacks something
 std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint, RunState state,
                                                    RunStatistics statistics);

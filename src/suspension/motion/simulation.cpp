@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "suspension/bodies/configuration.hpp"
+#include "suspension/motion/contact_steps.hpp"
+#include "suspension/motion/free_steps.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/fields.hpp"
 
@@ -38,16 +40,17 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       schedule_(solver.scene()),
       statistics_{.errors = VectorXd::Zero(to_state(solver.start().configuration).size()),
                   .bound = stepping_settings(solver).bound},
-      instants_(solver, statistics_),
+      instants_(solver, schedule_, statistics_),
       state_{.now = {0.0, to_state(solver.start().configuration), {}},
              .amplitude = 1.0,
-             .solves = instants_.memory(),
-             .closer =
-                 solver.scene().contact ? std::optional<CloserPairs>(std::in_place) : std::nullopt},
-      steps_(
-          solver.scene().contact
-              ? Steps(std::in_place_type<ContactSteps>, solver, schedule_, instants_, statistics_)
-              : Steps(std::in_place_type<FreeSteps>, solver, schedule_, instants_, statistics_)) {}
+             .solves = instants_.memory()} {
+  if (solver.scene().contact) {
+    state_.closer.emplace();
+    steps_ = std::make_unique<ContactSteps>(solver, schedule_, instants_, statistics_);
+  } else {
+    steps_ = std::make_unique<FreeSteps>(solver, schedule_, instants_, statistics_);
+  }
+}
 
 void Simulation::resume(const Checkpoint& checkpoint) {
   std::tie(state_, statistics_) = from_checkpoint(checkpoint, state_, statistics_);
@@ -57,12 +60,12 @@ void Simulation::resume(const Checkpoint& checkpoint) {
 // [run]
 void Simulation::run() {
   state_.amplitude = schedule_.amplitude_at(time());
-  TimedSolution flow = solve_here(EstimateWhen::when_due);
+  TimedSolution flow = solve_flow();
   while (true) {
-    StepStart start = begin(std::move(flow));  // with the contact forces that act from here
+    StepStart start = steps_->begin(state_, std::move(flow));  // with contact forces from here on
     if (schedule_.is_written(time())) write(start);
     if (time() >= schedule_.t_final()) return;
-    TakenStep taken = advance(std::move(start));
+    TakenStep taken = steps_->advance(state_, std::move(start));
     write_within(taken.step);
     flow = accept(std::move(taken));
   }
@@ -70,49 +73,37 @@ void Simulation::run() {
 // [run]
 
 void Simulation::solve_once() {
-  TimedSolution flow = solve_here(EstimateWhen::always);
-  auto* const contact = std::get_if<ContactSteps>(&steps_);
-  if (contact != nullptr && !solver_.scene().time) contact->step_for_an_instant(flow.solution);
-  write(begin(std::move(flow)));
+  write(steps_->begin(state_, solve_flow()));
 }
 
-// The flow where the run is: at its start, after a resume, or where the flow has reversed.
-TimedSolution Simulation::solve_here(EstimateWhen estimate) {
+// Solves for the flow where the run is: at its start, after a resume, or after a reversal.
+TimedSolution Simulation::solve_flow() {
   const Configuration configuration = to_configuration(state_.now.state);
-  const auto* const contact = std::get_if<ContactSteps>(&steps_);
-  if (contact != nullptr && statistics_.totals.steps == 0) {
-    state_.closer = contact->admit_start(configuration);
-  }
-  if (schedule_.is_written(time())) estimate = EstimateWhen::always;
-  return instants_.solve(time(), {configuration, state_.amplitude}, estimate);
-}
-
-StepStart Simulation::begin(TimedSolution flow) {
-  state_.solves = flow.before;
-  return std::visit([&](auto& steps) { return steps.begin(state_, std::move(flow)); }, steps_);
-}
-
-TakenStep Simulation::advance(StepStart start) {
-  return std::visit([&](auto& steps) { return steps.advance(state_, std::move(start)); }, steps_);
+  if (statistics_.totals.steps == 0) state_.closer = steps_->admit_start(configuration);
+  TimedSolution flow = instants_.solve(time(), {configuration, state_.amplitude});
+  state_.solves = std::move(flow.before);
+  return flow;
 }
 
 // Moves the run to the end of a step, and returns the flow there.
 TimedSolution Simulation::accept(TakenStep taken) {
   state_.now = std::move(taken.step.end);
   state_.steps = std::move(taken.memory);
+  state_.solves = std::move(taken.end.before);
   state_.closer = std::move(taken.closer);
   const StepInfo info = statistics_.add_step(taken.info, taken.error);
   if (observer_.step) observer_.step(info);
   adapt_to_effort(info);
-  return schedule_.is_reversal(time()) ? reverse() : std::move(taken.end);
+  if (!schedule_.is_reversal(time())) return std::move(taken.end);
+  reverse();
+  return solve_flow();
 }
 
-TimedSolution Simulation::reverse() {
+void Simulation::reverse() {
   state_.amplitude = schedule_.amplitude_at(time());
   state_.steps.previous.reset();  // the rate before a reversal does not extrapolate past it
   instants_.memory().densities.reverse(time());
-  instants_.memory().added = {};
-  return solve_here(EstimateWhen::when_due);
+  instants_.memory().contact_velocities = {};
 }
 
 // Doubles or halves the steps of a fixed method by the iterations that a step took.
@@ -127,9 +118,25 @@ void Simulation::adapt_to_effort(const StepInfo& step) {
   memory.dt = dt;
 }
 
+void Simulation::write(const StepStart& start) {
+  write(time(), start.solution(),
+        start.contact ? start.contact->outcome.forces : std::vector<ContactForce>{});
+}
+
+// Writes the frames between the ends of a step. Their solves leave no trace in the next ones.
+void Simulation::write_within(const Step& step) {
+  for (double t = schedule_.next_written(std::max(step.start.t, state_.last_written));
+       t < step.end.t; t = schedule_.next_written(t)) {
+    const Instant instant{to_configuration(interpolate(step, t)), state_.amplitude};
+    TimedSolution frame = instants_.solve(t, instant);
+    instants_.memory() = std::move(frame.before);
+    write(t, frame.solution, {});
+  }
+}
+
 void Simulation::write(double t, const Solution& solution,
                        const std::vector<ContactForce>& contacts) {
-  if (t <= state_.written) return;  // written before the run was resumed
+  if (t <= state_.last_written) return;  // written before the run was resumed
   if (observer_.frame) {
     Frame frame = make_frame(t, solver_.scene().bodies.size(), solution);
     frame.contacts = contacts;
@@ -142,24 +149,8 @@ void Simulation::write(double t, const Solution& solution,
     }
     observer_.frame(frame);
   }
-  state_.written = t;
+  state_.last_written = t;
   if (observer_.checkpoint) observer_.checkpoint(to_checkpoint(state_, statistics_));
-}
-
-void Simulation::write(const StepStart& start) {
-  write(time(), start.solution(),
-        start.contact ? start.contact->outcome.forces : std::vector<ContactForce>{});
-}
-
-// Writes the frames between the ends of a step. Their solves leave no trace in the next ones.
-void Simulation::write_within(const Step& step) {
-  for (double t = schedule_.next_written(std::max(step.start.t, state_.written)); t < step.end.t;
-       t = schedule_.next_written(t)) {
-    const Instant instant{to_configuration(interpolate(step, t)), state_.amplitude};
-    const TimedSolution frame = instants_.solve(t, instant, EstimateWhen::always);
-    instants_.memory() = frame.before;
-    write(t, frame.solution, {});
-  }
 }
 
 }  // namespace stokesbook

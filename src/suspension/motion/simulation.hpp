@@ -1,13 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
-#include <variant>
 
-#include "suspension/motion/contact_steps.hpp"
-#include "suspension/motion/free_steps.hpp"
-#include "suspension/motion/output_schedule.hpp"
-#include "suspension/motion/run_state.hpp"
+#include "suspension/motion/stepping.hpp"
 #include "suspension/solver/rheology.hpp"
 
 namespace stokesbook {
@@ -39,11 +36,8 @@ struct Observer {
 ///                evaluate_field() and Rheometer a written time
 class Simulation {
  public:
-  /// Takes the scene's configuration at the start.
-  ///
-  /// @param  solver    of a scene with [time], unless only solve_once() is called; must outlive the
-  ///                   simulation
-  /// @param  observer  receives frames, steps and checkpoints
+  /// Takes the configuration at the start of a scene with [time], or of any scene if only
+  /// solve_once() is called. The solver must outlive the simulation.
   Simulation(const SuspensionSolver& solver, Observer observer);
 
   /// Forbidden: members refer to each other.
@@ -52,9 +46,9 @@ class Simulation {
   /// Forbidden: members refer to each other.
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Continues from a checkpoint: the run goes on bit for bit as if it had not stopped.
+  /// Continues from a checkpoint of the same scene: the run goes on bit for bit as if it had not
+  /// stopped.
   ///
-  /// @param  checkpoint  of a run of the same scene
   /// @throws std::out_of_range when the checkpoint lacks something
   void resume(const Checkpoint& checkpoint);
 
@@ -65,36 +59,28 @@ class Simulation {
 
   /// Writes the frame of the start and stops: one solve.
   ///
-  /// Its contact is that of the first step. A scene without [time] has no step: there the contact
-  /// is that of ContactSteps::step_for_an_instant(), in which only gaps as narrow as the separation
-  /// may close.
+  /// Its contact is that of the first step, as ContactSteps::begin() plans it.
   /// @throws SolverError with the time
   void solve_once();
 
   /// Returns the time reached.
-  /// @return t
   double time() const { return state_.now.t; }
 
-  /// Returns what the run has cost.
-  /// @return counts of work since this simulation was made; all else since the start of the run
+  /// Returns what the run has cost: counts of work since this simulation was made; all else since
+  /// the start of the run.
   const RunTotals& totals() const { return statistics_.totals; }
 
-  /// Returns how finely the run was resolved, and how wrong it may be.
-  /// @return of all solves since the start of the run
+  /// Returns how finely the run was resolved since its start, and how wrong it may be.
   const RunResolution& resolution() const { return statistics_.resolution; }
 
  private:
-  using Steps = std::variant<FreeSteps, ContactSteps>;
-
-  TimedSolution solve_here(EstimateWhen estimate);
-  StepStart begin(TimedSolution flow);
-  TakenStep advance(StepStart start);
+  TimedSolution solve_flow();
   TimedSolution accept(TakenStep taken);
-  TimedSolution reverse();
+  void reverse();
   void adapt_to_effort(const StepInfo& step);
-  void write(double t, const Solution& solution, const std::vector<ContactForce>& contacts);
   void write(const StepStart& start);
   void write_within(const Step& step);
+  void write(double t, const Solution& solution, const std::vector<ContactForce>& contacts);
 
   const SuspensionSolver& solver_;
   Observer observer_;
@@ -102,7 +88,7 @@ class Simulation {
   RunStatistics statistics_;
   InstantSolver instants_;
   RunState state_;
-  Steps steps_;
+  std::unique_ptr<Steps> steps_;
   std::optional<Rheometer> rheometer_;  // made for the first frame
 };
 

@@ -13,7 +13,10 @@ void RunStatistics::add_solve(const Solution& solution) {
   totals.matvecs += solution.cost.matvecs;
 }
 
-void RunStatistics::add_solves(const ContactMobility& mobility) {
+void RunStatistics::add_contact(const ContactOutcome& outcome, const ContactMobility& mobility,
+                                double seconds) {
+  totals.ncp_iterations += outcome.iterations;
+  totals.contact_seconds += seconds;
   totals.contact_solves += mobility.solves();
   totals.gmres_iterations += mobility.cost().gmres_iterations;
   totals.matvecs += mobility.cost().matvecs;
@@ -53,7 +56,7 @@ StepInfo RunStatistics::add_step(StepInfo step, const Eigen::VectorXd& error) {
   return step;
 }
 
-StepInfo begun_step(const Solution& first, double seconds) {
+StepInfo begin_step(const Solution& first, double seconds) {
   const StepInfo none{.min_gap = std::numeric_limits<double>::infinity(),
                       .velocity_error = first.error_estimate};
   return with_solve(none, first, seconds);

@@ -9,7 +9,6 @@
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
 #include "suspension/contact/contact.hpp"
-#include "suspension/contact/contact_mobility.hpp"
 #include "suspension/solver/fields.hpp"
 #include "suspension/solver/solver.hpp"
 #include "time_stepping/step_control.hpp"
@@ -27,19 +26,16 @@ struct RunStatistics {
   ErrorBound bound;            ///< its scale is the unit of these errors
 
   /// Counts a solve.
-  /// @param  solution  of it
   void add_solve(const Solution& solution);
 
-  /// Counts the solves for contact forces.
-  /// @param  mobility  of the stage
-  void add_solves(const ContactMobility& mobility);
+  /// Counts the iterations of a stage's contact, the solves for its mobility, and the wall time of
+  /// both.
+  void add_contact(const ContactOutcome& outcome, const ContactMobility& mobility, double seconds);
 
   /// Counts the work of an estimated field, and keeps the largest error of each quantity.
-  /// @param  field  with its estimates
   void add_field(const EstimatedField& field);
 
   /// Keeps the largest numbers of nodes and the largest error estimate.
-  /// @param  solution  with its estimate
   void add_resolution(const Solution& solution);
 
   /// Counts a step that was taken.
@@ -51,50 +47,31 @@ struct RunStatistics {
   StepInfo add_step(StepInfo step, const Eigen::VectorXd& error);
 };
 
-/// Begins to count what a step does.
-///
-/// @param  first    solution at its beginning
-/// @param  seconds  wall time of that
-/// @return          counts of that solve
-StepInfo begun_step(const Solution& first, double seconds);
+/// Begins to count what a step does, with the solution at its beginning and the wall time of that.
+StepInfo begin_step(const Solution& first, double seconds);
 
-/// Adds a solve to what a step has done.
-///
-/// @param  step      so far
-/// @param  solution  of the solve
-/// @param  seconds   wall time of it
-/// @return           counts with the solve
+/// Adds a solve and its wall time to what a step has done.
 StepInfo with_solve(StepInfo step, const Solution& solution, double seconds);
 
-/// Adds the contact of a stage to what a step has done.
-///
-/// @param  step     so far
-/// @param  outcome  of the stage
-/// @param  cost     of its responses, those of all tries
-/// @param  seconds  wall time, likewise
-/// @return          counts with these
+/// Adds the contact of a stage to what a step has done, with cost and wall time of all attempts.
 StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost,
                       double seconds);
 
-/// Adds what a try that was rejected has cost, nothing else of it.
+/// Adds the cost, and nothing else, of a rejected attempt to what a step has done.
 ///
-/// @param  step      before the try
-/// @param  rejected  the same with the try
-/// @return           counts for the next try
+/// @param  step      before the attempt
+/// @param  rejected  the same with the attempt
+/// @return           counts for the next attempt
 StepInfo with_costs_of(StepInfo step, const StepInfo& rejected);
 
-/// Adds what contact did in a stage of a step that is taken.
+/// Adds residual, imbalances, power and energy of the contact in a stage of a step that is taken.
 ///
 /// @param  step      so far
 /// @param  outcome   of the stage
 /// @param  duration  for which its forces act
-/// @return           with residual, imbalances, power and energy
 StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration);
 
-/// Lists the pairs that are in contact.
-///
-/// @param  forces  of a stage
-/// @return         pairs with a force between them, each once
+/// Lists the pairs with a contact force between them, each once.
 std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
     const std::vector<ContactForce>& forces);
 

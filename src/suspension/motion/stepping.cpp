@@ -1,5 +1,5 @@
 // Connects the solver with the time steppers (chapter 09): packs the motions of a solution as a
-// rate, translates the settings of a scene, and packs the memory of the steps for checkpoints.
+// rate, and translates the settings of a scene.
 #include "suspension/motion/stepping.hpp"
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 
 namespace stokesbook {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
@@ -28,35 +27,12 @@ double largest_radius(const SuspensionSolver& solver) {
 // within their allowed error.
 constexpr double error_of_a_step = 0.5;
 
-VectorXd one(double number) {
-  return VectorXd::Constant(1, number);
-}
-
 }  // namespace
 
 VectorXd to_rate(const Solution& solution) {
   Configuration rate;
   for (const auto& [velocity, omega] : solution.motions) rate.push_back({velocity, omega});
   return to_state(rate);
-}
-
-double step_tolerance(const TimeSettings& time) {
-  return time.tolerance.value_or(default_step_tolerance);
-}
-
-double largest_distance(const Discretisation& discretisation, const Configuration& p,
-                        const Configuration& q) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < discretisation.size(); ++k) {
-    // c + e^{i theta} X for the nodes X in the frame of the shape.
-    const auto at = [&](const Pose& pose) {
-      return (pose.position +
-              std::polar(1.0, pose.orientation) * discretisation[k]->curve.x.array())
-          .eval();
-    };
-    largest = std::max(largest, (at(p[k]) - at(q[k])).abs().maxCoeff());
-  }
-  return largest;
 }
 
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
@@ -69,35 +45,9 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   if (time.dt_max) settings.dt_max = *time.dt_max;
   Configuration scale(solver.discretisation().size(),
                       {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
-  settings.bound = {error_of_a_step * step_tolerance(time), to_state(scale)};
+  settings.bound = {error_of_a_step * time.tolerance.value_or(default_step_tolerance),
+                    to_state(scale)};
   return settings;
-}
-
-History to_history(const StepMemory& memory) {
-  History history{{"error", one(memory.error)}};
-  if (memory.dt) history["dt"] = one(*memory.dt);
-  if (memory.previous) {
-    history["previous_dt"] = one(memory.previous->dt);
-    history["previous_rate"] = memory.previous->rate;
-  }
-  if (memory.reduced) {
-    history["detour_end"] = one(memory.reduced->until);
-    history["detour_dt"] = one(memory.reduced->dt_after);
-  }
-  return history;
-}
-
-StepMemory to_memory(const History& history) {
-  const auto number = [&](const char* name) { return history.at(name)[0]; };
-  StepMemory memory{.error = number("error")};
-  if (history.contains("dt")) memory.dt = number("dt");
-  if (history.contains("previous_dt")) {
-    memory.previous = PreviousStep{number("previous_dt"), history.at("previous_rate")};
-  }
-  if (history.contains("detour_end")) {
-    memory.reduced = ReducedSteps{number("detour_end"), number("detour_dt")};
-  }
-  return memory;
 }
 
 }  // namespace stokesbook

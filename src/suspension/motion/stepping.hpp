@@ -1,6 +1,8 @@
 #pragma once
 
-#include "record/checkpoint.hpp"
+#include <optional>
+
+#include "suspension/motion/contact_stages.hpp"
 #include "suspension/solver/solver.hpp"
 #include "time_stepping/stepper.hpp"
 
@@ -9,26 +11,9 @@ namespace stokesbook {
 /// @addtogroup suspension
 /// @{
 
-/// Packs the motions of a solution as the rate of a state.
-///
-/// @param  solution  of K components
-/// @return           3K numbers: velocity and angular velocity of every component
+/// Packs the motions of a solution as the rate of a state: 3K numbers, the velocity and the angular
+/// velocity of each of K components.
 Eigen::VectorXd to_rate(const Solution& solution);
-
-/// Returns the tolerance to which the lengths of steps are adapted.
-///
-/// @param  time  settings of a method with adapted steps
-/// @return       time.tolerance, or the default if the scene gives none
-double step_tolerance(const TimeSettings& time);
-
-/// Measures the distance between two configurations.
-///
-/// @param  discretisation  of each component
-/// @param  p               one configuration
-/// @param  q               the other configuration
-/// @return                 largest distance between the two positions of a node, length
-double largest_distance(const Discretisation& discretisation, const Configuration& p,
-                        const Configuration& q);
 
 /// Returns the settings with which a stepper advances the state of a scene.
 ///
@@ -39,21 +24,53 @@ double largest_distance(const Discretisation& discretisation, const Configuratio
 /// @return         settings with the scene's limits, or the defaults of TimeSettings
 SteppingSettings stepping_settings(const SuspensionSolver& solver);
 
-/// The numbers that a checkpoint stores about the steps, by name.
-using History = std::map<std::string, Eigen::VectorXd>;
+/// A step that is about to be taken.
+struct StepStart {
+  TimedSolution flow;                     ///< where the step begins, without contact forces
+  double t_end;                           ///< planned end
+  std::optional<StageContact> contact{};  ///< that acts from the beginning, in scenes with contact
 
-/// Packs the memory of a stepper for a checkpoint.
-///
-/// @param  memory  of a stepper
-/// @return         its numbers, by name
-History to_history(const StepMemory& memory);
+  /// Returns what a frame shows: the solution with the contact forces, if there are any.
+  const Solution& solution() const { return contact ? contact->solution : flow.solution; }
+};
 
-/// Unpacks the memory of a stepper from a checkpoint.
-///
-/// @param  history  numbers, as to_history() packs them
-/// @return          memory of a stepper
-/// @throws std::out_of_range when a number is missing
-StepMemory to_memory(const History& history);
+/// A step that was taken.
+struct TakenStep {
+  Step step;                            ///< from state to state
+  StepMemory memory;                    ///< for the next step
+  TimedSolution end;                    ///< the flow at the end
+  std::optional<CloserPairs> closer{};  ///< pairs that are still closer than contact allows
+  StepInfo info;                        ///< what the step did
+  Eigen::VectorXd error;                ///< estimated, of the state
+};
+
+/// Takes the time steps of a scene: FreeSteps without contact, ContactSteps with contact.
+class Steps {
+ public:
+  virtual ~Steps() = default;
+
+  /// Finds the pairs that begin closer than contact allows, and their gaps; none in scenes without
+  /// contact.
+  ///
+  /// @throws ConfigurationError as SuspensionContact::admit_start() does
+  virtual std::optional<CloserPairs> admit_start(const Configuration& start) const = 0;
+
+  /// Plans a step, and resolves the contact with which it begins.
+  ///
+  /// @param  state  where the step begins
+  /// @param  flow   solution there, without contact forces
+  /// @throws SolverError when contact of steps down to time.dt_min is not resolved
+  virtual StepStart begin(const RunState& state, TimedSolution flow) = 0;
+
+  /// Takes a step.
+  ///
+  /// @param  state  where it begins
+  /// @param  start  as begin() returned it
+  /// @throws SolverError when steps down to time.dt_min lead to inadmissible configurations, or
+  ///                have errors that are not allowed
+  /// @par Cost      a solve at the end, and one for each stage beyond the first
+  virtual TakenStep advance(const RunState& state, StepStart start) = 0;
+};
 
 /// @}
 
