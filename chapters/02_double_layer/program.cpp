@@ -17,7 +17,6 @@
 #include "double_layer/kernels.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "record/atomic_file.hpp"
-#include "record/colour_map.hpp"
 #include "record/svg.hpp"
 #include "trapezoid/curve.hpp"
 

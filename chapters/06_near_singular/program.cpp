@@ -20,7 +20,6 @@
 #include "near_singular/cauchy.hpp"
 #include "near_singular/interpolation.hpp"
 #include "record/atomic_file.hpp"
-#include "record/colour_map.hpp"
 #include "record/svg.hpp"
 #include "trapezoid/curve.hpp"
 

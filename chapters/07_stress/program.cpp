@@ -19,7 +19,6 @@
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
 #include "record/atomic_file.hpp"
-#include "record/colour_map.hpp"
 #include "record/svg.hpp"
 #include "stress/dissipation.hpp"
 #include "stress/stress.hpp"

@@ -69,7 +69,6 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
   RunContents contents{scene.title,
                        to_toml({scene}),
                        {},
-                       {},
                        asks_for(OutputFormat::csv),
                        asks_for(OutputFormat::vtk),
                        asks_for(OutputFormat::svg),
@@ -79,8 +78,9 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        fingerprint_of_program()};
   for (std::size_t k = 0; k < solver.discretisation().size(); ++k) {
     const Curve& curve = solver.discretisation()[k]->curve;
-    auto& outlines = k < scene.bodies.size() ? contents.bodies : contents.walls;
-    outlines.push_back({smooth_outline(curve.x), curve.side == Side::fluid_inside});
+    auto& [bodies, walls] = contents.outlines;
+    (k < scene.bodies.size() ? bodies : walls)
+        .push_back({smooth_outline(curve.x), curve.side == Side::fluid_inside});
   }
   return contents;
 }

@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "record/player_page.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {
@@ -27,8 +26,7 @@ void append_item(std::string& text, Complex x) {
 }
 
 void append_item(std::string& text, const ContactParty& party) {
-  const auto number = static_cast<long>(party.number);
-  text += std::to_string(party.is_wall ? -1 - number : number);
+  text += std::to_string(party.id());
 }
 
 /// Returns a JSON array.
@@ -58,39 +56,27 @@ std::string data_block(const std::string& kind, std::string json) {
   return "<script type=\"application/json\" class=\"" + kind + "\">" + json + "</script>\n";
 }
 
-/// Numbers texts in order of appearance; equal texts have the same number.
-class Distinct {
- public:
-  std::string number_of(const std::string& text) {
-    const auto [entry, is_new] = numbers_.try_emplace(text, texts_.size());
-    if (is_new) texts_.push_back(text);
-    return std::to_string(entry->second);
-  }
-  const std::vector<std::string>& texts() const { return texts_; }
-
- private:
-  std::map<std::string, std::size_t> numbers_;
-  std::vector<std::string> texts_;
-};
-
 }  // namespace
 
-std::string animation_head(const std::string& title, const std::vector<Outline>& bodies,
-                           const std::vector<Outline>& walls) {
+std::string animation_head(const std::string& title, const Outlines& outlines) {
   using nlohmann::json;
-  Distinct shapes;
+  std::vector<std::string> shapes;
+  std::map<std::string, std::size_t> numbers;  // of the shapes, in order of appearance
   const auto shape_of = [&](const Outline& outline) {
-    return shapes.number_of(list(outline.points, [](Complex point) { return array(point); }));
+    const std::string shape = list(outline.points, [](Complex point) { return array(point); });
+    const auto [entry, is_new] = numbers.try_emplace(shape, shapes.size());
+    if (is_new) shapes.push_back(shape);
+    return std::to_string(entry->second);
   };
   const auto encloses = [](const Outline& wall) { return wall.encloses ? "true" : "false"; };
-  const std::string shapes_of_bodies = list(bodies, shape_of);
-  const std::string shapes_of_walls = list(walls, shape_of);
+  const std::string bodies = list(outlines.bodies, shape_of);
+  const std::string walls = list(outlines.walls, shape_of);
   return std::string(player_page) +
          data_block("run", "{\"title\":" +
                                json(title).dump(-1, ' ', true, json::error_handler_t::replace) +
-                               ",\"bodies\":" + shapes_of_bodies + ",\"walls\":" + shapes_of_walls +
-                               ",\"encloses\":" + list(walls, encloses) +
-                               ",\"shapes\":" + list(shapes.texts(), std::identity{}) + '}');
+                               ",\"bodies\":" + bodies + ",\"walls\":" + walls +
+                               ",\"encloses\":" + list(outlines.walls, encloses) +
+                               ",\"shapes\":" + list(shapes, std::identity{}) + '}');
 }
 
 std::string animation_frame(const Frame& frame) {

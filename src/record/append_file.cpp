@@ -40,14 +40,6 @@ AppendFile::AppendFile(AppendFile&& other) noexcept
       size_(other.size_),
       waiting_(std::move(other.waiting_)) {}
 
-AppendFile& AppendFile::operator=(AppendFile&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(size_, other.size_);
-  std::swap(waiting_, other.waiting_);
-  return *this;
-}
-
 AppendFile::~AppendFile() {
   if (descriptor_ < 0) return;
   try {

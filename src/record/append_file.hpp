@@ -17,51 +17,33 @@ namespace stokesbook {
 class AppendFile {
  public:
   /// Makes a new, empty file.
-  ///
-  /// @param  path  path of the file
-  /// @return       the open file
   /// @throws RecordError when the file exists or cannot be made
   static AppendFile create(const std::filesystem::path& path);
 
   /// Opens an existing file and cuts it back to its first `size` bytes.
-  ///
-  /// @param  path  path of the file
-  /// @param  size  length to keep, bytes
-  /// @return       the file, open at its new end
   /// @throws RecordError when the file is missing, shorter, a symbolic link or not a regular file,
   ///         or cannot be cut back
   static AppendFile reopen(const std::filesystem::path& path, std::uintmax_t size);
 
-  /// Takes over the open file of another object.
-  /// @param  other  the other object, which is left without a file
+  /// Takes over the open file of another object, which is left without a file.
   AppendFile(AppendFile&& other) noexcept;
-
-  /// Exchanges the open files of two objects.
-  /// @param  other  the other object, which closes the file that it receives when it is destroyed
-  /// @return        this object
-  AppendFile& operator=(AppendFile&& other) noexcept;
 
   /// Writes the remaining records, unless the disk refuses them, and closes the file.
   ~AppendFile();
 
   /// Appends a record, which the file contains after flush().
-  ///
-  /// @param  record  bytes of the record, including the end of its line
   void append(std::string_view record) { waiting_ += record; }
 
   /// Writes all records to the file.
-  ///
   /// @throws RecordError when the records cannot be written completely; their written part is cut
   ///         off, and they are lost
   void flush();
 
   /// Writes all records to the file, and waits until they are on the disk.
-  ///
   /// @throws RecordError when the disk refuses the data
   void sync();
 
-  /// Returns the length.
-  /// @return bytes of all records, including those that are not in the file yet
+  /// Returns the bytes of all records, including those that are not in the file yet.
   std::uintmax_t size() const { return size_ + waiting_.size(); }
 
  private:

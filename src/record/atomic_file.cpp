@@ -17,22 +17,26 @@ namespace {
 
 constexpr const char* partial_extension = ".partial";
 
+std::uintmax_t size_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) throw RecordError(path, "reading", error);
+  return size;
+}
+
 }  // namespace
 
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger) {
-  const std::filesystem::path partial = partial_of(path);
-  std::error_code none;
-  std::filesystem::remove(partial, none);
+  std::filesystem::path partial = path;
+  partial += partial_extension;
+  std::error_code error;
+  std::filesystem::remove(partial, error);
   AppendFile file = AppendFile::create(partial);
   file.append(text);
   danger == SafeFrom::power_cut ? file.sync() : file.flush();
-  rename_file(partial, path);
+  std::filesystem::rename(partial, path, error);
+  if (error) throw RecordError(path, "renaming " + partial.filename().string(), error);
   if (danger == SafeFrom::power_cut) sync_names(path.parent_path());
-}
-
-std::filesystem::path partial_of(const std::filesystem::path& path) {
-  std::filesystem::path partial = path;
-  return partial += partial_extension;
 }
 
 std::filesystem::path without_partial(std::filesystem::path path) {
@@ -40,17 +44,8 @@ std::filesystem::path without_partial(std::filesystem::path path) {
   return path;
 }
 
-void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::error_code error;
-  std::filesystem::rename(from, to, error);
-  if (error) throw RecordError(to, "renaming " + from.filename().string(), error);
-}
-
 void sync_file(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw RecordError(path, "reading", error);
-  AppendFile::reopen(path, size).sync();
+  AppendFile::reopen(path, size_of(path)).sync();
 }
 
 void sync_names(const std::filesystem::path& directory) {
@@ -61,12 +56,9 @@ void sync_names(const std::filesystem::path& directory) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw RecordError(path, "reading", error);
-  std::string text(size, '\0');
+  std::string text(size_of(path), '\0');
   std::ifstream file(path, std::ios::binary);
-  if (!file.read(text.data(), static_cast<std::streamsize>(size))) {
+  if (!file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
     throw RecordError(path, "reading", {errno, std::generic_category()});
   }
   return text;

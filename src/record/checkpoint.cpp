@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <span>
 #include <stdexcept>
+#include <string_view>
 
 #include "record/atomic_file.hpp"
 #include "record/record_error.hpp"
@@ -23,20 +23,19 @@ std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';
 }
 
+void append_count(std::string& text, const std::string& name, auto count) {
+  text += name + ' ' + std::to_string(count) + '\n';
+}
+
 void append_number_line(std::string& text, double x) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.begin(), buffer.end(), x, std::chars_format::hex);
   text.append(buffer.begin(), end.ptr) += '\n';
 }
 
-void append_numbers(std::string& text, const std::string& name, std::span<const double> numbers) {
-  text += name + ' ' + std::to_string(numbers.size()) + '\n';
+void append_numbers(std::string& text, const std::string& name, const auto& numbers) {
+  append_count(text, name, numbers.size());
   for (const double x : numbers) append_number_line(text, x);
-}
-
-void append_numbers(std::string& text, const std::string& name, const Eigen::VectorXd& numbers) {
-  const auto size = static_cast<std::size_t>(numbers.size());
-  append_numbers(text, name, std::span(numbers.data(), size));
 }
 
 /// Reads words and numbers from a text, one after another.
@@ -50,104 +49,82 @@ class WordReader {
     return std::string(found);
   }
 
-  template <std::integral Integer>
-  Integer integer() {
-    Integer value{};
-    const std::string text = word();
-    check(text, std::from_chars(text.data(), text.data() + text.size(), value));
-    return value;
+  /// Skips a word that the format prescribes here; any other word is an error.
+  WordReader& after(const std::string& expected) {
+    const std::string found = word();
+    if (found == expected) return *this;
+    throw std::invalid_argument("'" + expected + "' expected, '" + found + "' found");
   }
 
-  double number() {
-    double value{};
+  /// Reads a number; the format is that of std::from_chars(), which integers do not have.
+  template <class Number>
+  Number number(auto... format) {
+    Number value{};
     const std::string text = word();
     const char* const end = text.data() + text.size();
-    check(text, std::from_chars(text.data(), end, value, std::chars_format::hex));
-    return value;
+    const auto [rest, error] = std::from_chars(text.data(), end, value, format...);
+    if (error == std::errc{} && rest == end) return value;
+    throw std::invalid_argument("'" + text + "' is not a number");
   }
 
+  std::size_t count() { return number<std::size_t>(); }
+
+  double real() { return number<double>(std::chars_format::hex); }
+
   /// Reads a count n, then n numbers.
-  std::vector<double> numbers() {
+  std::vector<double> reals() {
     std::vector<double> values;
-    for (auto left = integer<std::size_t>(); left > 0; --left) values.push_back(number());
+    for (std::size_t left = count(); left > 0; --left) values.push_back(real());
     return values;
   }
 
   Eigen::VectorXd vector() {
-    const std::vector<double> values = numbers();
+    const std::vector<double> values = reals();
     return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   }
 
-  /// Skips a word that the format prescribes here; any other word is an error.
-  void expect(const std::string& expected) {
-    const std::string found = word();
-    if (found != expected) {
-      throw std::invalid_argument("'" + expected + "' expected, '" + found + "' found");
-    }
-  }
-
  private:
-  static void check(const std::string& text, std::from_chars_result result) {
-    if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) {
-      throw std::invalid_argument("'" + text + "' is not a number");
-    }
-  }
-
   std::string_view rest_;
 };
 
 SavedRun parse(std::string_view text) {
   WordReader reader(text);
   SavedRun saved;
-  reader.expect("scene");
-  saved.scene = reader.word();
-  reader.expect("program");
-  saved.program = reader.word();
-  reader.expect("t");
-  saved.checkpoint.t = reader.number();
-  reader.expect("step");
-  saved.checkpoint.step = reader.integer<long long>();
-  reader.expect("tables");
-  for (auto left = reader.integer<std::size_t>(); left > 0; --left) {
+  saved.scene = reader.after("scene").word();
+  saved.program = reader.after("program").word();
+  saved.checkpoint.t = reader.after("t").real();
+  saved.checkpoint.step = reader.after("step").number<long long>();
+  for (std::size_t left = reader.after("tables").count(); left > 0; --left) {
     const std::string name = reader.word();
-    saved.table_sizes[name] = reader.integer<std::uintmax_t>();
+    saved.table_sizes[name] = reader.number<std::uintmax_t>();
   }
-  reader.expect("frames");
-  saved.frame_times = reader.numbers();
-  reader.expect("state");
-  saved.checkpoint.state = reader.vector();
-  reader.expect("history");
-  for (auto left = reader.integer<std::size_t>(); left > 0; --left) {
+  saved.frame_times = reader.after("frames").reals();
+  saved.checkpoint.state = reader.after("state").vector();
+  for (std::size_t left = reader.after("history").count(); left > 0; --left) {
     const std::string name = reader.word();
     saved.checkpoint.history[name] = reader.vector();
   }
   return saved;
 }
 
-void check_history_names(const Checkpoint& checkpoint) {
-  for (const auto& [name, values] : checkpoint.history) {
-    if (name.empty() || name.find_first_of(" \n") != std::string::npos) {
-      throw std::invalid_argument("checkpoint: the history's name '" + name + "' is not one word");
-    }
-  }
-}
-
 }  // namespace
 
 std::string to_text(const SavedRun& saved) {
-  const Checkpoint& checkpoint = saved.checkpoint;
-  check_history_names(checkpoint);
+  const auto& [t, step, state, history] = saved.checkpoint;
   std::string text = magic + "scene " + saved.scene + "\nprogram " + saved.program + "\nt ";
-  append_number_line(text, checkpoint.t);
-  text += "step " + std::to_string(checkpoint.step) + '\n';
-  text += "tables " + std::to_string(saved.table_sizes.size()) + '\n';
-  for (const auto& [name, size] : saved.table_sizes) {
-    text += name + ' ' + std::to_string(size) + '\n';
-  }
+  append_number_line(text, t);
+  append_count(text, "step", step);
+  append_count(text, "tables", saved.table_sizes.size());
+  for (const auto& [name, size] : saved.table_sizes) append_count(text, name, size);
   append_numbers(text, "frames", saved.frame_times);
-  append_numbers(text, "state", checkpoint.state);
-  text += "history " + std::to_string(checkpoint.history.size()) + '\n';
-  for (const auto& [name, numbers] : checkpoint.history) append_numbers(text, name, numbers);
+  append_numbers(text, "state", state);
+  append_count(text, "history", history.size());
+  for (const auto& [name, numbers] : history) {
+    if (name.empty() || name.find_first_of(" \n") != std::string::npos) {
+      throw std::invalid_argument("checkpoint: the history's name '" + name + "' is not one word");
+    }
+    append_numbers(text, name, numbers);
+  }
   return text + checksum_line(text);
 }
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,18 +32,12 @@ struct SavedRun {
   Checkpoint checkpoint;                              ///< data from which the solver continues
 };
 
-/// Writes a saved run as text. Numbers are hexadecimal floats, hence exact; the last line is the
-/// fingerprint of all text before it.
-///
-/// @param  saved  the run; names of tables and of the history are one word each
-/// @return        text of the file `checkpoint`
+/// Writes a saved run as the text of a file `checkpoint`. Numbers are hexadecimal floats, hence
+/// exact; the last line is the fingerprint of all text before it.
 /// @throws std::invalid_argument when a name of the history is not one word
 std::string to_text(const SavedRun& saved);
 
-/// Reads a saved run from the text of to_text(); all numbers are restored bit for bit.
-///
-/// @param  path  path of the file `checkpoint`
-/// @return       the saved run
+/// Reads a saved run from a file with the text of to_text(); all numbers are restored bit for bit.
 /// @throws RecordError when the file is missing, of another kind, damaged or cut short
 SavedRun read_saved_run(const std::filesystem::path& path);
 

@@ -29,36 +29,20 @@ inline constexpr std::string_view steps_header =
     "injected\n";
 /// @}
 
-/// Writes the bodies of a frame.
-///
-/// @param  frame  configuration at a written time
-/// @return        one line for each body, with the columns of trajectory_header
+/// @name Rows of the tables, with the columns of the headers
+/// @{
+
+/// Writes one line for each body.
 std::string trajectory_rows(const Frame& frame);
-
-/// Writes the walls of a frame.
-///
-/// @param  frame  configuration at a written time
-/// @return        one line for each wall, with the columns of walls_header
+/// Writes one line for each wall.
 std::string wall_rows(const Frame& frame);
-
-/// Writes the rheology of a frame.
-///
-/// @param  frame  configuration with its rheology
-/// @return        one line with the columns of rheology_header; undefined values are `nan`
+/// Writes one line; undefined values are `nan`.
 std::string rheology_row(const Frame& frame);
-
-/// Writes the contacts of a frame.
-///
-/// @param  frame  configuration at a written time
-/// @return        one line for each contact, with the columns of contacts_header; a and b are
-///                `body:3` or `wall:0`
+/// Writes one line for each contact; a and b are `body:3` or `wall:0`.
 std::string contact_rows(const Frame& frame);
-
-/// Writes a step.
-///
-/// @param  step  results of the step
-/// @return       one line with the columns of steps_header
+/// Writes one line.
 std::string step_row(const StepInfo& step);
+/// @}
 
 /// @}
 

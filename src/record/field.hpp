@@ -19,14 +19,16 @@ struct FieldGrid {
   Eigen::Index columns = 0,  ///< points along x
       rows = 0;              ///< points along y
 
-  /// Returns the points of the grid.
-  /// @return columns x rows points, x running fastest, length
-  ComplexVector points() const;
+  /// Returns the points of the grid, columns x rows, x running fastest, length.
+  ComplexVector points() const {
+    return ComplexVector::NullaryExpr(columns * rows, [this](Eigen::Index i) {
+      const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+      return corner + spacing * Complex{column, row};
+    });
+  }
 
-  /// Returns the index of a point in the list points().
-  /// @param  column  from 0, left to right
-  /// @param  row     from 0, upwards
-  /// @return         its index
+  /// Returns the index in points() of the point in a column (from 0, left to right) and a row (from
+  /// 0, upwards).
   Eigen::Index index(Eigen::Index column, Eigen::Index row) const { return row * columns + column; }
 };
 

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "record/colour_map.hpp"
 #include "record/picture_parts.hpp"
 #include "record/streamlines.hpp"
-#include "record/svg.hpp"
 #include "text/fingerprint.hpp"
 
 namespace stokesbook {
@@ -25,14 +23,14 @@ std::string file_name(std::string_view quantity) {
 }
 
 /// The layout of a grid: a square of the grid is one unit wide, and a unit is `scale` pixels.
-struct Layout {
+struct GridLayout {
   const FieldGrid& grid;
   double scale;   ///< pixels per unit
   Complex drawn;  ///< width and height of the drawing, pixels
 
-  Layout(const FieldGrid& points, double width) : grid(points) {
+  explicit GridLayout(const FieldGrid& points) : grid(points) {
     const Complex size(static_cast<double>(grid.columns), static_cast<double>(grid.rows));
-    scale = scale_of_drawing(size, width);
+    scale = scale_of_drawing(size);
     drawn = scale * size;
   }
 
@@ -42,14 +40,6 @@ struct Layout {
     return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
   }
 };
-
-/// Colours of magnitudes, or of values with a sign, for which zero has a neutral colour.
-struct Colouring {
-  const ColourMap& map;
-  std::string_view streamlines;  ///< colour of the lines, visible on all colours of the map
-};
-
-constexpr Colouring of_magnitudes{viridis, "#fff"}, of_signed_values{cool_to_warm, "#000"};
 
 /// Returns the values of the first and the last colour: the range of the values without the
 /// smallest and the largest hundredth, made symmetric for values with a sign.
@@ -127,8 +117,8 @@ std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values, const
 }
 
 /// Draws streamlines with an arrowhead in the middle of each.
-std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>& lines,
-                             std::string_view colour) {
+std::string draw_streamlines(const GridLayout& layout, const std::vector<Streamline>& lines,
+                             const std::string& colour) {
   std::string curves;
   std::string heads;
   for (const Streamline& line : lines) {
@@ -147,25 +137,25 @@ std::string draw_streamlines(const Layout& layout, const std::vector<Streamline>
         {tip + barb * std::polar(1.0, 0.5), tip, tip + barb * std::polar(1.0, -0.5)}});
   }
   if (lines.empty()) return {};
-  return "<g fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-opacity=\"0.7\">\n" +
+  return "<g fill=\"none\" stroke=\"" + colour + "\" stroke-opacity=\"0.7\">\n" +
          svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
          svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
 }
 
 /// Returns the path data of an outline in its place.
-std::string path_data(const Layout& layout, const Outline& outline, const auto& state) {
-  const ComplexVector points = placed(outline, state.position, state.orientation);
-  return svg::polygon(points.unaryExpr([&](Complex point) { return layout.unit(point); }));
+std::string path_data(const GridLayout& layout, const Outline& outline, const auto& state) {
+  const auto unit = [&](Complex point) { return layout.unit(point); };
+  return svg::polygon(placed(outline, state).unaryExpr(unit));
 }
 
 /// Draws enclosing walls as lines, and bodies and inner walls opaque, since colours extend below
 /// their curves.
-std::string draw_curves(const Layout& layout, const Frame& frame,
-                        const std::vector<Outline>& bodies, const std::vector<Outline>& walls) {
+std::string draw_curves(const GridLayout& layout, const Frame& frame, const Outlines& outlines) {
   const auto draw = [&](const Outline& outline, const auto& state) {
     return svg::path(path_data(layout, outline, state),
                      outline.encloses ? "fill=\"none\"" : "fill=\"#aab0b6\"");
   };
+  const auto& [bodies, walls] = outlines;
   std::string text =
       "<g stroke=\"currentColor\" stroke-width=\"" + svg::number(1.2 / layout.scale) + "\">\n";
   for (std::size_t k = 0; k < walls.size(); ++k) text += draw(walls[k], frame.walls[k]);
@@ -174,22 +164,21 @@ std::string draw_curves(const Layout& layout, const Frame& frame,
 }
 
 /// Clips a drawing at the enclosing walls.
-std::string clipped(const Layout& layout, const Frame& frame, const std::vector<Outline>& walls,
-                    const std::string& drawing) {
-  std::string text = drawing;
+std::string clip(std::string drawing, const GridLayout& layout, const Frame& frame,
+                 const std::vector<Outline>& walls) {
   for (std::size_t k = 0; k < walls.size(); ++k) {
     if (!walls[k].encloses) continue;
     const std::string data = path_data(layout, walls[k], frame.walls[k]);
     // All pictures of a page share their names, so each name is made from the curve itself.
     const std::string name = "stokesbook-" + fingerprint(data);
-    text = "<clipPath id=\"" + name + "\"><path d=\"" + data +
-           "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + text + "</g>\n";
+    drawing = "<clipPath id=\"" + name + "\"><path d=\"" + data +
+              "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + drawing + "</g>\n";
   }
-  return text;
+  return drawing;
 }
 
 /// Opens an inner picture that shows the squares of the grid and cuts off everything outside.
-std::string open_window(const Layout& layout) {
+std::string open_window(const GridLayout& layout) {
   const FieldGrid& grid = layout.grid;
   return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header_height) +
          svg::attribute("width", layout.drawn.real()) +
@@ -205,31 +194,29 @@ std::string label_of(std::string_view quantity) {
 
 }  // namespace
 
-std::map<std::string, std::string> draw_fields(const Frame& frame,
-                                               const std::vector<Outline>& bodies,
-                                               const std::vector<Outline>& walls,
-                                               const PictureOptions& options) {
-  require_outlines(frame, bodies, walls);
+std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
+                                               const std::string& title) {
+  require_outlines(frame, outlines);
   if (!frame.field) throw std::invalid_argument("draw_fields: the frame has no field");
   const Field& field = *frame.field;
-  const Layout layout(field.grid, options.width);
-  const Complex drawn{layout.drawn.real(), std::max(layout.drawn.imag(), bar_height)};
+  const GridLayout layout(field.grid);
   std::vector<Streamline> lines;
   if (field.velocity.size() > 0) {
     constexpr double pixels_apart = 16.0;
     lines = streamlines(field, pixels_apart / layout.scale * field.grid.spacing);
   }
-  const std::string curves = draw_curves(layout, frame, bodies, walls);
+  const std::string curves = draw_curves(layout, frame, outlines);
   std::map<std::string, std::string> pictures;
   const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values, bool has_sign) {
     if (values.size() == 0) return;
-    const auto& [colours, line_colour] = has_sign ? of_signed_values : of_magnitudes;
+    const ColourMap& colours = has_sign ? cool_to_warm : viridis;
     const ValueRange range = shown_range(values, has_sign);
     const std::string map = draw_map(field.grid, with_seam(field.grid, values), colours, range);
     pictures[file_name(quantity)] =
-        open_picture(drawn, frame.t, options) + open_window(layout) +
-        clipped(layout, frame, walls, map) + draw_streamlines(layout, lines, line_colour) + curves +
-        "</svg>\n" + draw_bar(layout.drawn.real(), colours, range, label_of(quantity)) + "</svg>\n";
+        open_picture(layout.drawn, frame.t, title) + open_window(layout) +
+        clip(map, layout, frame, outlines.walls) +
+        draw_streamlines(layout, lines, has_sign ? "#000" : "#fff") + curves + "</svg>\n" +
+        draw_bar(layout.drawn.real(), colours, range, label_of(quantity)) + "</svg>\n";
   };
   draw(velocity_name, field.velocity.cwiseAbs(), false);
   for (const auto& [name, values, has_sign] : field_scalars) draw(name, field.*values, has_sign);

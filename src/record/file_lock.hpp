@@ -13,29 +13,20 @@ namespace stokesbook {
 class FileLock {
  public:
   /// Waits until no other process has the lock of a file, and takes it.
-  ///
   /// @param  file  path of the lock file, which is made if necessary and stays empty
-  /// @return       the lock
   /// @throws RecordError when the file cannot be made or locked
   static FileLock wait_for(const std::filesystem::path& file);
 
   /// Takes the lock of a folder. The lock has no effect if the folder cannot be opened, or is on a
   /// file system that cannot lock folders.
-  ///
-  /// @param  folder  path of the folder
-  /// @return         the lock
   /// @throws RecordError when another object has the lock
   static FileLock of_folder(const std::filesystem::path& folder);
 
-  /// Returns whether a process has the lock of a file at this moment.
-  ///
-  /// @param  file  path of the lock file
-  /// @return       true if the file is locked
+  /// Returns whether a process has the lock of a file at this moment. Makes the file if necessary.
   /// @throws RecordError when the file cannot be made or locked
   static bool is_taken(const std::filesystem::path& file);
 
-  /// Takes over the lock of another object.
-  /// @param  other  the other object, which is left without a lock
+  /// Takes over the lock of another object, which is left without a lock.
   FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
 
   /// Releases the lock.

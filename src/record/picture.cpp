@@ -6,9 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "record/colour_map.hpp"
 #include "record/picture_parts.hpp"
-#include "record/svg.hpp"
 
 namespace stokesbook {
 
@@ -24,12 +22,11 @@ struct Box {
   Complex low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Complex high = -low;
 
-  void include(Complex point) {
-    low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
-    high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
-  }
-  void include(const ComplexVector& curve) {
-    for (const Complex point : curve) include(point);
+  void include(const auto& points) {
+    for (const Complex point : points) {
+      low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
+      high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
+    }
   }
 };
 
@@ -48,7 +45,6 @@ struct Layout {
     const double lowered = std::max(0.0, 0.5 * (bar_height - drawn.imag()));
     return Complex(margin, header_height + lowered) + scale * std::conj(point - top_left);
   }
-  double height() const { return std::max(drawn.imag(), bar_height); }
   /// Returns the speed as a fraction of the top speed.
   double brightness(const BodyState& body) const {
     return top_speed > 0.0 ? std::abs(body.velocity) / top_speed : 0.0;
@@ -64,48 +60,45 @@ double longest_arrow(const std::vector<Outline>& bodies, const Box& box) {
                   0.03 * std::abs(box.high - box.low));
 }
 
-/// Returns the tips of the velocity arrows; the largest speed must not be zero.
-std::vector<Complex> arrow_tips(const Frame& frame, double top_speed, double longest) {
-  std::vector<Complex> tips;
-  for (const BodyState& body : frame.bodies) {
-    tips.push_back(body.position + longest * body.velocity / top_speed);
-  }
-  return tips;
-}
-
-Layout lay_out(const Frame& frame, const std::vector<Outline>& bodies,
-               const std::vector<Outline>& walls, double width) {
+Layout lay_out(const Frame& frame, const Outlines& outlines) {
   Layout layout;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const BodyState& body = frame.bodies[k];
-    layout.bodies.push_back(placed(bodies[k], body.position, body.orientation));
-    layout.box.include(layout.bodies.back());
-    layout.top_speed = std::max(layout.top_speed, std::abs(body.velocity));
+  const auto place = [&](const Outline& outline, const auto& state) {
+    const ComplexVector curve = placed(outline, state);
+    layout.box.include(curve);
+    return curve;
+  };
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    layout.bodies.push_back(place(outlines.bodies[k], frame.bodies[k]));
+    layout.top_speed = std::max(layout.top_speed, std::abs(frame.bodies[k].velocity));
   }
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    const WallLoad& wall = frame.walls[k];
-    layout.walls.push_back(placed(walls[k], wall.position, wall.orientation));
-    layout.box.include(layout.walls.back());
+  for (std::size_t k = 0; k < frame.walls.size(); ++k) {
+    layout.walls.push_back(place(outlines.walls[k], frame.walls[k]));
   }
   if (layout.top_speed > 0.0) {
-    layout.arrow_tips = arrow_tips(frame, layout.top_speed, longest_arrow(bodies, layout.box));
-    for (const Complex tip : layout.arrow_tips) layout.box.include(tip);
+    const double longest = longest_arrow(outlines.bodies, layout.box);
+    for (const BodyState& body : frame.bodies) {
+      layout.arrow_tips.push_back(body.position + longest * body.velocity / layout.top_speed);
+    }
+    layout.box.include(layout.arrow_tips);
   }
   const Complex size = layout.box.high - layout.box.low;
-  layout.scale = scale_of_drawing(size, width);
+  layout.scale = scale_of_drawing(size);
   layout.drawn = layout.scale * size;
   return layout;
 }
 
-ComplexVector pixels(const ComplexVector& curve, const Layout& layout) {
-  return curve.unaryExpr([&](Complex point) { return layout.pixel(point); });
+/// Draws a curve of the plane as a closed polygon.
+std::string draw_polygon(const Layout& layout, const ComplexVector& curve,
+                         const std::string& style) {
+  const auto pixel = [&](Complex point) { return layout.pixel(point); };
+  return svg::path(svg::polygon(curve.unaryExpr(pixel)), style);
 }
 
 std::string draw_walls(const Layout& layout, const std::vector<Outline>& walls) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"1.5\" fill=\"currentColor\">\n";
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    text += svg::path(svg::polygon(pixels(layout.walls[k], layout)),
-                      walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
+    text += draw_polygon(layout, layout.walls[k],
+                         walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
   }
   return text + "</g>\n";
 }
@@ -113,8 +106,8 @@ std::string draw_walls(const Layout& layout, const std::vector<Outline>& walls) 
 std::string draw_bodies(const Layout& layout, const Frame& frame) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
-    text += svg::path(svg::polygon(pixels(layout.bodies[k], layout)),
-                      "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
+    text += draw_polygon(layout, layout.bodies[k],
+                         "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
   }
   return text + "</g>\n";
 }
@@ -179,21 +172,20 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
 
 }  // namespace
 
-std::string draw_configuration(const Frame& frame, const std::vector<Outline>& bodies,
-                               const std::vector<Outline>& walls, const PictureOptions& options) {
-  require_outlines(frame, bodies, walls);
-  if (bodies.empty() && walls.empty()) {
+std::string draw_configuration(const Frame& frame, const Outlines& outlines,
+                               const std::string& title) {
+  require_outlines(frame, outlines);
+  if (frame.bodies.empty() && frame.walls.empty()) {
     throw std::invalid_argument("draw_configuration: neither bodies nor walls to draw");
   }
-  const Layout layout = lay_out(frame, bodies, walls, options.width);
-  const std::string bar =
-      layout.top_speed > 0.0
-          ? draw_bar(layout.drawn.real(), viridis, {0.0, layout.top_speed}, "speed |U|", veil)
-          : "";
-  return open_picture({layout.drawn.real(), layout.height()}, frame.t, options) +
-         draw_walls(layout, walls) + draw_bodies(layout, frame) +
-         draw_ticks(layout, frame, bodies) + draw_contacts(layout, frame) +
-         draw_arrows(layout, frame) + bar + "</svg>\n";
+  const Layout layout = lay_out(frame, outlines);
+  std::string bar;
+  if (layout.top_speed > 0.0) {
+    bar = draw_bar(layout.drawn.real(), viridis, {0.0, layout.top_speed}, "speed |U|", veil);
+  }
+  return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, outlines.walls) +
+         draw_bodies(layout, frame) + draw_ticks(layout, frame, outlines.bodies) +
+         draw_contacts(layout, frame) + draw_arrows(layout, frame) + bar + "</svg>\n";
 }
 
 }  // namespace stokesbook

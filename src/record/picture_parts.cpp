@@ -4,25 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/colour_map.hpp"
-#include "record/svg.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook::picture_parts {
 
-double scale_of_drawing(Complex size, double width) {
-  constexpr double longest_aspect = 1.4;  // height / width of a drawing that fills its column
-  const double column = width - 2.0 * margin - bar_column;
-  return std::min(column / size.real(), longest_aspect * column / size.imag());
+double scale_of_drawing(Complex size) {
+  constexpr double longest_aspect = 1.4;
+  return std::min(full_width / size.real(), longest_aspect * full_width / size.imag());
 }
 
-std::string open_picture(Complex drawn, double t, const PictureOptions& options) {
-  const double title_width = 9.0 * static_cast<double>(options.title.size());
-  const double width =
-      std::max(drawn.real() + bar_column, std::min(title_width, options.width - 2.0 * margin));
-  const Complex size(width + 2.0 * margin, header_height + drawn.imag() + margin);
-  return svg::open(size, options.title) +
-         svg::label({margin, 20.0}, options.title, "font-weight=\"600\" font-size=\"15\"") +
+std::string open_picture(Complex drawn, double t, const std::string& title) {
+  // A long title widens the picture up to the width of a drawing that fills its column.
+  const double title_width =
+      std::min(9.0 * static_cast<double>(title.size()), full_width + bar_column);
+  const Complex size(std::max(drawn.real() + bar_column, title_width) + 2.0 * margin,
+                     header_height + std::max(drawn.imag(), bar_height) + margin);
+  return svg::open(size, title) +
+         svg::label({margin, 20.0}, title, "font-weight=\"600\" font-size=\"15\"") +
          svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
 }
 

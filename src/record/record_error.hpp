@@ -13,15 +13,10 @@ namespace stokesbook {
 /// A file could not be read or written; the message names the file and the reason.
 struct RecordError : std::runtime_error {
   /// Constructs the message `path: reason`.
-  /// @param  path    path of the file
-  /// @param  reason  description of the error
   RecordError(const std::filesystem::path& path, const std::string& reason)
       : std::runtime_error(path.string() + ": " + reason) {}
 
-  /// Constructs the message `path: action failed: cause`.
-  /// @param  path    path of the file
-  /// @param  action  the action that failed, such as "writing"
-  /// @param  cause   the system's reason
+  /// Constructs the message `path: action failed: cause`, with an action such as "writing".
   RecordError(const std::filesystem::path& path, const std::string& action, std::error_code cause)
       : RecordError(path, action + " failed: " + cause.message()) {}
 };

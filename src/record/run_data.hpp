@@ -49,6 +49,10 @@ struct ContactParty {
   std::size_t number = 0;  ///< index in the scene's list of bodies or walls
   /// Compares kinds, then numbers.
   friend auto operator<=>(const ContactParty&, const ContactParty&) = default;
+
+  /// Returns the number that identifies the component in files: 0, 1, ... for bodies, and -1, -2,
+  /// ... for walls.
+  long id() const { return is_wall ? -1 - static_cast<long>(number) : static_cast<long>(number); }
 };
 
 /// A contact force, which keeps two components apart.
@@ -70,6 +74,30 @@ struct Frame {
   std::vector<ContactForce> contacts{};  ///< contact forces of the step that begins at t
   std::optional<Field> field{};          ///< none unless the scene requests fields
 };
+
+/// A closed curve in its own frame, for pictures.
+struct Outline {
+  ComplexVector points;   ///< in order, without a repetition of the first point, length
+  bool encloses = false;  ///< true: the fluid lies inside (outer wall)
+};
+
+/// The outlines of all components.
+struct Outlines {
+  std::vector<Outline> bodies{};  ///< in the order of Frame::bodies
+  std::vector<Outline> walls{};   ///< in the order of Frame::walls
+};
+
+/// Returns the points of an outline in the laboratory frame, \f$ c + e^{i\theta} x \f$, with the
+/// position c and the orientation theta of a BodyState or WallLoad.
+ComplexVector placed(const Outline& outline, const auto& state) {
+  return (outline.points.array() * std::polar(1.0, state.orientation) + state.position).matrix();
+}
+
+/// Checks that every body and wall of a frame has its outline, and that the components of every
+/// contact exist.
+/// @throws std::invalid_argument when the numbers differ, or a contact names a body or wall that is
+///         not in the frame
+void require_outlines(const Frame& frame, const Outlines& outlines);
 
 /// Results and cost of one time step.
 struct StepInfo {

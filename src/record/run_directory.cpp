@@ -10,8 +10,6 @@
 #include "record/atomic_file.hpp"
 #include "record/csv.hpp"
 #include "record/field_picture.hpp"
-#include "record/field_vti.hpp"
-#include "record/frame_files.hpp"
 #include "record/picture.hpp"
 #include "record/record_error.hpp"
 #include "record/vtk.hpp"
@@ -35,17 +33,26 @@ constexpr const char* info_name = "run.json";
 constexpr const char* scene_name = "scene.toml";
 constexpr std::array frame_files{body_files, contact_files, field_files};
 
-/// Returns the headers of the growing files by name, except for steps.csv, which every run has.
-std::map<std::string, std::string> headers(const RunContents& contents) {
-  std::map<std::string, std::string> result;
-  if (contents.csv) result[trajectory_name] = trajectory_header;
-  if (contents.csv) result[rheology_name] = rheology_header;
-  if (contents.csv && !contents.walls.empty()) result[walls_name] = walls_header;
-  if (contents.csv && contents.contacts) result[contacts_name] = contacts_header;
+struct GrowingFile {
+  std::string name;
+  std::string head;
+};
+
+/// Returns the files that grow, steps.csv first, which every run has.
+std::vector<GrowingFile> growing_files(const RunContents& contents) {
+  std::vector<GrowingFile> files;
+  const auto add = [&](bool is_written, const char* name, std::string_view head) {
+    if (is_written) files.push_back({name, std::string(head)});
+  };
+  add(true, steps_name, steps_header);
+  add(contents.csv, trajectory_name, trajectory_header);
+  add(contents.csv, rheology_name, rheology_header);
+  add(contents.csv && !contents.outlines.walls.empty(), walls_name, walls_header);
+  add(contents.csv && contents.contacts, contacts_name, contacts_header);
   if (contents.html) {
-    result[animation_name] = animation_head(contents.title, contents.bodies, contents.walls);
+    files.push_back({animation_name, animation_head(contents.title, contents.outlines)});
   }
-  return result;
+  return files;
 }
 
 /// Returns the frame number in a file name, and no value for files that belong to no single frame.
@@ -67,13 +74,14 @@ bool belongs_to_run(const std::string& name) {
 
 /// Returns the names of a directory's files.
 std::vector<fs::path> file_names(const fs::path& directory) {
-  std::error_code error;
   std::vector<fs::path> names;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
-       entry.increment(error)) {
-    names.push_back(entry->path().filename());
+  try {
+    for (const auto& entry : fs::directory_iterator(directory)) {
+      names.push_back(entry.path().filename());
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw RecordError(directory, "listing", error.code());
   }
-  if (error) throw RecordError(directory, "listing", error);
   return names;
 }
 
@@ -102,10 +110,11 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
 /// be opened and cut back, and a wrong name may be the path of a foreign file.
 void require_own_tables(const fs::path& directory, const SavedRun& saved,
                         const RunContents& contents) {
-  std::map<std::string, std::string> own = headers(contents);
-  own.emplace(steps_name, steps_header);
-  const auto name = [](const auto& entry) -> const std::string& { return entry.first; };
-  if (std::ranges::equal(saved.table_sizes, own, {}, name, name)) return;
+  const std::vector<GrowingFile> own = growing_files(contents);
+  const auto is_saved = [&](const GrowingFile& file) {
+    return saved.table_sizes.contains(file.name);
+  };
+  if (own.size() == saved.table_sizes.size() && std::ranges::all_of(own, is_saved)) return;
   throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
 }
 
@@ -140,14 +149,11 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
     remove_run(path);
   }
   RunDirectory directory(std::move(lock), path, std::move(contents));
-  directory.begin(steps_name, steps_header);
-  for (const auto& [name, header] : headers(directory.contents_)) directory.begin(name, header);
+  for (const auto& [name, head] : growing_files(directory.contents_)) {
+    write_atomically(path / name, head, SafeFrom::kill);
+    directory.tables_.try_emplace(name, AppendFile::reopen(path / name, head.size()));
+  }
   return directory;
-}
-
-void RunDirectory::begin(const std::string& name, std::string_view head) {
-  write_atomically(path_ / name, head, SafeFrom::kill);
-  tables_.try_emplace(name, AppendFile::reopen(path_ / name, head.size()));
 }
 
 ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
@@ -173,7 +179,7 @@ ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
 }
 
 void RunDirectory::write_frame(const Frame& frame) {
-  require_outlines(frame, contents_.bodies, contents_.walls);
+  require_outlines(frame, contents_.outlines);
   if (frame.field.has_value() != contents_.fields) {
     throw std::invalid_argument("a frame must have a field exactly if the run writes fields");
   }
@@ -186,8 +192,7 @@ void RunDirectory::write_frame(const Frame& frame) {
   append(contacts_name, contact_rows(frame));
   if (contents_.html) append(animation_name, animation_frame(frame));
   if (contents_.vtk) {
-    replace(body_files.name(frame_count()),
-            configuration_vtp(frame, contents_.bodies, contents_.walls));
+    replace(body_files.name(frame_count()), configuration_vtp(frame, contents_.outlines));
   }
   if (contents_.vtk && contents_.contacts) {
     replace(contact_files.name(frame_count()), contacts_vtp(frame));
@@ -208,12 +213,10 @@ void RunDirectory::write_collections() {
 }
 
 void RunDirectory::write_pictures(const Frame& frame) {
-  const PictureOptions options{.title = contents_.title};
-  replace(picture_name, draw_configuration(frame, contents_.bodies, contents_.walls, options));
+  replace(picture_name, draw_configuration(frame, contents_.outlines, contents_.title));
   if (!contents_.fields) return;
-  for (const auto& [name, picture] :
-       draw_fields(frame, contents_.bodies, contents_.walls, options)) {
-    replace(name, picture);
+  for (const auto& [name, text] : draw_fields(frame, contents_.outlines, contents_.title)) {
+    replace(name, text);
   }
 }
 

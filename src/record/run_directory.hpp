@@ -10,7 +10,6 @@
 #include "record/append_file.hpp"
 #include "record/checkpoint.hpp"
 #include "record/file_lock.hpp"
-#include "record/outline.hpp"
 #include "record/run_data.hpp"
 
 namespace stokesbook {
@@ -20,10 +19,9 @@ namespace stokesbook {
 
 /// The contents of a run, and the files that it writes in addition to steps.csv and checkpoint.
 struct RunContents {
-  std::string title;            ///< title of pictures and animation
-  std::string scene;            ///< resolved scene text; a run resumes only with the same text
-  std::vector<Outline> bodies;  ///< in the order of Frame::bodies
-  std::vector<Outline> walls;   ///< in the order of Frame::walls
+  std::string title;      ///< title of pictures and animation
+  std::string scene;      ///< resolved scene text; a run resumes only with the same text
+  Outlines outlines;      ///< of all bodies and walls
   bool csv = true;        ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
   bool vtk = false;       ///< bodies.pvd and one .vtp for each frame
   bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields
@@ -56,28 +54,19 @@ class RunDirectory {
   ///
   /// Only files with names of a run's files are removed. An old scene.toml stays until write_text()
   /// replaces it, because the new run may have been started from it.
-  /// @param  path      path of the directory
-  /// @param  contents  contents of the run
-  /// @param  existing  treatment of an earlier run
-  /// @return           the directory, without frames and steps
   /// @throws RecordError when the directory cannot be written, when another run is writing it, or
   ///         when it has files of an earlier run that must not be removed
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
   /// Opens a run at its last checkpoint, and removes rows and frames that were written later.
-  ///
-  /// @param  path      path of the directory
   /// @param  contents  the same as for create()
-  /// @return           the directory, and the checkpoint from which the solver continues
   /// @throws RecordError when there is no complete checkpoint, when the checkpoint is of another
   ///         scene or lists other files, when a table is missing or shorter than in the checkpoint,
   ///         or when another run is writing the directory
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
   /// Adds a frame to all files of the run. Tables and the animation contain the frame after save().
-  ///
-  /// @param  frame  the configuration at that time
   /// @throws std::invalid_argument when the numbers of bodies or walls differ from the contents,
   ///         when a contact names a component that does not exist, when the frame has contacts or a
   ///         field that the run does not write, or when it lacks a field that the run writes
@@ -85,36 +74,24 @@ class RunDirectory {
   void write_frame(const Frame& frame);
 
   /// Adds a row to steps.csv. The file contains the row after save().
-  ///
-  /// @param  step  results of the step
-  /// @throws RecordError when the row cannot be written
   void write_step(const StepInfo& step);
 
   /// Adds everything written so far to the files, waits for the disk, and stores the checkpoint.
-  ///
-  /// @param  checkpoint  data from which the solver can continue
   /// @throws std::invalid_argument when a name of the history is not one word
   /// @throws RecordError when the disk refuses the data; the last checkpoint then stays
   /// @par Cost  a wait for the disk, some milliseconds, for each table and each other file written
   ///            since the last call
   void save(const Checkpoint& checkpoint);
 
-  /// Replaces a file by a text, atomically and safe from a power cut.
-  ///
-  /// @param  name  name of the file in the directory
-  /// @param  text  complete contents of the new file
+  /// Replaces a file in the directory by a text, atomically and safe from a power cut.
   /// @throws RecordError when the file cannot be written
   void write_text(const std::string& name, std::string_view text) const;
 
-  /// Returns the number of frames written so far.
-  /// @return number, including the frames before a resume
+  /// Returns the number of frames written so far, including the frames before a resume.
   std::size_t frame_count() const { return frame_times_.size(); }
 
  private:
   RunDirectory(FileLock lock, const std::filesystem::path& path, RunContents contents);
-
-  /// Starts a growing file with its header.
-  void begin(const std::string& name, std::string_view head);
 
   /// Adds rows to a table, if the run writes this table.
   void append(const std::string& table, std::string_view rows);

@@ -62,16 +62,12 @@ struct RunInfo {
   std::string message;                      ///< description of how the run ended
 };
 
-/// Returns the text of `run.json`, keys in the order of the struct.
-///
-/// @param  info  of one run
-/// @return       a JSON object in UTF-8; bytes that are not valid UTF-8 are replaced
+/// Returns the text of `run.json`: a JSON object in UTF-8, keys in the order of the struct. Bytes
+/// that are not valid UTF-8 are replaced.
 std::string to_json(const RunInfo& info);
 
-/// Reads the exit status of a run from its `run.json`.
-///
-/// @param  run  directory of the run
-/// @return      the exit status; none if the run has not ended or not begun
+/// Reads the exit status of a run from the `run.json` in its directory; none if the run has not
+/// ended or not begun.
 /// @throws RecordError when the file cannot be read or is damaged
 std::optional<int> exit_status_of(const std::filesystem::path& run);
 

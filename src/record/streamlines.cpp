@@ -1,5 +1,5 @@
 // Covers a field with evenly spaced streamlines (Jobard and Lefer 1997). Each line follows the
-// direction of the flow by the explicit midpoint rule.
+// direction of the flow by the explicit midpoint rule. Lengths are in cells until the end.
 #include "record/streamlines.hpp"
 
 #include <algorithm>
@@ -14,35 +14,27 @@ using Eigen::Index;
 
 namespace {
 
-/// The direction of the flow, interpolated between the points of a grid. Lengths are in cells.
-class Directions {
- public:
-  explicit Directions(const Field& field) : field_(field) {}
-
-  /// Returns the unit vector along the velocity; none where the velocity is zero, outside the grid,
-  /// and in cells with a corner outside the fluid.
-  std::optional<Complex> operator()(Complex x) const {
-    const double column = std::floor(x.real()), row = std::floor(x.imag());
-    const FieldGrid& grid = field_.grid;
-    if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(grid.columns - 1) &&
-          row < static_cast<double>(grid.rows - 1))) {
-      return {};
-    }
-    const double right = x.real() - column, up = x.imag() - row;
-    const Index i = grid.index(static_cast<Index>(column), static_cast<Index>(row));
-    const ComplexVector& u = field_.velocity;
-    // Bilinear interpolation between the corners of the cell.
-    const Complex below = (1.0 - right) * u[i] + right * u[i + 1];
-    const Complex above = (1.0 - right) * u[i + grid.columns] + right * u[i + grid.columns + 1];
-    const Complex velocity = (1.0 - up) * below + up * above;
-    const double speed = std::abs(velocity);
-    if (!(speed > 0.0)) return {};
-    return velocity / speed;
+/// Returns the unit vector along the velocity, which is interpolated between the points of the
+/// grid; none where the velocity is zero, outside the grid, and in cells with a corner outside the
+/// fluid.
+std::optional<Complex> direction(const Field& field, Complex x) {
+  const double column = std::floor(x.real()), row = std::floor(x.imag());
+  const Index columns = field.grid.columns, rows = field.grid.rows;
+  if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(columns - 1) &&
+        row < static_cast<double>(rows - 1))) {
+    return {};
   }
-
- private:
-  const Field& field_;
-};
+  const double right = x.real() - column, up = x.imag() - row;
+  const Index i = field.grid.index(static_cast<Index>(column), static_cast<Index>(row));
+  const ComplexVector& u = field.velocity;
+  // Bilinear interpolation between the corners of the cell.
+  const Complex below = (1.0 - right) * u[i] + right * u[i + 1];
+  const Complex above = (1.0 - right) * u[i + columns] + right * u[i + columns + 1];
+  const Complex velocity = (1.0 - up) * below + up * above;
+  const double speed = std::abs(velocity);
+  if (!(speed > 0.0)) return {};
+  return velocity / speed;
+}
 
 /// The points of all lines, sorted into square buckets whose side is the separation.
 class Neighbourhood {
@@ -89,57 +81,45 @@ class Neighbourhood {
   std::vector<std::vector<Complex>> points_;
 };
 
-/// Follows the flow in one direction. Lengths are in cells.
-class Tracer {
- public:
-  Tracer(const Field& field, const Neighbourhood& neighbours, double separation)
-      : direction_(field),
-        neighbours_(neighbours),
-        nearest_(0.5 * separation),
-        most_points_(20 * static_cast<std::size_t>(field.grid.columns + field.grid.rows)) {}
-
-  /// Follows the flow from a point, downstream (+1) or upstream (-1).
-  Streamline operator()(Complex start, double sign) const {
-    Streamline line{{start}, false};
-    double turned = 0.0, distance = 0.0;
-    Complex last_direction{};
-    while (line.points.size() < most_points_) {
-      // Midpoint rule for the direction d, step h and sign s: x <- x + s h d(x + s h/2 d(x)).
-      const Complex x = line.points.back();
-      const std::optional<Complex> half = direction_(x);
-      if (!half) break;
-      const std::optional<Complex> whole = direction_(x + 0.5 * sign * step * *half);
-      if (!whole) break;
-      const Complex next = x + sign * step * *whole;
-      // A line that reverses its direction within one step has reached a stagnation point.
-      if (dot(*whole, last_direction) < 0.0) break;
-      if (line.points.size() > 1) turned += std::arg(*whole * std::conj(last_direction));
-      last_direction = *whole;
-      // A line closes when it has turned once around and passes its start: it was near, and the
-      // distance grows again.
-      const double next_distance = std::abs(next - start);
-      line.closed = std::abs(turned) > 1.9 * std::numbers::pi && distance < nearest_ &&
-                    next_distance > distance;
-      if (line.closed || !neighbours_.is_free(next, nearest_)) break;
-      line.points.push_back(next);
-      distance = next_distance;
-    }
-    return line;
+/// Follows the flow from a point, downstream (sign +1) or upstream (-1), and keeps a distance from
+/// the lines of a neighbourhood.
+Streamline follow(const Field& field, const Neighbourhood& neighbours, double nearest,
+                  Complex start, double sign) {
+  constexpr double step = 0.5;
+  const auto most_points = static_cast<std::size_t>(20 * (field.grid.columns + field.grid.rows));
+  Streamline line{{start}, false};
+  double turned = 0.0, distance = 0.0;
+  Complex last_direction{};
+  while (line.points.size() < most_points) {
+    // Midpoint rule for the direction d, step h and sign s: x <- x + s h d(x + s h/2 d(x)).
+    const Complex x = line.points.back();
+    const std::optional<Complex> half = direction(field, x);
+    if (!half) break;
+    const std::optional<Complex> whole = direction(field, x + 0.5 * sign * step * *half);
+    if (!whole) break;
+    const Complex next = x + sign * step * *whole;
+    // A line that reverses its direction within one step has reached a stagnation point.
+    if (dot(*whole, last_direction) < 0.0) break;
+    if (line.points.size() > 1) turned += std::arg(*whole * std::conj(last_direction));
+    last_direction = *whole;
+    // A line closes when it has turned once around and passes its start: it was near, and the
+    // distance grows again.
+    const double next_distance = std::abs(next - start);
+    line.closed =
+        std::abs(turned) > 1.9 * std::numbers::pi && distance < nearest && next_distance > distance;
+    if (line.closed || !neighbours.is_free(next, nearest)) break;
+    line.points.push_back(next);
+    distance = next_distance;
   }
-
- private:
-  static constexpr double step = 0.5;
-  Directions direction_;
-  const Neighbourhood& neighbours_;
-  double nearest_;
-  std::size_t most_points_;
-};
+  return line;
+}
 
 /// Follows the flow from a point in both directions, and joins the two parts.
-Streamline through(Complex start, const Tracer& trace) {
-  Streamline line = trace(start, 1.0);
+Streamline through(const Field& field, const Neighbourhood& neighbours, double nearest,
+                   Complex start) {
+  Streamline line = follow(field, neighbours, nearest, start, 1.0);
   if (line.closed) return line;
-  const Streamline upstream = trace(start, -1.0);
+  const Streamline upstream = follow(field, neighbours, nearest, start, -1.0);
   std::vector<Complex> points(upstream.points.rbegin(), upstream.points.rend() - 1);
   points.insert(points.end(), line.points.begin(), line.points.end());
   return {points, false};
@@ -154,13 +134,12 @@ std::vector<Streamline> streamlines(const Field& field, double separation) {
   }
   const double cells = separation / grid.spacing;
   Neighbourhood neighbours(grid, cells);
-  const Tracer trace(field, neighbours, cells);
   std::vector<Streamline> lines;
   for (Index row = 0; row < grid.rows; ++row) {
     for (Index column = 0; column < grid.columns; ++column) {
       const Complex start(static_cast<double>(column), static_cast<double>(row));
       if (!neighbours.is_free(start, cells)) continue;
-      Streamline line = through(start, trace);
+      Streamline line = through(field, neighbours, 0.5 * cells, start);
       if (static_cast<double>(line.points.size()) < 2.0 * cells) continue;
       neighbours.add(line.points);
       lines.push_back(std::move(line));

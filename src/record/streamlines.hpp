@@ -15,16 +15,14 @@ struct Streamline {
   bool closed = false;          ///< whether the last point joins the first
 };
 
-/// Covers a field evenly with streamlines.
+/// Covers a field evenly with streamlines, in the direction of the flow.
 ///
 /// A line starts at each grid point that is at least a separation away from all earlier lines. The
 /// line is followed in both directions until it closes, comes within half a separation of another
 /// line, or leaves the grid or the fluid. Velocities are interpolated bilinearly between the points
 /// of the grid; a cell with a corner outside the fluid has no velocity. Lines shorter than the
 /// separation are left out.
-/// @param  field       with its velocity
 /// @param  separation  distance of neighbouring lines, > 0, length
-/// @return             lines in the direction of the flow
 /// @throws std::invalid_argument when the field has no velocity
 /// @par Not for        anything but pictures: lines drift by the error of the interpolation
 /// @sa source: Jobard and Lefer, Visualization in Scientific Computing '97, 43

@@ -1,11 +1,14 @@
-// Writes pieces of SVG text: numbers, paths, labels, and the head of a picture.
+// Writes pieces of SVG text: numbers, paths, labels, the head of a picture, and colours.
 #include "record/svg.hpp"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
-namespace stokesbook::svg {
+namespace stokesbook {
+
+namespace svg {
 
 namespace {
 
@@ -59,8 +62,8 @@ std::string polyline(const ComplexVector& points) {
   return data;
 }
 
-std::string polygon(const ComplexVector& points) {
-  return polyline(points) + 'Z';
+std::string polygon(const ComplexVector& corners) {
+  return polyline(corners) + 'Z';
 }
 
 std::string path(const std::string& data, const std::string& style) {
@@ -78,4 +81,22 @@ std::string open(Complex size, const std::string& title) {
          pair(size) + "\">\n<title>" + escaped(title) + "</title>\n" + page_style;
 }
 
-}  // namespace stokesbook::svg
+}  // namespace svg
+
+std::string colour(const ColourMap& map, double fraction) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const auto& samples = map.samples;
+  const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(samples.size() - 1);
+  const std::size_t left = std::min(static_cast<std::size_t>(place), samples.size() - 2);
+  std::string colour = "#";
+  for (const int shift : {16, 8, 0}) {
+    const auto channel = [&](int sample) { return sample >> shift & 0xff; };
+    const double value = std::lerp(channel(samples[left]), channel(samples[left + 1]),
+                                   place - static_cast<double>(left));
+    const auto byte = static_cast<std::size_t>(std::lround(value));
+    colour += {digits[byte / 16], digits[byte % 16]};
+  }
+  return colour;
+}
+
+}  // namespace stokesbook

@@ -1,8 +1,14 @@
-// Writes configurations and contacts for ParaView: VTK PolyData as XML, with arrays in ASCII.
+// Writes configurations, contacts and fields for ParaView in VTK's XML formats, and collections
+// that list these files with their times.
 #include "record/vtk.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
 #include <concepts>
+#include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "text/number_text.hpp"
 
@@ -10,77 +16,31 @@ namespace stokesbook {
 
 namespace {
 
-/// The way in which the points of a cell are joined.
-enum class Joined { in_line, in_loop, in_polygon };
-
+/// A curve, and the way in which its points are joined.
 struct Cell {
-  Joined joined;
   ComplexVector points;
+  enum { in_line, in_loop, in_polygon } joined;
+
+  bool is_line() const { return joined != in_polygon; }
 };
 
-/// The cell of a wall or body.
-struct Component : Cell, BodyState {
+/// The data of a wall or body.
+struct Component : BodyState {
   long id;
 };
 
-/// The cell of a contact: a line from the centre of a through the contact point to the centre of b.
-struct Link : Cell {
-  long a, b;
-  Complex normal;
-  double force, gap;
-};
-
-bool is_line(const Cell& cell) {
-  return cell.joined != Joined::in_polygon;
-}
-
-long id_of(const ContactParty& party) {
-  const long number = static_cast<long>(party.number);
-  return party.is_wall ? -1 - number : number;
-}
-
-/// Lists walls and bodies in VTK's order of cells, lines before polygons.
-std::vector<Component> list_components(const Frame& frame, const std::vector<Outline>& bodies,
-                                       const std::vector<Outline>& walls) {
-  std::vector<Component> components;
-  const auto add = [&](const Outline& outline, const BodyState& state, long id) {
-    const Joined joined = outline.encloses ? Joined::in_loop : Joined::in_polygon;
-    components.push_back({{joined, placed(outline, state.position, state.orientation)}, state, id});
-  };
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    add(bodies[k], frame.bodies[k], id_of({.is_wall = false, .number = k}));
-  }
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    const auto& [position, orientation, force, torque] = frame.walls[k];
-    add(walls[k], {position, orientation, {}, 0.0, force, torque},
-        id_of({.is_wall = true, .number = k}));
-  }
-  std::stable_partition(components.begin(), components.end(), is_line);
-  return components;
-}
-
-std::vector<Link> list_links(const Frame& frame) {
-  std::vector<Link> links;
-  for (const ContactForce& contact : frame.contacts) {
-    // A line to the centre of a wall would cross other bodies; it ends at the contact instead.
-    const auto end = [&](const ContactParty& party) {
-      return party.is_wall ? contact.point : frame.bodies[party.number].position;
-    };
-    links.push_back(
-        {{Joined::in_line, ComplexVector{{end(contact.a), contact.point, end(contact.b)}}},
-         id_of(contact.a),
-         id_of(contact.b),
-         contact.normal,
-         contact.force,
-         contact.gap});
-  }
-  return links;
+/// Writes a file with one set of data; attributes begin with a blank.
+std::string vtk_file(const std::string& type, const std::string& file_attributes,
+                     const std::string& attributes, const std::string& data) {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\"" +
+         file_attributes + ">\n<" + type + attributes + ">\n" + data + "</" + type +
+         ">\n</VTKFile>\n";
 }
 
 std::string data_array(const std::string& type, const std::string& name, int components,
-                       const std::string& values) {
+                       const std::string& format, const std::string& values) {
   return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-         std::to_string(components) + "\" format=\"ascii\">\n" + values + "</DataArray>\n";
+         std::to_string(components) + "\" format=\"" + format + "\">\n" + values + "</DataArray>\n";
 }
 
 void append_line(std::string& text, auto value) {
@@ -96,36 +56,25 @@ void append_line(std::string& text, Complex value) {
   text += " 0\n";
 }
 
-/// Writes one member of all cells as a data array.
-template <class Kind, class Base, class Value>
-std::string cell_data(const std::string& name, const std::vector<Kind>& cells,
-                      Value Base::*member) {
+/// Writes one member of all items, or one value computed from each, as a data array.
+std::string cell_data(const std::string& name, const auto& items, auto member) {
+  using Value = std::decay_t<decltype(std::invoke(member, items.front()))>;
   std::string values;
-  for (const Kind& cell : cells) append_line(values, cell.*member);
+  for (const auto& item : items) append_line(values, std::invoke(member, item));
   return data_array(std::integral<Value> ? "Int64" : "Float64", name,
-                    std::same_as<Value, Complex> ? 3 : 1, values);
-}
-
-template <class Kind>
-std::string points(const std::vector<Kind>& cells) {
-  std::string values;
-  for (const Cell& cell : cells) {
-    for (const Complex point : cell.points) append_line(values, point);
-  }
-  return data_array("Float64", "points", 3, values);
+                    std::same_as<Value, Complex> ? 3 : 1, "ascii", values);
 }
 
 /// Writes the point numbers of all lines, or of all polygons, as VTK's connectivity and offsets.
-template <class Kind>
-std::string topology(const std::vector<Kind>& cells, bool lines) {
+std::string topology(const std::vector<Cell>& cells, bool lines) {
   std::string connectivity;
   std::string offsets;
   Eigen::Index first = 0;
   Eigen::Index offset = 0;
   for (const Cell& cell : cells) {
     const Eigen::Index next = first + cell.points.size();
-    if (is_line(cell) == lines) {
-      const bool closed = cell.joined == Joined::in_loop;
+    if (cell.is_line() == lines) {
+      const bool closed = cell.joined == Cell::in_loop;
       for (Eigen::Index k = first; k < next; ++k) append_line(connectivity, k);
       if (closed) append_line(connectivity, first);
       offset += cell.points.size() + (closed ? 1 : 0);
@@ -133,54 +82,167 @@ std::string topology(const std::vector<Kind>& cells, bool lines) {
     }
     first = next;
   }
-  return data_array("Int64", "connectivity", 1, connectivity) +
-         data_array("Int64", "offsets", 1, offsets);
-}
-
-/// Returns the opening tag of the piece with its counts.
-template <class Kind>
-std::string piece(const std::vector<Kind>& cells) {
-  Eigen::Index n_points = 0;
-  for (const Cell& cell : cells) n_points += cell.points.size();
-  const auto n_lines = std::ranges::count_if(cells, is_line);
-  const auto n_polygons = std::ssize(cells) - n_lines;
-  return "<Piece NumberOfPoints=\"" + std::to_string(n_points) +
-         "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(n_lines) +
-         "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(n_polygons) + "\">\n";
+  return data_array("Int64", "connectivity", 1, "ascii", connectivity) +
+         data_array("Int64", "offsets", 1, "ascii", offsets);
 }
 
 /// Writes cells, lines before polygons, with their data.
-template <class Kind>
-std::string poly_data(const std::vector<Kind>& cells, const std::string& data) {
-  return "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n" +
-         piece(cells) + data + "<Points>\n" + points(cells) + "</Points>\n<Lines>\n" +
-         topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
-         "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+std::string poly_data(const std::vector<Cell>& cells, const std::string& data) {
+  std::string points;
+  Eigen::Index n_points = 0;
+  for (const Cell& cell : cells) {
+    for (const Complex point : cell.points) append_line(points, point);
+    n_points += cell.points.size();
+  }
+  const auto n_lines = std::ranges::count_if(cells, &Cell::is_line);
+  return vtk_file("PolyData", "", "",
+                  "<Piece NumberOfPoints=\"" + std::to_string(n_points) +
+                      "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(n_lines) +
+                      "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
+                      std::to_string(std::ssize(cells) - n_lines) + "\">\n" + data + "<Points>\n" +
+                      data_array("Float64", "points", 3, "ascii", points) + "</Points>\n<Lines>\n" +
+                      topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
+                      "</Polys>\n</Piece>\n");
+}
+
+/// Encodes bytes in base64: 3 bytes become 4 letters of 6 bits each.
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view letters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t first = 0; first < bytes.size(); first += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - first);
+    std::uint32_t triple = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const char byte = k < count ? bytes[first + k] : '\0';
+      triple = triple << 8 | static_cast<unsigned char>(byte);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += k <= count ? letters[triple >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+/// Writes contiguous numbers as a binary data array.
+std::string binary_array(const std::string& type, std::string_view name, int components,
+                         const auto& numbers) {
+  // VTK requires the number of bytes before the bytes.
+  const std::uint64_t size = sizeof(*numbers.data()) * static_cast<std::size_t>(numbers.size());
+  std::string bytes(reinterpret_cast<const char*>(&size), sizeof(size));
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), size);
+  return data_array(type, std::string(name), components, "binary", base64(bytes) + '\n');
 }
 
 }  // namespace
 
-std::string configuration_vtp(const Frame& frame, const std::vector<Outline>& bodies,
-                              const std::vector<Outline>& walls) {
-  require_outlines(frame, bodies, walls);
-  const std::vector<Component> cells = list_components(frame, bodies, walls);
+std::string configuration_vtp(const Frame& frame, const Outlines& outlines) {
+  require_outlines(frame, outlines);
+  const auto& [bodies, walls] = outlines;
+  std::vector<Cell> cells;
+  std::vector<Component> components;
+  const auto add = [&](const Outline& outline, const BodyState& state, long id) {
+    cells.push_back({placed(outline, state), outline.encloses ? Cell::in_loop : Cell::in_polygon});
+    components.push_back({state, id});
+  };
+  for (const bool lines : {true, false}) {
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      if (bodies[k].encloses == lines) add(bodies[k], frame.bodies[k], ContactParty{false, k}.id());
+    }
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      const auto& [position, orientation, force, torque] = frame.walls[k];
+      if (walls[k].encloses == lines) {
+        add(walls[k], {position, orientation, {}, 0.0, force, torque}, ContactParty{true, k}.id());
+      }
+    }
+  }
   return poly_data(cells, "<CellData Scalars=\"id\" Vectors=\"velocity\">\n" +
-                              cell_data("id", cells, &Component::id) +
-                              cell_data("velocity", cells, &BodyState::velocity) +
-                              cell_data("omega", cells, &BodyState::omega) +
-                              cell_data("theta", cells, &BodyState::orientation) +
-                              cell_data("force", cells, &BodyState::force) +
-                              cell_data("torque", cells, &BodyState::torque) + "</CellData>\n");
+                              cell_data("id", components, &Component::id) +
+                              cell_data("velocity", components, &Component::velocity) +
+                              cell_data("omega", components, &Component::omega) +
+                              cell_data("theta", components, &Component::orientation) +
+                              cell_data("force", components, &Component::force) +
+                              cell_data("torque", components, &Component::torque) +
+                              "</CellData>\n");
 }
 
 std::string contacts_vtp(const Frame& frame) {
-  const std::vector<Link> cells = list_links(frame);
+  const std::vector<ContactForce>& contacts = frame.contacts;
+  std::vector<Cell> cells;
+  for (const ContactForce& contact : contacts) {
+    // A line to the centre of a wall would cross other bodies; it ends at the contact instead.
+    const auto end = [&](const ContactParty& party) {
+      return party.is_wall ? contact.point : frame.bodies[party.number].position;
+    };
+    cells.push_back(
+        {ComplexVector{{end(contact.a), contact.point, end(contact.b)}}, Cell::in_line});
+  }
+  const auto id_a = [](const ContactForce& contact) { return contact.a.id(); };
+  const auto id_b = [](const ContactForce& contact) { return contact.b.id(); };
   return poly_data(cells, "<CellData Scalars=\"force\" Vectors=\"normal\">\n" +
-                              cell_data("a", cells, &Link::a) + cell_data("b", cells, &Link::b) +
-                              cell_data("normal", cells, &Link::normal) +
-                              cell_data("force", cells, &Link::force) +
-                              cell_data("gap", cells, &Link::gap) + "</CellData>\n");
+                              cell_data("a", contacts, id_a) + cell_data("b", contacts, id_b) +
+                              cell_data("normal", contacts, &ContactForce::normal) +
+                              cell_data("force", contacts, &ContactForce::force) +
+                              cell_data("gap", contacts, &ContactForce::gap) + "</CellData>\n");
+}
+
+std::string field_vti(const Field& field) {
+  const auto& [corner, spacing, columns, rows] = field.grid;
+  const std::string extent =
+      "Extent=\"0 " + std::to_string(columns - 1) + " 0 " + std::to_string(rows - 1) + " 0 0\"";
+  std::string grid = " Whole" + extent + " Origin=\"";
+  append_number(grid, corner.real());
+  grid += ' ';
+  append_number(grid, corner.imag());
+  grid += " 0\" Spacing=\"";
+  append_number(grid, spacing);
+  grid += ' ';
+  append_number(grid, spacing);
+  grid += " 1\"";
+
+  std::string arrays = binary_array("UInt8", "in_fluid", 1, field.in_fluid);
+  if (field.velocity.size() > 0) {
+    Eigen::Matrix3Xd spatial = Eigen::Matrix3Xd::Zero(3, field.velocity.size());
+    spatial.row(0) = field.velocity.real();
+    spatial.row(1) = field.velocity.imag();
+    arrays += binary_array("Float64", "velocity", 3, spatial);
+  }
+  for (const auto& [name, values, has_sign] : field_scalars) {
+    if ((field.*values).size() > 0) arrays += binary_array("Float64", name, 1, field.*values);
+  }
+  constexpr bool little = std::endian::native == std::endian::little;
+  return vtk_file("ImageData",
+                  std::string(" byte_order=\"") + (little ? "Little" : "Big") +
+                      "Endian\" header_type=\"UInt64\"",
+                  grid,
+                  "<Piece " + extent + ">\n<PointData>\n" + arrays + "</PointData>\n</Piece>\n");
+}
+
+std::string FrameFiles::name(std::size_t frame) const {
+  const std::string digits = std::to_string(frame);
+  std::string text(stem);
+  text += '_' + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits;
+  return text += extension;
+}
+
+std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {
+  std::size_t frame = 0;
+  const std::size_t digits = file.find_first_of("0123456789");
+  if (digits == std::string::npos) return {};
+  std::from_chars(file.data() + digits, file.data() + file.size(), frame);
+  if (file != name(frame)) return {};
+  return frame;
+}
+
+std::string FrameFiles::collection_text(std::span<const double> frame_times) const {
+  std::string entries;
+  for (std::size_t k = 0; k < frame_times.size(); ++k) {
+    entries += "<DataSet timestep=\"";
+    append_number(entries, frame_times[k]);
+    entries += "\" file=\"" + name(k) + "\"/>\n";
+  }
+  return vtk_file("Collection", "", "", entries);
 }
 
 }  // namespace stokesbook

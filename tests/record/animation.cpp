@@ -22,7 +22,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 std::string head(const std::string& title) {
-  return animation_head(title, sample_contents().bodies, sample_contents().walls);
+  return animation_head(title, sample_contents().outlines);
 }
 
 /// Returns the last line of a text, which contains a data block.
@@ -53,9 +53,9 @@ BOOST_AUTO_TEST_CASE(no_title_ends_its_block) {
 }
 
 BOOST_AUTO_TEST_CASE(equal_outlines_are_written_once) {
-  const Outline first = sample_contents().bodies[0];
-  const Outline other = sample_contents().bodies[1];
-  const std::string line = last_line(animation_head("", {first, other, first}, {first}));
+  const Outline first = sample_contents().outlines.bodies[0];
+  const Outline other = sample_contents().outlines.bodies[1];
+  const std::string line = last_line(animation_head("", {{first, other, first}, {first}}));
   BOOST_TEST(count(line, "\"bodies\":[0,1,0],\"walls\":[0]") == 1u);
   BOOST_TEST(count(line, "],[") == 31u + 1u + 59u);  // between points, and between the two shapes
 }

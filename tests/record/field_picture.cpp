@@ -4,7 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "record/colour_map.hpp"
+#include "record/svg.hpp"
 #include "sample_run.hpp"
 
 using namespace stokesbook;
@@ -13,8 +13,7 @@ using namespace stokesbook::test;
 namespace {
 
 std::map<std::string, std::string> fields_of(const Frame& frame) {
-  const RunContents sample = sample_contents();
-  return draw_fields(frame, sample.bodies, sample.walls, {.title = "A < B", .width = 500.0});
+  return draw_fields(frame, sample_contents().outlines, "A < B");
 }
 
 const std::string streamlines_of_field = "stroke-opacity=\"0.7\"";
@@ -87,7 +86,8 @@ BOOST_AUTO_TEST_CASE(constant_fields_and_fields_without_fluid) {
 
 BOOST_AUTO_TEST_CASE(nothing_to_draw) {
   Frame frame = sample_frame(0);
-  BOOST_CHECK_THROW(draw_fields(frame, sample_contents().bodies, {}, {}), std::invalid_argument);
+  BOOST_CHECK_THROW(draw_fields(frame, {sample_contents().outlines.bodies, {}}, ""),
+                    std::invalid_argument);
   frame.field.reset();
   BOOST_CHECK_THROW(fields_of(frame), std::invalid_argument);
 }

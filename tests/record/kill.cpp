@@ -115,8 +115,8 @@ constexpr std::size_t steps_a_frame = 3;
 
 RunContents crowd_contents() {
   RunContents contents = sample_contents();
-  contents.bodies.assign(n_crowd, contents.bodies[0]);
-  contents.walls.clear();
+  contents.outlines.bodies.assign(n_crowd, contents.outlines.bodies[0]);
+  contents.outlines.walls.clear();
   contents.vtk = contents.svg = contents.fields = contents.contacts = false;
   return contents;
 }

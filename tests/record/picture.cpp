@@ -10,7 +10,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "record/colour_map.hpp"
+#include "record/svg.hpp"
 #include "sample_run.hpp"
 
 using namespace stokesbook;
@@ -18,9 +18,8 @@ using namespace stokesbook::test;
 
 namespace {
 
-std::string draw(const Frame& frame, const PictureOptions& options = {}) {
-  const RunContents sample = sample_contents();
-  return draw_configuration(frame, sample.bodies, sample.walls, options);
+std::string draw(const Frame& frame, const std::string& title = "") {
+  return draw_configuration(frame, sample_contents().outlines, title);
 }
 
 /// Returns the lightness that the eye perceives (relative luminance of sRGB).
@@ -99,19 +98,18 @@ BOOST_AUTO_TEST_CASE(arrows_have_short_barbs_at_their_tips) {
 BOOST_AUTO_TEST_CASE(arrows_fit_bodies_and_picture) {
   Frame frame = sample_frame(0);
   for (BodyState& body : frame.bodies) body.velocity = {1.0, 0.0};
-  RunContents sample = sample_contents();
+  Outlines outlines = sample_contents().outlines;
   const auto longest = [&] {
-    const std::string picture =
-        draw_configuration(frame, sample.bodies, sample.walls, {.title = "", .width = 1000.0});
+    const std::string picture = draw_configuration(frame, outlines, "");
     const std::regex arrow("stroke-linecap=\"round\" d=\"M([-0-9.]+) [-0-9.]+L([-0-9.]+) ");
     std::smatch found;
     BOOST_REQUIRE(std::regex_search(picture, found, arrow));
     return std::stod(found[2]) - std::stod(found[1]);
   };
-  // The outer wall has the diameter 20 and fills the width, apart from margins.
-  BOOST_TEST(longest() == 100.0, boost::test_tools::tolerance(0.15));
-  for (Outline& body : sample.bodies) body.points *= 0.01;
-  BOOST_TEST(longest() == 0.03 * std::sqrt(2.0) * 1000.0, boost::test_tools::tolerance(0.15));
+  // The outer wall has the diameter 20 and is 648 pixels wide.
+  BOOST_TEST(longest() == 74.5, boost::test_tools::tolerance(0.02));
+  for (Outline& body : outlines.bodies) body.points *= 0.01;
+  BOOST_TEST(longest() == 0.03 * std::sqrt(2.0) * 648.0, boost::test_tools::tolerance(0.02));
 }
 
 BOOST_AUTO_TEST_CASE(fastest_body_has_the_top_colour) {
@@ -146,10 +144,10 @@ BOOST_AUTO_TEST_CASE(forces_of_contact_are_as_wide_as_they_are_large) {
 }
 
 BOOST_AUTO_TEST_CASE(title_and_time_are_text) {
-  const std::string picture = draw(sample_frame(7), {.title = "<script> & co\n", .width = 500.0});
+  const std::string picture = draw(sample_frame(7), "<script> & co\n");
   BOOST_TEST(contains(picture, "<title>&lt;script> &amp; co </title>"));
   BOOST_TEST(contains(picture, "t = 1<"));
-  BOOST_TEST(contains(picture, " width=\"500\""));
+  BOOST_TEST(contains(picture, " width=\"760\""));
 }
 
 BOOST_AUTO_TEST_CASE(pictures_suit_light_and_dark_pages) {
@@ -159,9 +157,9 @@ BOOST_AUTO_TEST_CASE(pictures_suit_light_and_dark_pages) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_to_draw) {
-  BOOST_CHECK_THROW(draw_configuration({}, {}, {}, {}), std::invalid_argument);
-  BOOST_CHECK_THROW(draw_configuration(sample_frame(0), sample_contents().bodies, {}, {}),
-                    std::invalid_argument);
+  BOOST_CHECK_THROW(draw_configuration({}, {}, ""), std::invalid_argument);
+  const std::vector<Outline> bodies = sample_contents().outlines.bodies;
+  BOOST_CHECK_THROW(draw_configuration(sample_frame(0), {bodies, {}}, ""), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

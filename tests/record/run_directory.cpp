@@ -12,8 +12,8 @@
 #include "record/append_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
-#include "record/frame_files.hpp"
 #include "record/record_error.hpp"
+#include "record/vtk.hpp"
 #include "sample_run.hpp"
 
 using namespace stokesbook;
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
 BOOST_AUTO_TEST_CASE(no_table_of_walls_without_walls) {
   const Folder folder;
   RunContents contents = sample_contents();
-  contents.walls.clear();
+  contents.outlines.walls.clear();
   Frame frame = sample_frame(0);
   frame.walls.clear();
   create(folder, contents).write_frame(frame);

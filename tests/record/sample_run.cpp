@@ -80,16 +80,18 @@ RunDirectory begin(const std::filesystem::path& path, const RunContents& content
 }  // namespace
 
 RunContents sample_contents() {
-  return {.title = "A < B & C",
-          .scene = "title = \"sample\"\n",
-          .bodies = {outline(32, 1.0, 0.5, 0.0, false), outline(60, 1.0, 1.0, 0.3, false)},
-          .walls = {outline(64, 10.0, 10.0, 0.0, true), outline(16, 0.5, 0.5, 0.0, false)},
-          .csv = true,
-          .vtk = true,
-          .svg = true,
-          .html = true,
-          .fields = true,
-          .contacts = true};
+  return {
+      .title = "A < B & C",
+      .scene = "title = \"sample\"\n",
+      .outlines = {.bodies = {outline(32, 1.0, 0.5, 0.0, false), outline(60, 1.0, 1.0, 0.3, false)},
+                   .walls = {outline(64, 10.0, 10.0, 0.0, true),
+                             outline(16, 0.5, 0.5, 0.0, false)}},
+      .csv = true,
+      .vtk = true,
+      .svg = true,
+      .html = true,
+      .fields = true,
+      .contacts = true};
 }
 
 Frame sample_frame(int k) {
