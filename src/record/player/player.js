@@ -32,22 +32,18 @@ class Player {
     element("scrub").max = this.frames.length - 1;
     for (const id of ["play", "scrub"]) element(id).disabled = this.frames.length < 2;
     element("contacts-label").hidden = this.view.topForce === 0;
-    const count = (n, word) => `${n} ${n === 1 ? word[0] : word[1]}`;
-    element("canvas").setAttribute("aria-label", `${document.title}: ` +
-      `${count(this.run.bodies.length, ["body", "bodies"])}, ` +
-      `${count(this.run.walls.length, ["wall", "walls"])}, ` +
-      `${count(this.frames.length, ["frame", "frames"])}`);
+    element("canvas").setAttribute("aria-label", `${document.title}, ` +
+      `bodies: ${this.run.bodies.length}, walls: ${this.run.walls.length}`);
+    element("legend").hidden = this.run.bodies.length === 0;
     this.fillLegend();
   }
 
   fillLegend() {
     const colour = element("colour").value;
-    element("legend").hidden = colour === "plain" || this.frames[0].bodies.length === 0;
-    if (colour === "plain") return;
     element("legend-name").textContent = {speed: "speed |U|", spin: "angular speed |\u03c9|",
                                           orientation: "orientation \u03b8"}[colour];
-    element("ramp").style.background = `linear-gradient(90deg, ${RAMPS[colour].join()})`;
-    element("low").textContent = "0";
+    const ramp = Array.from({length: 65}, (_, k) => COLOURS[colour](k / 64));
+    element("ramp").style.background = `linear-gradient(90deg, ${ramp})`;
     const top = this.view.tops[colour];
     element("high").textContent = colour !== "orientation" ? short(top, 3)
                                 : top > Math.PI ? "2\u03c0" : "\u03c0";

@@ -60,15 +60,10 @@ function stateAt(frames, place) {
   return state;
 }
 
-// The place in the list of frames that belongs to a time.
+// The place in the list of frames that belongs to a time, not before the first frame.
 function placeOf(frames, t) {
-  let low = 0, high = frames.length - 1;
-  if (t >= frames[high].t) return high;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (frames[middle].t <= t) low = middle; else high = middle;
-  }
-  return low + Math.max(0, (t - frames[low].t) / (frames[high].t - frames[low].t));
+  const k = frames.findLastIndex(frame => frame.t <= t), next = frames[k + 1];
+  return next ? k + (t - frames[k].t) / (next.t - frames[k].t) : k;
 }
 
 const largest = (frames, of) =>

@@ -1,9 +1,8 @@
 // What a run looks like on a canvas.
 
-// The colours of the pictures: viridis, see colour_map.hpp.
+// The colours of the pictures: viridis, see svg.hpp.
 const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30",
                  "fde725"].map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));
-const LEVELS = 64;
 
 function viridis(fraction) {
   const at = Math.min(Math.max(fraction, 0), 1) * (VIRIDIS.length - 1);
@@ -11,18 +10,17 @@ function viridis(fraction) {
   return `rgb(${between(VIRIDIS[k], VIRIDIS[k + 1], at - k).map(Math.round)})`;
 }
 
-const ramp = colour => Array.from({length: LEVELS}, (_, k) => colour(k / (LEVELS - 1)));
-const RAMPS = {
-  speed: ramp(viridis),
-  spin: ramp(viridis),
+// Colours of values as fractions of their largest value.
+const COLOURS = {
+  speed: viridis,
+  spin: viridis,
   // Of equal lightness: all directions are equal.
-  orientation: ramp(fraction => `oklch(72% 0.12 ${360 * fraction})`),
+  orientation: fraction => `oklch(72% 0.12 ${360 * fraction})`,
 };
-const darkLevels = 0.6 * LEVELS;  // white marks show on these
 
 const modulo = (x, period) => x - period * Math.floor(x / period);
 
-// What a colour means: the value of a body, from 0 to the top of the ramp.
+// What a colour means: the value of a body, from 0 to the largest value.
 const VALUES = {
   speed: body => Math.hypot(body[UX], body[UY]),
   spin: body => Math.abs(body[OMEGA]),
@@ -43,8 +41,8 @@ function smoothPath(points) {
   return path;
 }
 
-// A curve in its own frame, ready to be drawn: its path, a mark along direction 1 inside it, and
-// its size.
+// A curve in its own frame, ready to be drawn: its path, a mark along direction 1 inside it, its
+// radius, and whether half a turn leaves it as it is.
 function shapeOf(points) {
   const path = smoothPath(points);
   const angle = ([x, y]) => Math.abs(Math.atan2(y, x));
@@ -52,17 +50,12 @@ function shapeOf(points) {
   const mark = new Path2D();
   mark.moveTo(0.5 * reach, 0);
   mark.lineTo(0.9 * reach, 0);
-  const length = points.reduce((sum, [x, y], k) => {
-    const [x1, y1] = points[(k + 1) % points.length];
-    return sum + Math.hypot(x1 - x, y1 - y);
-  }, 0);
   const radius = Math.max(...points.map(point => Math.hypot(...point)));
-  // Whether half a turn leaves it as it is.
   const turns = points.every(([x, y], k) => {
     const [x1, y1] = points[(k + Math.floor(points.length / 2)) % points.length];
     return Math.hypot(x + x1, y + y1) < 1e-3 * radius;
   });
-  return {path, mark, length, radius, turns};
+  return {path, mark, radius, turns};
 }
 
 class View {
@@ -91,7 +84,7 @@ class View {
   readColours() {
     const style = getComputedStyle(document.documentElement);
     this.colours = Object.fromEntries(
-      ["fluid", "solid", "edge", "plain", "contact", "accent"].map(
+      ["fluid", "solid", "edge", "contact", "accent"].map(
         name => [name, style.getPropertyValue("--" + name).trim()]));
   }
 
@@ -157,12 +150,11 @@ class View {
   }
 
   // Coordinates of the plane, or of a body or wall; y points upwards.
-  enter(state = [this.x, this.y, 0]) {
+  enter(state = [0, 0, 0]) {
     const ratio = window.devicePixelRatio || 1, size = ratio * this.scale;
     const c = size * Math.cos(state[THETA]), s = size * Math.sin(state[THETA]);
     const [px, py] = this.toPixel(state[X], state[Y]);
     this.context.setTransform(c, -s, -s, -c, ratio * px, ratio * py);
-    if (state.length === 3) this.context.translate(-this.x, -this.y);
   }
 
   draw(state, {colour, contacts, picked, trail}) {
@@ -190,40 +182,32 @@ class View {
       context.fill(wall.path);
       context.strokeStyle = colours.edge;
       if (wall.moves) {  // dashes show that it turns
+        context.save();
         context.globalAlpha = 0.35;
         context.lineWidth = 6 * pixel;
         context.lineCap = "butt";
-        context.setLineDash([wall.length / 72, wall.length / 72]);
+        context.setLineDash([12 * pixel, 12 * pixel]);
         context.stroke(wall.path);
-        context.setLineDash([]);
-        context.globalAlpha = 1;
-        context.lineCap = "round";
+        context.restore();
       }
       context.lineWidth = 1.5 * pixel;
       context.stroke(wall.path);
     });
   }
 
-  // The colour of a body on its ramp, as a level.
-  levelOf(body, colour) {
-    const top = this.tops[colour];
-    return top > 0 ? Math.round((LEVELS - 1) * Math.min(VALUES[colour](body, top) / top, 1)) : 0;
-  }
-
   drawBodies(state, colour) {
-    const {context, colours} = this, pixel = 1 / this.scale;
+    const {context, colours} = this, pixel = 1 / this.scale, top = this.tops[colour];
     state.bodies.forEach((body, k) => {
       const shape = this.bodies[k];
+      const fraction = top > 0 ? VALUES[colour](body, top) / top : 0;
       this.enter(body);
-      const level = colour === "plain" ? LEVELS : this.levelOf(body, colour);
-      context.fillStyle = colour === "plain" ? colours.plain : RAMPS[colour][level];
+      context.fillStyle = COLOURS[colour](fraction);
       context.fill(shape.path);
       context.strokeStyle = colours.edge;
       context.lineWidth = 0.75 * pixel;
       context.stroke(shape.path);
       if (shape.radius * this.scale < 4) return;  // marks are not seen
-      const dark = colour !== "plain" && colour !== "orientation" && level < darkLevels;
-      context.strokeStyle = colour === "plain" ? colours.edge : dark ? "#fff" : "#000";
+      context.strokeStyle = colour !== "orientation" && fraction < 0.6 ? "#fff" : "#000";
       context.lineWidth = Math.min(2, 0.1 * shape.radius * this.scale) * pixel;
       context.stroke(shape.mark);
     });
