@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "record/picture_parts.hpp"
+#include "record/picture.hpp"
 #include "record/streamlines.hpp"
 #include "text/fingerprint.hpp"
 
@@ -34,10 +34,12 @@ struct GridLayout {
     drawn = scale * size;
   }
 
-  /// Returns the place of a point in units from the top left corner, y downwards.
-  Complex unit(Complex point) const {
-    const Complex cells = (point - grid.corner) / grid.spacing;
-    return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
+  /// Returns the places of points in units from the top left corner, y downwards.
+  ComplexVector units(const ComplexVector& points) const {
+    return points.unaryExpr([this](Complex point) -> Complex {
+      const Complex cells = (point - grid.corner) / grid.spacing;
+      return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
+    });
   }
 };
 
@@ -122,12 +124,9 @@ std::string draw_streamlines(const GridLayout& layout, const std::vector<Streaml
   std::string curves;
   std::string heads;
   for (const Streamline& line : lines) {
-    const auto count = static_cast<Index>(line.points.size());
+    const auto all = ComplexVector::Map(line.points.data(), std::ssize(line.points));
     // Every second point of a line, about one for each square, gives a smooth curve.
-    ComplexVector points((count + 1) / 2);
-    for (Index i = 0; i < points.size(); ++i) {
-      points[i] = layout.unit(line.points[static_cast<std::size_t>(2 * i)]);
-    }
+    const ComplexVector points = layout.units(all(Eigen::seq(0, Eigen::last, 2)));
     curves += line.closed ? svg::polygon(points) : svg::polyline(points);
     const Index middle = points.size() / 2;
     if (middle == 0) continue;
@@ -144,8 +143,7 @@ std::string draw_streamlines(const GridLayout& layout, const std::vector<Streaml
 
 /// Returns the path data of an outline in its place.
 std::string path_data(const GridLayout& layout, const Outline& outline, const auto& state) {
-  const auto unit = [&](Complex point) { return layout.unit(point); };
-  return svg::polygon(placed(outline, state).unaryExpr(unit));
+  return svg::polygon(layout.units(placed(outline, state)));
 }
 
 /// Draws enclosing walls as lines, and bodies and inner walls opaque, since colours extend below

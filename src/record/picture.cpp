@@ -1,4 +1,5 @@
-// Draws a configuration as SVG: walls, bodies coloured by speed, velocities and contact forces.
+// Draws the common parts of pictures (title, time and colour bar), and a configuration: walls,
+// bodies coloured by speed, velocities and contact forces.
 #include "record/picture.hpp"
 
 #include <algorithm>
@@ -6,9 +7,53 @@
 #include <limits>
 #include <stdexcept>
 
-#include "record/picture_parts.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
+
+namespace picture_parts {
+
+double scale_of_drawing(Complex size) {
+  constexpr double longest_aspect = 1.4;
+  return std::min(full_width / size.real(), longest_aspect * full_width / size.imag());
+}
+
+std::string open_picture(Complex drawn, double t, const std::string& title) {
+  // A long title widens the picture up to the width of a drawing that fills its column.
+  const double title_width =
+      std::min(9.0 * static_cast<double>(title.size()), full_width + bar_column);
+  const Complex size(std::max(drawn.real() + bar_column, title_width) + 2.0 * margin,
+                     header_height + std::max(drawn.imag(), bar_height) + margin);
+  return svg::open(size, title) +
+         svg::label({margin, 20.0}, title, "font-weight=\"600\" font-size=\"15\"") +
+         svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
+}
+
+std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange& range,
+                     const std::string& label, const std::string& style) {
+  constexpr double bar_width = 12.0;
+  const double left = margin + drawn_width + 26.0;
+  // All pictures of a page share their names, so each name is that of one colour map.
+  const std::string name = "stokesbook-" + std::string(map.name);
+  std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
+  for (std::size_t k = 0; k < map.samples.size(); ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(map.samples.size() - 1);
+    text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
+            colour(map, fraction) + "\"/>\n";
+  }
+  text += "</linearGradient>\n<rect" + svg::attribute("x", left) +
+          svg::attribute("y", header_height) + svg::attribute("width", bar_width) +
+          svg::attribute("height", bar_height) + " rx=\"2\" fill=\"url(#" + name + ")\" " + style +
+          "/>\n";
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    const Complex place(left + bar_width + 6.0, header_height + (1.0 - fraction) * bar_height);
+    text += svg::label(place, short_number(std::lerp(range.low, range.high, fraction)),
+                       "dy=\"0.35em\"");
+  }
+  return text + svg::label({left, header_height - 14.0}, label);
+}
+
+}  // namespace picture_parts
 
 namespace {
 
@@ -17,31 +62,22 @@ using namespace picture_parts;
 /// Bodies and colour bar are slightly transparent, so that arrows are visible on dark colours.
 const std::string veil = "fill-opacity=\"0.85\"";
 
-/// The bounding box of points.
-struct Box {
+/// The layout of a configuration: the map from the plane to pixels, colours and arrows.
+struct Layout {
+  /// Corners of the bounding box of curves and arrows.
   Complex low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Complex high = -low;
-
-  void include(const auto& points) {
-    for (const Complex point : points) {
-      low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
-      high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
-    }
-  }
-};
-
-/// The layout of a configuration: its curves and arrows, and the map from the plane to pixels.
-struct Layout {
-  std::vector<ComplexVector> bodies;
-  std::vector<ComplexVector> walls;
-  std::vector<Complex> arrow_tips;
   double top_speed = 0.0;
-  Box box;
-  double scale = 1.0;  ///< pixels per length
-  Complex drawn;       ///< width and height of the drawing, pixels
+  double longest_arrow = 0.0;  ///< length of the arrow of the top speed
+  double scale = 1.0;          ///< pixels per length
+  Complex drawn;               ///< width and height of the drawing, pixels
 
+  void include(Complex point) {
+    low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
+    high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
+  }
   Complex pixel(Complex point) const {
-    const Complex top_left{box.low.real(), box.high.imag()};
+    const Complex top_left{low.real(), high.imag()};
     const double lowered = std::max(0.0, 0.5 * (bar_height - drawn.imag()));
     return Complex(margin, header_height + lowered) + scale * std::conj(point - top_left);
   }
@@ -49,64 +85,59 @@ struct Layout {
   double brightness(const BodyState& body) const {
     return top_speed > 0.0 ? std::abs(body.velocity) / top_speed : 0.0;
   }
+  /// Returns the tip of the velocity arrow; the top speed must not be zero.
+  Complex arrow_tip(const BodyState& body) const {
+    return body.position + longest_arrow * body.velocity / top_speed;
+  }
 };
 
-/// Returns the length of the longest arrow: twice the mean radius of the bodies, and at least 3 %
-/// of the picture's diagonal. The arrow is thus visible beside its body and in the whole picture.
-double longest_arrow(const std::vector<Outline>& bodies, const Box& box) {
-  double radii = 0.0;
-  for (const Outline& body : bodies) radii += body.points.cwiseAbs().maxCoeff();
-  return std::max(2.0 * radii / static_cast<double>(bodies.size()),
-                  0.03 * std::abs(box.high - box.low));
-}
-
 Layout lay_out(const Frame& frame, const Outlines& outlines) {
+  const auto& [bodies, walls] = outlines;
   Layout layout;
-  const auto place = [&](const Outline& outline, const auto& state) {
-    const ComplexVector curve = placed(outline, state);
-    layout.box.include(curve);
-    return curve;
-  };
-  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
-    layout.bodies.push_back(place(outlines.bodies[k], frame.bodies[k]));
+  double radii = 0.0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    for (const Complex point : placed(bodies[k], frame.bodies[k])) layout.include(point);
     layout.top_speed = std::max(layout.top_speed, std::abs(frame.bodies[k].velocity));
+    radii += bodies[k].points.cwiseAbs().maxCoeff();
   }
-  for (std::size_t k = 0; k < frame.walls.size(); ++k) {
-    layout.walls.push_back(place(outlines.walls[k], frame.walls[k]));
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    for (const Complex point : placed(walls[k], frame.walls[k])) layout.include(point);
   }
   if (layout.top_speed > 0.0) {
-    const double longest = longest_arrow(outlines.bodies, layout.box);
-    for (const BodyState& body : frame.bodies) {
-      layout.arrow_tips.push_back(body.position + longest * body.velocity / layout.top_speed);
-    }
-    layout.box.include(layout.arrow_tips);
+    // Twice the mean radius of the bodies, and at least 3 % of the diagonal: the longest arrow is
+    // visible beside its body and in the whole picture.
+    layout.longest_arrow = std::max(2.0 * radii / static_cast<double>(bodies.size()),
+                                    0.03 * std::abs(layout.high - layout.low));
+    for (const BodyState& body : frame.bodies) layout.include(layout.arrow_tip(body));
   }
-  const Complex size = layout.box.high - layout.box.low;
+  const Complex size = layout.high - layout.low;
   layout.scale = scale_of_drawing(size);
   layout.drawn = layout.scale * size;
   return layout;
 }
 
-/// Draws a curve of the plane as a closed polygon.
-std::string draw_polygon(const Layout& layout, const ComplexVector& curve,
+/// Draws a body or wall as a closed polygon.
+std::string draw_outline(const Layout& layout, const Outline& outline, const auto& state,
                          const std::string& style) {
   const auto pixel = [&](Complex point) { return layout.pixel(point); };
-  return svg::path(svg::polygon(curve.unaryExpr(pixel)), style);
+  return svg::path(svg::polygon(placed(outline, state).unaryExpr(pixel)), style);
 }
 
-std::string draw_walls(const Layout& layout, const std::vector<Outline>& walls) {
+std::string draw_walls(const Layout& layout, const Frame& frame,
+                       const std::vector<Outline>& walls) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"1.5\" fill=\"currentColor\">\n";
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    text += draw_polygon(layout, layout.walls[k],
+    text += draw_outline(layout, walls[k], frame.walls[k],
                          walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
   }
   return text + "</g>\n";
 }
 
-std::string draw_bodies(const Layout& layout, const Frame& frame) {
+std::string draw_bodies(const Layout& layout, const Frame& frame,
+                        const std::vector<Outline>& bodies) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
-  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
-    text += draw_polygon(layout, layout.bodies[k],
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    text += draw_outline(layout, bodies[k], frame.bodies[k],
                          "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
   }
   return text + "</g>\n";
@@ -135,10 +166,11 @@ std::string draw_ticks(const Layout& layout, const Frame& frame,
 }
 
 std::string draw_arrows(const Layout& layout, const Frame& frame) {
+  if (layout.top_speed == 0.0) return "";
   std::string data;
-  for (std::size_t k = 0; k < layout.arrow_tips.size(); ++k) {
-    const Complex tail = layout.pixel(frame.bodies[k].position);
-    const Complex tip = layout.pixel(layout.arrow_tips[k]);
+  for (const BodyState& body : frame.bodies) {
+    const Complex tail = layout.pixel(body.position);
+    const Complex tip = layout.pixel(layout.arrow_tip(body));
     const double length = std::abs(tip - tail);
     if (length < 1.0) continue;
     const Complex barb = (tail - tip) * std::min(0.35, 6.0 / length);
@@ -183,8 +215,8 @@ std::string draw_configuration(const Frame& frame, const Outlines& outlines,
   if (layout.top_speed > 0.0) {
     bar = draw_bar(layout.drawn.real(), viridis, {0.0, layout.top_speed}, "speed |U|", veil);
   }
-  return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, outlines.walls) +
-         draw_bodies(layout, frame) + draw_ticks(layout, frame, outlines.bodies) +
+  return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, frame, outlines.walls) +
+         draw_bodies(layout, frame, outlines.bodies) + draw_ticks(layout, frame, outlines.bodies) +
          draw_contacts(layout, frame) + draw_arrows(layout, frame) + bar + "</svg>\n";
 }
 

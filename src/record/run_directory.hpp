@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "record/append_file.hpp"
+#include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
 #include "record/file_lock.hpp"
 #include "record/run_data.hpp"

@@ -2,11 +2,12 @@
 // direction of the flow by the explicit midpoint rule. Lengths are in cells until the end.
 #include "record/streamlines.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace stokesbook {
 
@@ -39,24 +40,21 @@ std::optional<Complex> direction(const Field& field, Complex x) {
 /// The points of all lines, sorted into square buckets whose side is the separation.
 class Neighbourhood {
  public:
-  Neighbourhood(const FieldGrid& grid, double separation)
-      : separation_(separation),
-        columns_(buckets(grid.columns)),
-        rows_(buckets(grid.rows)),
-        points_(static_cast<std::size_t>(columns_ * rows_)) {}
+  explicit Neighbourhood(double separation) : separation_(separation) {}
 
   void add(const std::vector<Complex>& line) {
-    for (const Complex point : line) points_[bucket(column(point), row(point))].push_back(point);
+    for (const Complex point : line) buckets_[bucket(point)].push_back(point);
   }
 
   /// Returns whether a point is at least a distance away from all lines; the distance must not
   /// exceed the separation.
   bool is_free(Complex point, double distance) const {
-    for (Index j = std::max<Index>(0, row(point) - 1); j <= std::min(rows_ - 1, row(point) + 1);
-         ++j) {
-      for (Index i = std::max<Index>(0, column(point) - 1);
-           i <= std::min(columns_ - 1, column(point) + 1); ++i) {
-        for (const Complex other : points_[bucket(i, j)]) {
+    const auto [column, row] = bucket(point);
+    for (Index j = row - 1; j <= row + 1; ++j) {
+      for (Index i = column - 1; i <= column + 1; ++i) {
+        const auto found = buckets_.find({i, j});
+        if (found == buckets_.end()) continue;
+        for (const Complex other : found->second) {
           if (std::abs(other - point) < distance) return false;
         }
       }
@@ -65,20 +63,13 @@ class Neighbourhood {
   }
 
  private:
-  Index buckets(Index points) const {
-    return 1 + static_cast<Index>(static_cast<double>(points) / separation_);
+  std::pair<Index, Index> bucket(Complex point) const {
+    const auto index = [&](double x) { return static_cast<Index>(std::floor(x / separation_)); };
+    return {index(point.real()), index(point.imag())};
   }
-  // The last point of a line may lie outside the grid.
-  Index place(double coordinate, Index count) const {
-    return std::clamp<Index>(static_cast<Index>(coordinate / separation_), 0, count - 1);
-  }
-  Index column(Complex point) const { return place(point.real(), columns_); }
-  Index row(Complex point) const { return place(point.imag(), rows_); }
-  std::size_t bucket(Index i, Index j) const { return static_cast<std::size_t>(j * columns_ + i); }
 
   double separation_;
-  Index columns_, rows_;
-  std::vector<std::vector<Complex>> points_;
+  std::map<std::pair<Index, Index>, std::vector<Complex>> buckets_;
 };
 
 /// Follows the flow from a point, downstream (sign +1) or upstream (-1), and keeps a distance from
@@ -133,7 +124,7 @@ std::vector<Streamline> streamlines(const Field& field, double separation) {
     throw std::invalid_argument("streamlines: the field has no velocity");
   }
   const double cells = separation / grid.spacing;
-  Neighbourhood neighbours(grid, cells);
+  Neighbourhood neighbours(cells);
   std::vector<Streamline> lines;
   for (Index row = 0; row < grid.rows; ++row) {
     for (Index column = 0; column < grid.columns; ++column) {

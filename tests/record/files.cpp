@@ -3,7 +3,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include "folder.hpp"
-#include "record/append_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/record_error.hpp"
 

@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "folder.hpp"
-#include "record/append_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
 #include "record/record_error.hpp"

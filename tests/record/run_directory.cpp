@@ -9,7 +9,6 @@
 #include <sys/stat.h>
 
 #include "folder.hpp"
-#include "record/append_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
 #include "record/record_error.hpp"
