@@ -21,38 +21,35 @@ int open_file(const std::filesystem::path& path) {
   return descriptor;
 }
 
-/// Returns 0, or the error number if the file was not locked.
-int lock(int descriptor, int operation) {
+/// Takes the lock of an open file and returns true, or returns false if another object has it.
+bool lock(const std::filesystem::path& file, int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0) {
-    if (errno != EINTR) return errno;
+    if (errno == EWOULDBLOCK) return false;
+    if (errno != EINTR) throw RecordError(file, "locking", {errno, std::generic_category()});
   }
-  return 0;
+  return true;
 }
 
 }  // namespace
 
 FileLock FileLock::wait_for(const std::filesystem::path& file) {
   FileLock taken(open_file(file));
-  const int error = lock(taken.descriptor_, LOCK_EX);
-  if (error != 0) throw RecordError(file, "locking", {error, std::generic_category()});
+  lock(file, taken.descriptor_, LOCK_EX);
   return taken;
 }
 
 FileLock FileLock::of_folder(const std::filesystem::path& folder) {
   FileLock taken(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (taken.descriptor_ >= 0 && lock(taken.descriptor_, LOCK_EX | LOCK_NB) == EWOULDBLOCK) {
+  if (taken.descriptor_ < 0) return taken;
+  if (::flock(taken.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     throw RecordError(folder, "is being written by another run");
   }
   return taken;
 }
 
 bool FileLock::is_taken(const std::filesystem::path& file) {
-  const FileLock open(open_file(file));
-  const int error = lock(open.descriptor_, LOCK_EX | LOCK_NB);
-  if (error != 0 && error != EWOULDBLOCK) {
-    throw RecordError(file, "locking", {error, std::generic_category()});
-  }
-  return error == EWOULDBLOCK;
+  const FileLock opened(open_file(file));
+  return !lock(file, opened.descriptor_, LOCK_EX | LOCK_NB);
 }
 
 FileLock::~FileLock() {

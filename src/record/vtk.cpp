@@ -43,24 +43,28 @@ std::string data_array(const std::string& type, const std::string& name, int com
          std::to_string(components) + "\" format=\"" + format + "\">\n" + values + "</DataArray>\n";
 }
 
-void append_line(std::string& text, auto value) {
-  append_number(text, value);
-  text += '\n';
+/// Writes numbers with blanks between them.
+std::string words(auto... numbers) {
+  std::string text;
+  ((append_number(text, numbers), text += ' '), ...);
+  text.pop_back();
+  return text;
 }
 
-/// Appends a plane vector as a space vector whose third component is 0.
-void append_line(std::string& text, Complex value) {
-  append_number(text, value.real());
-  text += ' ';
-  append_number(text, value.imag());
-  text += " 0\n";
+std::string line(auto number) {
+  return words(number) + '\n';
+}
+
+/// Writes a plane vector as a space vector whose third component is 0.
+std::string line(Complex vector) {
+  return words(vector.real(), vector.imag(), 0) + '\n';
 }
 
 /// Writes one member of all items, or one value computed from each, as a data array.
 std::string cell_data(const std::string& name, const auto& items, auto member) {
   using Value = std::decay_t<decltype(std::invoke(member, items.front()))>;
   std::string values;
-  for (const auto& item : items) append_line(values, std::invoke(member, item));
+  for (const auto& item : items) values += line(std::invoke(member, item));
   return data_array(std::integral<Value> ? "Int64" : "Float64", name,
                     std::same_as<Value, Complex> ? 3 : 1, "ascii", values);
 }
@@ -75,10 +79,10 @@ std::string topology(const std::vector<Cell>& cells, bool lines) {
     const Eigen::Index next = first + cell.points.size();
     if (cell.is_line() == lines) {
       const bool closed = cell.joined == Cell::in_loop;
-      for (Eigen::Index k = first; k < next; ++k) append_line(connectivity, k);
-      if (closed) append_line(connectivity, first);
+      for (Eigen::Index k = first; k < next; ++k) connectivity += line(k);
+      if (closed) connectivity += line(first);
       offset += cell.points.size() + (closed ? 1 : 0);
-      append_line(offsets, offset);
+      offsets += line(offset);
     }
     first = next;
   }
@@ -91,7 +95,7 @@ std::string poly_data(const std::vector<Cell>& cells, const std::string& data) {
   std::string points;
   Eigen::Index n_points = 0;
   for (const Cell& cell : cells) {
-    for (const Complex point : cell.points) append_line(points, point);
+    for (const Complex point : cell.points) points += line(point);
     n_points += cell.points.size();
   }
   const auto n_lines = std::ranges::count_if(cells, &Cell::is_line);
@@ -189,18 +193,10 @@ std::string contacts_vtp(const Frame& frame) {
 
 std::string field_vti(const Field& field) {
   const auto& [corner, spacing, columns, rows] = field.grid;
-  const std::string extent =
-      "Extent=\"0 " + std::to_string(columns - 1) + " 0 " + std::to_string(rows - 1) + " 0 0\"";
-  std::string grid = " Whole" + extent + " Origin=\"";
-  append_number(grid, corner.real());
-  grid += ' ';
-  append_number(grid, corner.imag());
-  grid += " 0\" Spacing=\"";
-  append_number(grid, spacing);
-  grid += ' ';
-  append_number(grid, spacing);
-  grid += " 1\"";
-
+  const std::string extent = "Extent=\"" + words(0, columns - 1, 0, rows - 1, 0, 0) + '"';
+  const std::string grid = " Whole" + extent + " Origin=\"" +
+                           words(corner.real(), corner.imag(), 0) + "\" Spacing=\"" +
+                           words(spacing, spacing, 1) + '"';
   std::string arrays = binary_array("UInt8", "in_fluid", 1, field.in_fluid);
   if (field.velocity.size() > 0) {
     Eigen::Matrix3Xd spatial = Eigen::Matrix3Xd::Zero(3, field.velocity.size());
@@ -238,9 +234,7 @@ std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {
 std::string FrameFiles::collection_text(std::span<const double> frame_times) const {
   std::string entries;
   for (std::size_t k = 0; k < frame_times.size(); ++k) {
-    entries += "<DataSet timestep=\"";
-    append_number(entries, frame_times[k]);
-    entries += "\" file=\"" + name(k) + "\"/>\n";
+    entries += "<DataSet timestep=\"" + words(frame_times[k]) + "\" file=\"" + name(k) + "\"/>\n";
   }
   return vtk_file("Collection", "", "", entries);
 }

@@ -1,4 +1,4 @@
-// Controls: time, keys, pointer, numbers.
+// Controls the player: time, keys, pointer and numbers.
 
 const element = id => document.getElementById(id);
 
@@ -125,19 +125,9 @@ class Player {
     const now = this.pinned?.part >= 0 ? this.pinned.part : step > 0 ? -1 : n;
     this.pinned = {part: (now + step + n) % n};
     this.pointer = this.hovered = null;
-    this.show();
   }
 
-  zoom(factor, px = element("canvas").clientWidth / 2, py = element("canvas").clientHeight / 2) {
-    this.view.zoom(factor, px, py);
-    this.show();
-  }
-
-  fit() {
-    this.view.fit();
-    this.show();
-  }
-
+  // Returns the name of a part, and the rows of its numbers.
   rowsOf(state, {part, contact}) {
     const pair = (x, y) => `(${short(x)}, ${short(y)})`;
     const name = k => k < 0 ? `wall ${-1 - k}` : `body ${k}`;
@@ -146,20 +136,15 @@ class Player {
       return [`contact of ${name(found[A])} and ${name(found[B])}`, ["force", short(found[FORCE])],
               ["gap", short(found[GAP])], ["at", pair(found[CONTACT_X], found[CONTACT_Y])]];
     }
-    const found = stateIn(state, part);
-    const rows = [name(part), ["position", pair(found[X], found[Y])],
-                  ["orientation", short(found[THETA])]];
-    if (part < 0) {
-      return [...rows, ["force on fluid", pair(found[WALL_FX], found[WALL_FY])],
-              ["torque on fluid", short(found[WALL_TORQUE])]];
-    }
-    return [...rows, ["velocity", pair(found[UX], found[UY])],
-            ["angular velocity", short(found[OMEGA])],
-            ["force on fluid", pair(found[FX], found[FY])],
-            ["torque on fluid", short(found[TORQUE])]];
+    const found = stateIn(state, part), [fx, fy, torque] = found.slice(-3);
+    const motion = part < 0 ? [] : [["velocity", pair(found[UX], found[UY])],
+                                    ["angular velocity", short(found[OMEGA])]];
+    return [name(part), ["position", pair(found[X], found[Y])],
+            ["orientation", short(found[THETA])], ...motion,
+            ["force on fluid", pair(fx, fy)], ["torque on fluid", short(torque)]];
   }
 
-  // Beside the pointer, or in the corner for what was picked to stay.
+  // Shows the numbers of a part beside the pointer, or in the corner if a click has picked it.
   showNumbers(state, picked) {
     const box = element("numbers");
     box.hidden = !picked;
@@ -186,11 +171,9 @@ class Player {
 
   listen() {
     const on = (id, event, action) => element(id).addEventListener(event, action);
-    on("play", "click", () => this.playing ? this.pause() : this.play());
+    const buttons = {play: " ", in: "+", out: "-", fit: "0"};
+    for (const [id, key] of Object.entries(buttons)) on(id, "click", () => this.act(key));
     on("scrub", "input", () => this.seek(element("scrub").valueAsNumber));
-    on("in", "click", () => this.zoom(1.4));
-    on("out", "click", () => this.zoom(1 / 1.4));
-    on("fit", "click", () => this.fit());
     on("contacts", "change", () => this.show());
     on("colour", "change", () => {
       this.fillLegend();
@@ -209,25 +192,28 @@ class Player {
     const target = event.target.tagName;
     if (event.ctrlKey || event.metaKey || event.altKey || target === "SELECT") return;
     if (event.key === " " && (target === "BUTTON" || event.target.type === "checkbox")) return;
+    if (this.act(event.key)) event.preventDefault();
+  }
+
+  // Does what a key stands for, and returns whether the key stands for anything.
+  act(key) {
     const actions = {
       " ": () => this.playing ? this.pause() : this.play(),
       ArrowRight: () => this.seek(Math.floor(this.place) + 1),
       ArrowLeft: () => this.seek(Math.ceil(this.place) - 1),
       Home: () => this.seek(0),
       End: () => this.seek(this.frames.length - 1),
-      "+": () => this.zoom(1.4),
-      "-": () => this.zoom(1 / 1.4),
-      0: () => this.fit(),
+      "+": () => this.view.zoom(1.4),
+      "-": () => this.view.zoom(1 / 1.4),
+      0: () => this.view.fit(),
       "]": () => this.pickNext(1),
       "[": () => this.pickNext(-1),
-      Escape: () => {
-        this.pinned = null;
-        this.show();
-      },
+      Escape: () => { this.pinned = null; },
     };
-    if (!Object.hasOwn(actions, event.key)) return;
-    actions[event.key]();
-    event.preventDefault();
+    if (!Object.hasOwn(actions, key)) return false;
+    actions[key]();
+    this.show();
+    return true;
   }
 
   listenToPointer(canvas) {
@@ -269,7 +255,8 @@ class Player {
     canvas.addEventListener("wheel", event => {
       if (window.top !== window && !event.ctrlKey && document.activeElement !== canvas) return;
       event.preventDefault();
-      this.zoom(Math.exp(-0.0015 * event.deltaY), ...pixel(event));
+      this.view.zoom(Math.exp(-0.0015 * event.deltaY), ...pixel(event));
+      this.show();
     }, {passive: false});
   }
 }

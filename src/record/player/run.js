@@ -1,16 +1,15 @@
-// The run: what the page's data blocks hold, and states between written times.
+// Reads the run from the page's data blocks, and computes states between written times.
 
 // Places in the arrays of bodies and walls, and of contacts; see animation_frame().
 const X = 0, Y = 1, THETA = 2;
-const UX = 3, UY = 4, OMEGA = 5, FX = 6, FY = 7, TORQUE = 8;
-const WALL_FX = 3, WALL_FY = 4, WALL_TORQUE = 5;
+const UX = 3, UY = 4, OMEGA = 5;  // of bodies only; force and torque are the last three numbers
 const A = 0, B = 1, CONTACT_X = 2, CONTACT_Y = 3, FORCE = 4, GAP = 5;
 
 function parsed(block) {
   try {
     return JSON.parse(block.textContent);
   } catch {
-    return null;  // the last one, of a page that was not copied to its end
+    return null;  // the last block is incomplete: the page was not copied to its end
   }
 }
 
@@ -38,9 +37,9 @@ function toPlane(state, x, y) {
   return [state[X] + c * x - s * y, state[Y] + s * x + c * y];
 }
 
-// States at a place in the list of frames, linear between two of them: angles are not wrapped.
-// Contacts are those of the nearest frame, and their points move with the first party, or with the
-// second if the first is a wall.
+// Returns the state at a place in the list of frames, linear between two frames: angles are not
+// wrapped. Contacts are those of the nearest frame, and their points move with the first party, or
+// with the second if the first is a wall.
 function stateAt(frames, place) {
   const k = Math.min(Math.floor(place), frames.length - 1), part = place - k;
   const near = frames[Math.round(place)];
@@ -60,7 +59,7 @@ function stateAt(frames, place) {
   return state;
 }
 
-// The place in the list of frames that belongs to a time, not before the first frame.
+// Returns the place in the list of frames that belongs to a time, not before the first frame.
 function placeOf(frames, t) {
   const k = frames.findLastIndex(frame => frame.t <= t), next = frames[k + 1];
   return next ? k + (t - frames[k].t) / (next.t - frames[k].t) : k;
@@ -69,5 +68,5 @@ function placeOf(frames, t) {
 const largest = (frames, of) =>
   frames.reduce((most, frame) => of(frame).reduce((m, x) => Math.max(m, x), most), 0);
 
-// A number for people, with a minus sign that is one.
+// Returns a number with few digits and a typographic minus sign.
 const short = (x, digits = 5) => String(Number(x.toPrecision(digits))).replace("-", "\u2212");

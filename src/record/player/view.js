@@ -1,4 +1,4 @@
-// What a run looks like on a canvas.
+// Draws a run on a canvas.
 
 // The colours of the pictures: viridis, see svg.hpp.
 const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30",
@@ -20,14 +20,14 @@ const COLOURS = {
 
 const modulo = (x, period) => x - period * Math.floor(x / period);
 
-// What a colour means: the value of a body, from 0 to the largest value.
+// Values of a body that colours show, from 0 to the largest value.
 const VALUES = {
   speed: body => Math.hypot(body[UX], body[UY]),
   spin: body => Math.abs(body[OMEGA]),
   orientation: (body, period) => modulo(body[THETA], period),
 };
 
-// A closed curve through points (Catmull and Rom): as smooth as the body, however near one looks.
+// Returns a closed curve through points (Catmull and Rom), which stays smooth in close-ups.
 function smoothPath(points) {
   const path = new Path2D(), n = points.length;
   const at = k => points[(k + n) % n];
@@ -41,8 +41,8 @@ function smoothPath(points) {
   return path;
 }
 
-// A curve in its own frame, ready to be drawn: its path, a mark along direction 1 inside it, its
-// radius, and whether half a turn leaves it as it is.
+// Returns what drawing a curve in its own frame requires: its path, a mark along direction 1 inside
+// it, its radius, and whether half a turn leaves it as it is.
 function shapeOf(points) {
   const path = smoothPath(points);
   const angle = ([x, y]) => Math.abs(Math.atan2(y, x));
@@ -88,7 +88,7 @@ class View {
         name => [name, style.getPropertyValue("--" + name).trim()]));
   }
 
-  // What encloses the fluid, or else all that bodies and walls ever reach.
+  // Returns the box of all points that bodies and walls reach during the run.
   boxOf(frames) {
     const box = {left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
     const include = (state, {radius}) => {
@@ -124,7 +124,7 @@ class View {
             this.y - (py - this.canvas.clientHeight / 2) / this.scale];
   }
 
-  zoom(factor, px, py) {
+  zoom(factor, px = this.canvas.clientWidth / 2, py = this.canvas.clientHeight / 2) {
     const [x, y] = this.toPoint(px, py);
     this.fitted = false;
     this.scale *= factor;
@@ -138,7 +138,7 @@ class View {
     this.y += dy / this.scale;
   }
 
-  // Lets the canvas have as many pixels as the screen has where it lies.
+  // Gives the canvas as many pixels as the screen has in its place.
   resize() {
     const ratio = window.devicePixelRatio || 1;
     const width = Math.round(this.canvas.clientWidth * ratio);
@@ -213,7 +213,8 @@ class View {
     });
   }
 
-  // From the centres of bodies to where forces act, as wide as the force is large.
+  // Draws lines from the centres of bodies to the points where forces act. The width of a line is
+  // proportional to its force.
   drawContacts(state, picked) {
     const {context, colours} = this;
     this.enter();
@@ -250,7 +251,7 @@ class View {
     context.globalAlpha = 1;
   }
 
-  // What is under a pixel: {contact: k}, {part: k} for a body or, negative, a wall, or nothing.
+  // Returns the part under a pixel: {contact: k}, {part: k} for a body or (negative) a wall, or null.
   pick(state, px, py, withContacts) {
     const [x, y] = this.toPoint(px, py);
     if (withContacts) {
@@ -270,7 +271,7 @@ class View {
     return null;
   }
 
-  // Whether a point is within some pixels of a contact's lines.
+  // Returns whether a point is within some pixels of a contact's lines.
   isOn(state, contact, x, y) {
     return [contact[A], contact[B]].some(party => {
       if (party < 0) return false;
