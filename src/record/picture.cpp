@@ -1,5 +1,6 @@
-// Draws the common parts of pictures (title, time and colour bar), and a configuration: walls,
-// bodies coloured by speed, velocities and contact forces.
+// Draws the configuration and the fields of a frame as SVG. A configuration has walls, bodies
+// coloured by speed, velocities and contact forces; a field has a colour map, streamlines, and walls
+// and bodies on top. Lengths are in pixels where nothing else is said.
 #include "record/picture.hpp"
 
 #include <algorithm>
@@ -7,17 +8,33 @@
 #include <limits>
 #include <stdexcept>
 
+#include "record/streamlines.hpp"
+#include "record/svg.hpp"
+#include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {
 
-namespace picture_parts {
+namespace {
 
+using Eigen::Index;
+
+// Common parts of all pictures
+
+constexpr double margin = 14.0;         // around the picture
+constexpr double header_height = 54.0;  // title and time, above the drawing
+constexpr double bar_column = 84.0;     // colour bar and its numbers, right of the drawing
+constexpr double bar_height = 150.0;    // also the least height of a drawing
+constexpr double full_width = 648.0;    // width of a drawing, unless its height is limited
+
+/// Returns the scale, in pixels per length, at which a drawing of a region with a width and height
+/// has its full width and is at most 1.4 times as high as this width.
 double scale_of_drawing(Complex size) {
   constexpr double longest_aspect = 1.4;
   return std::min(full_width / size.real(), longest_aspect * full_width / size.imag());
 }
 
+/// Opens a picture with title and time above a drawing with a width and height; `</svg>` closes it.
 std::string open_picture(Complex drawn, double t, const std::string& title) {
   // A long title widens the picture up to the width of a drawing that fills its column.
   const double title_width =
@@ -29,8 +46,14 @@ std::string open_picture(Complex drawn, double t, const std::string& title) {
          svg::label({margin, 38.0}, "t = " + short_number(t, 6), "fill-opacity=\"0.75\"");
 }
 
+/// Values at the ends of a colour bar.
+struct ValueRange {
+  double low, high;
+};
+
+/// Draws a colour bar with a label and numbers, right of a drawing with a width.
 std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange& range,
-                     const std::string& label, const std::string& style) {
+                     const std::string& label, const std::string& style = {}) {
   constexpr double bar_width = 12.0;
   const double left = margin + drawn_width + 26.0;
   // All pictures of a page share their names, so each name is that of one colour map.
@@ -53,11 +76,13 @@ std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange&
   return text + svg::label({left, header_height - 14.0}, label);
 }
 
-}  // namespace picture_parts
+/// Returns the path data of an outline in its place.
+std::string path_data(const auto& layout, const Outline& outline, const auto& state) {
+  const auto to_drawing = [&](Complex point) { return layout.to_drawing(point); };
+  return svg::polygon(placed(outline, state).unaryExpr(to_drawing));
+}
 
-namespace {
-
-using namespace picture_parts;
+// The picture of a configuration
 
 /// Bodies and colour bar are slightly transparent, so that arrows are visible on dark colours.
 const std::string veil = "fill-opacity=\"0.85\"";
@@ -76,7 +101,8 @@ struct Layout {
     low = {std::min(low.real(), point.real()), std::min(low.imag(), point.imag())};
     high = {std::max(high.real(), point.real()), std::max(high.imag(), point.imag())};
   }
-  Complex pixel(Complex point) const {
+  /// Maps a point of the plane to pixels.
+  Complex to_drawing(Complex point) const {
     const Complex top_left{low.real(), high.imag()};
     const double lowered = std::max(0.0, 0.5 * (bar_height - drawn.imag()));
     return Complex(margin, header_height + lowered) + scale * std::conj(point - top_left);
@@ -116,19 +142,12 @@ Layout lay_out(const Frame& frame, const Outlines& outlines) {
   return layout;
 }
 
-/// Draws a body or wall as a closed polygon.
-std::string draw_outline(const Layout& layout, const Outline& outline, const auto& state,
-                         const std::string& style) {
-  const auto pixel = [&](Complex point) { return layout.pixel(point); };
-  return svg::path(svg::polygon(placed(outline, state).unaryExpr(pixel)), style);
-}
-
 std::string draw_walls(const Layout& layout, const Frame& frame,
                        const std::vector<Outline>& walls) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"1.5\" fill=\"currentColor\">\n";
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    text += draw_outline(layout, walls[k], frame.walls[k],
-                         walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
+    text += svg::path(path_data(layout, walls[k], frame.walls[k]),
+                      walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
   }
   return text + "</g>\n";
 }
@@ -137,8 +156,8 @@ std::string draw_bodies(const Layout& layout, const Frame& frame,
                         const std::vector<Outline>& bodies) {
   std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    text += draw_outline(layout, bodies[k], frame.bodies[k],
-                         "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
+    text += svg::path(path_data(layout, bodies[k], frame.bodies[k]),
+                      "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
   }
   return text + "</g>\n";
 }
@@ -158,8 +177,8 @@ std::string draw_ticks(const Layout& layout, const Frame& frame,
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const BodyState& body = frame.bodies[k];
     const Complex arm = std::polar(reach(bodies[k]), body.orientation);
-    (layout.brightness(body) > 0.6 ? on_light : on_dark) +=
-        svg::line(layout.pixel(body.position + 0.5 * arm), layout.pixel(body.position + 0.9 * arm));
+    (layout.brightness(body) > 0.6 ? on_light : on_dark) += svg::line(
+        layout.to_drawing(body.position + 0.5 * arm), layout.to_drawing(body.position + 0.9 * arm));
   }
   const std::string round = "stroke-linecap=\"round\" stroke=";
   return svg::path(on_light, round + "\"#000\"") + svg::path(on_dark, round + "\"#fff\"");
@@ -169,8 +188,8 @@ std::string draw_arrows(const Layout& layout, const Frame& frame) {
   if (layout.top_speed == 0.0) return "";
   std::string data;
   for (const BodyState& body : frame.bodies) {
-    const Complex tail = layout.pixel(body.position);
-    const Complex tip = layout.pixel(layout.arrow_tip(body));
+    const Complex tail = layout.to_drawing(body.position);
+    const Complex tip = layout.to_drawing(layout.arrow_tip(body));
     const double length = std::abs(tip - tail);
     if (length < 1.0) continue;
     const Complex barb = (tail - tip) * std::min(0.35, 6.0 / length);
@@ -190,16 +209,186 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
   std::string text =
       "<g fill=\"none\" stroke=\"#e8710a\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   for (const ContactForce& contact : frame.contacts) {
-    const Complex point = layout.pixel(contact.point);
+    const Complex point = layout.to_drawing(contact.point);
     std::string data;
     for (const ContactParty& party : {contact.a, contact.b}) {
       if (party.is_wall) continue;
-      data += svg::line(layout.pixel(frame.bodies[party.number].position), point);
+      data += svg::line(layout.to_drawing(frame.bodies[party.number].position), point);
     }
     const double width = std::max(0.5, widest * contact.force / largest);
     text += svg::path(data, svg::attribute("stroke-width", width));
   }
   return text + "</g>\n";
+}
+
+// Pictures of fields
+
+constexpr std::string_view velocity_name = "velocity";
+
+std::string file_name(std::string_view quantity) {
+  return "fields_" + std::string(quantity) + ".svg";
+}
+
+/// The layout of a grid: a square of the grid is one unit wide, and a unit is `scale` pixels.
+struct GridLayout {
+  const FieldGrid& grid;
+  double scale;   ///< pixels per unit
+  Complex drawn;  ///< width and height of the drawing, pixels
+
+  explicit GridLayout(const FieldGrid& points) : grid(points) {
+    const Complex size(static_cast<double>(grid.columns), static_cast<double>(grid.rows));
+    scale = scale_of_drawing(size);
+    drawn = scale * size;
+  }
+
+  /// Maps a point of the plane to units from the top left corner, y downwards.
+  Complex to_drawing(Complex point) const {
+    const Complex cells = (point - grid.corner) / grid.spacing;
+    return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
+  }
+};
+
+/// Returns the values of the first and the last colour: the range of the values without the
+/// smallest and the largest hundredth, made symmetric for values with a sign.
+ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
+  std::vector<double> sorted;
+  for (const double value : values) {
+    if (!std::isnan(value)) sorted.push_back(value);
+  }
+  if (sorted.empty()) return {0.0, 0.0};
+  std::ranges::sort(sorted);
+  const std::size_t hundredth = sorted.size() / 100;
+  const ValueRange range{sorted[hundredth], sorted[sorted.size() - 1 - hundredth]};
+  if (!has_sign) return range;
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  return {-largest, largest};
+}
+
+/// Returns the mean of the neighbours that have a value; not a number if no neighbour has a value.
+double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, Index column,
+                          Index row) {
+  double sum = 0.0, count = 0.0;
+  for (Index j = std::max<Index>(row - 1, 0); j < std::min(row + 2, grid.rows); ++j) {
+    for (Index i = std::max<Index>(column - 1, 0); i < std::min(column + 2, grid.columns); ++i) {
+      const double value = values[grid.index(i, j)];
+      if (std::isnan(value)) continue;
+      sum += value;
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+/// Gives values to the points outside the fluid that are next to it, so that colours reach curves.
+Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
+  Eigen::VectorXd result = values;
+  for (Index row = 0; row < grid.rows; ++row) {
+    for (Index column = 0; column < grid.columns; ++column) {
+      double& value = result[grid.index(column, row)];
+      if (std::isnan(value)) value = mean_of_neighbours(grid, values, column, row);
+    }
+  }
+  return result;
+}
+
+/// Draws the colours as lines one unit thick, with one dash for all neighbours of equal colour.
+std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values, const ColourMap& map,
+                     const ValueRange& range) {
+  constexpr int levels = 65;  // odd, so that zero has the middle colour
+  const auto level_of = [&](double value) {
+    if (std::isnan(value)) return -1;
+    const double spread = range.high - range.low;
+    const double fraction = spread > 0.0 ? std::clamp((value - range.low) / spread, 0.0, 1.0) : 0.5;
+    return static_cast<int>(std::lround(fraction * (levels - 1)));
+  };
+  std::vector<std::string> dashes(levels);
+  for (Index row = 0; row < grid.rows; ++row) {
+    const std::string y = std::to_string(grid.rows - 1 - row);
+    for (Index first = 0, last = 0; first < grid.columns; first = last) {
+      const int level = level_of(values[grid.index(first, row)]);
+      do {
+        ++last;
+      } while (last < grid.columns && level_of(values[grid.index(last, row)]) == level);
+      if (level < 0) continue;
+      dashes[static_cast<std::size_t>(level)] +=
+          'M' + std::to_string(first) + ' ' + y + 'h' + std::to_string(last - first);
+    }
+  }
+  std::string text =
+      "<g fill=\"none\" transform=\"translate(0 0.5)\" shape-rendering=\"crispEdges\">\n";
+  for (std::size_t level = 0; level < levels; ++level) {
+    const double fraction = static_cast<double>(level) / (levels - 1);
+    text += svg::path(dashes[level], "stroke=\"" + colour(map, fraction) + '"');
+  }
+  return text + "</g>\n";
+}
+
+/// Draws streamlines with an arrowhead in the middle of each.
+std::string draw_streamlines(const GridLayout& layout, const std::vector<Streamline>& lines,
+                             const std::string& colour) {
+  const auto to_drawing = [&](Complex point) { return layout.to_drawing(point); };
+  std::string curves;
+  std::string heads;
+  for (const Streamline& line : lines) {
+    const auto all = ComplexVector::Map(line.points.data(), std::ssize(line.points));
+    // Every second point of a line, about one for each square, gives a smooth curve.
+    const ComplexVector points = all(Eigen::seq(0, Eigen::last, 2)).unaryExpr(to_drawing);
+    curves += line.closed ? svg::polygon(points) : svg::polyline(points);
+    const Index middle = points.size() / 2;
+    if (middle == 0) continue;
+    const Complex tip = points[middle], back = points[middle - 1] - tip;
+    const Complex barb = 5.0 / layout.scale * back / std::abs(back);
+    heads += svg::polyline(ComplexVector{
+        {tip + barb * std::polar(1.0, 0.5), tip, tip + barb * std::polar(1.0, -0.5)}});
+  }
+  if (lines.empty()) return {};
+  return "<g fill=\"none\" stroke=\"" + colour + "\" stroke-opacity=\"0.7\">\n" +
+         svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
+         svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
+}
+
+/// Draws enclosing walls as lines, and bodies and inner walls opaque, since colours extend below
+/// their curves.
+std::string draw_curves(const GridLayout& layout, const Frame& frame, const Outlines& outlines) {
+  const auto draw = [&](const Outline& outline, const auto& state) {
+    return svg::path(path_data(layout, outline, state),
+                     outline.encloses ? "fill=\"none\"" : "fill=\"#aab0b6\"");
+  };
+  const auto& [bodies, walls] = outlines;
+  std::string text =
+      "<g stroke=\"currentColor\" stroke-width=\"" + svg::number(1.2 / layout.scale) + "\">\n";
+  for (std::size_t k = 0; k < walls.size(); ++k) text += draw(walls[k], frame.walls[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k) text += draw(bodies[k], frame.bodies[k]);
+  return text + "</g>\n";
+}
+
+/// Clips a drawing at the enclosing walls.
+std::string clip(std::string drawing, const GridLayout& layout, const Frame& frame,
+                 const std::vector<Outline>& walls) {
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    if (!walls[k].encloses) continue;
+    const std::string data = path_data(layout, walls[k], frame.walls[k]);
+    // All pictures of a page share their names, so each name is made from the curve itself.
+    const std::string name = "stokesbook-" + fingerprint(data);
+    drawing = "<clipPath id=\"" + name + "\"><path d=\"" + data +
+              "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + drawing + "</g>\n";
+  }
+  return drawing;
+}
+
+/// Opens an inner picture that shows the squares of the grid and cuts off everything outside.
+std::string open_window(const GridLayout& layout) {
+  const FieldGrid& grid = layout.grid;
+  return "<svg" + svg::attribute("x", margin) + svg::attribute("y", header_height) +
+         svg::attribute("width", layout.drawn.real()) +
+         svg::attribute("height", layout.drawn.imag()) + " viewBox=\"0 0 " +
+         std::to_string(grid.columns) + ' ' + std::to_string(grid.rows) + "\">\n";
+}
+
+std::string label_of(std::string_view quantity) {
+  std::string label(quantity == velocity_name ? "speed |u|" : quantity);
+  std::ranges::replace(label, '_', ' ');
+  return label;
 }
 
 }  // namespace
@@ -218,6 +407,42 @@ std::string draw_configuration(const Frame& frame, const Outlines& outlines,
   return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, frame, outlines.walls) +
          draw_bodies(layout, frame, outlines.bodies) + draw_ticks(layout, frame, outlines.bodies) +
          draw_contacts(layout, frame) + draw_arrows(layout, frame) + bar + "</svg>\n";
+}
+
+std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
+                                               const std::string& title) {
+  require_outlines(frame, outlines);
+  if (!frame.field) throw std::invalid_argument("draw_fields: the frame has no field");
+  const Field& field = *frame.field;
+  const GridLayout layout(field.grid);
+  std::vector<Streamline> lines;
+  if (field.velocity.size() > 0) {
+    constexpr double pixels_apart = 16.0;
+    lines = streamlines(field, pixels_apart / layout.scale * field.grid.spacing);
+  }
+  const std::string curves = draw_curves(layout, frame, outlines);
+  std::map<std::string, std::string> pictures;
+  const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values, bool has_sign) {
+    if (values.size() == 0) return;
+    const ColourMap& colours = has_sign ? cool_to_warm : viridis;
+    const ValueRange range = shown_range(values, has_sign);
+    const std::string map = draw_map(field.grid, with_seam(field.grid, values), colours, range);
+    pictures[file_name(quantity)] =
+        open_picture(layout.drawn, frame.t, title) + open_window(layout) +
+        clip(map, layout, frame, outlines.walls) +
+        draw_streamlines(layout, lines, has_sign ? "#000" : "#fff") + curves + "</svg>\n" +
+        draw_bar(layout.drawn.real(), colours, range, label_of(quantity)) + "</svg>\n";
+  };
+  draw(velocity_name, field.velocity.cwiseAbs(), false);
+  for (const auto& [name, values, has_sign] : field_scalars) draw(name, field.*values, has_sign);
+  return pictures;
+}
+
+bool is_field_picture(const std::string& name) {
+  return name == file_name(velocity_name) ||
+         std::ranges::any_of(field_scalars, [&](const FieldScalar& scalar) {
+           return name == file_name(scalar.name);
+         });
 }
 
 }  // namespace stokesbook

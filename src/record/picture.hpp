@@ -1,9 +1,9 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "record/run_data.hpp"
-#include "record/svg.hpp"
 
 namespace stokesbook {
 
@@ -23,38 +23,23 @@ namespace stokesbook {
 std::string draw_configuration(const Frame& frame, const Outlines& outlines,
                                const std::string& title);
 
-/// Common parts of the pictures of a run. Points and lengths are in pixels.
-namespace picture_parts {
+/// Draws every quantity of a frame's field as SVG: a colour map (of the speed, for velocities),
+/// streamlines if the field has velocities, and walls and bodies on top.
+///
+/// Each point of the grid colours the square around it with one of 65 colours. Points outside the
+/// fluid have no colour, except next to the fluid, where they take the mean of their neighbours.
+/// The colours do not resolve the smallest and the largest hundredth of the values, since values
+/// may peak next to bodies and between them. For quantities with a sign the range of the colours is
+/// symmetric: blue below zero, red above, and grey at zero.
+/// @param  title  shown above each picture
+/// @return        SVG documents by file name, such as `fields_pressure.svg`
+/// @throws std::invalid_argument when the numbers of outlines and states differ, or there is no
+///                               field
+std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
+                                               const std::string& title);
 
-/// @name Layout
-/// @{
-inline constexpr double margin = 14.0;         ///< around the picture
-inline constexpr double header_height = 54.0;  ///< title and time, above the drawing
-inline constexpr double bar_column = 84.0;     ///< colour bar and its numbers, right of the drawing
-inline constexpr double bar_height = 150.0;    ///< also the least height of a drawing
-inline constexpr double full_width = 648.0;    ///< width of a drawing, unless its height is limited
-/// @}
-
-/// Returns the scale, in pixels per length, at which a drawing of a region with a width and height
-/// has its full width and is at most 1.4 times as high as this width.
-double scale_of_drawing(Complex size);
-
-/// Opens a picture with title and time above a drawing with a width and height; `</svg>` closes it.
-std::string open_picture(Complex drawn, double t, const std::string& title);
-
-/// Values at the ends of a colour bar.
-struct ValueRange {
-  double low,  ///< value of the first colour
-      high;    ///< value of the last colour
-};
-
-/// Draws a colour bar with numbers, right of a drawing with a width.
-/// @param  label  text above the bar
-/// @param  style  other attributes of the bar
-std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange& range,
-                     const std::string& label, const std::string& style = {});
-
-}  // namespace picture_parts
+/// Returns whether a file name is one of those that draw_fields() returns.
+bool is_field_picture(const std::string& name);
 
 /// @}
 

@@ -8,7 +8,6 @@
 
 #include "record/animation.hpp"
 #include "record/csv.hpp"
-#include "record/field_picture.hpp"
 #include "record/picture.hpp"
 #include "record/record_error.hpp"
 #include "record/vtk.hpp"

@@ -1,6 +1,6 @@
 // Tests pictures of fields in special cases; read_outputs.py checks the positions in pictures.
 
-#include "record/field_picture.hpp"
+#include "record/picture.hpp"
 
 #include <boost/test/unit_test.hpp>
 

@@ -150,14 +150,8 @@ class Player {
     box.hidden = !picked;
     if (!picked) return;
     const [title, ...rows] = this.rowsOf(state, picked);
-    const head = document.createElement("b"), table = document.createElement("table");
-    head.textContent = title;
-    for (const [name, value] of rows) {
-      const row = table.insertRow();
-      row.insertCell().textContent = name;
-      row.insertCell().textContent = value;
-    }
-    box.replaceChildren(head, table);
+    const lines = rows.map(([name, value]) => `<tr><td>${name}</td><td>${value}</td></tr>`);
+    box.innerHTML = `<b>${title}</b><table>${lines.join("")}</table>`;
     const {clientWidth, clientHeight} = element("canvas");
     let [left, top] = [8, 8];
     if (this.hovered) {

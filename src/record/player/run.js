@@ -25,16 +25,11 @@ const stateIn = (frame, k) => k < 0 ? frame.walls[-1 - k] : frame.bodies[k];
 
 const between = (from, to, part) => from.map((x, i) => x + part * (to[i] - x));
 
-// A point of the plane in the frame of a body or wall, and back.
-function toLocal(state, x, y) {
-  const c = Math.cos(state[THETA]), s = Math.sin(state[THETA]);
-  const dx = x - state[X], dy = y - state[Y];
-  return [c * dx + s * dy, c * dy - s * dx];
-}
-
-function toPlane(state, x, y) {
-  const c = Math.cos(state[THETA]), s = Math.sin(state[THETA]);
-  return [state[X] + c * x - s * y, state[Y] + s * x + c * y];
+// Returns where a point goes that moves with a body or wall from one state to another.
+function carried([x, y], from, to) {
+  const turn = to[THETA] - from[THETA], c = Math.cos(turn), s = Math.sin(turn);
+  const dx = x - from[X], dy = y - from[Y];
+  return [to[X] + c * dx - s * dy, to[Y] + s * dx + c * dy];
 }
 
 // Returns the state at a place in the list of frames, linear between two frames: angles are not
@@ -50,11 +45,10 @@ function stateAt(frames, place) {
     bodies: from.bodies.map((body, i) => between(body, to.bodies[i], part)),
     walls: from.walls.map((wall, i) => between(wall, to.walls[i], part)),
   };
-  state.contacts = near.contacts.map(contact => {
-    const carrier = contact[A] >= 0 ? contact[A] : contact[B];
-    const local = toLocal(stateIn(near, carrier), contact[CONTACT_X], contact[CONTACT_Y]);
-    const [x, y] = toPlane(stateIn(state, carrier), ...local);
-    return [contact[A], contact[B], x, y, contact[FORCE], contact[GAP]];
+  state.contacts = near.contacts.map(([a, b, x, y, force, gap]) => {
+    const carrier = a >= 0 ? a : b;
+    const point = carried([x, y], stateIn(near, carrier), stateIn(state, carrier));
+    return [a, b, ...point, force, gap];
   });
   return state;
 }

@@ -14,7 +14,7 @@ function viridis(fraction) {
 const COLOURS = {
   speed: viridis,
   spin: viridis,
-  // Of equal lightness: all directions are equal.
+  // All directions have the same lightness.
   orientation: fraction => `oklch(72% 0.12 ${360 * fraction})`,
 };
 
@@ -259,8 +259,8 @@ class View {
       if (contact >= 0) return {contact};
     }
     this.context.setTransform(1, 0, 0, 1, 0, 0);
-    const holds = (k) => this.context.isPointInPath(this.shape(k).path,
-                                                    ...toLocal(stateIn(state, k), x, y));
+    const holds = k => this.context.isPointInPath(
+      this.shape(k).path, ...carried([x, y], stateIn(state, k), [0, 0, 0]));
     for (let k = this.bodies.length - 1; k >= 0; --k) {
       const [bx, by] = state.bodies[k];
       if (Math.hypot(x - bx, y - by) <= this.bodies[k].radius && holds(k)) return {part: k};
