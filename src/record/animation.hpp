@@ -28,9 +28,9 @@ std::string animation_head(const std::string& title, const Outlines& outlines);
 ///
 /// Times have twelve significant digits and all other numbers six, which is enough for a display;
 /// the tables have the exact numbers.
-/// @return  HTML, one line: `[t, bodies, walls, contacts]` as JSON. A body is `[x, y, theta, ux, uy,
-///          omega, fx, fy, torque]`, a wall `[x, y, theta, fx, fy, torque]`, a contact `[a, b, x, y,
-///          force, gap]`, where a and b are ContactParty::id()
+/// @return  HTML, one line: `[t, bodies, walls, contacts]` as JSON. A body is
+///          `[x, y, theta, ux, uy, omega, fx, fy, torque]`, a wall `[x, y, theta, fx, fy, torque]`,
+///          a contact `[a, b, x, y, force, gap]`, where a and b are ContactParty::id()
 /// @throws std::invalid_argument when a number is not finite, since JSON cannot represent it
 std::string animation_frame(const Frame& frame);
 

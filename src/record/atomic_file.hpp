@@ -38,8 +38,9 @@ void sync_names(const std::filesystem::path& directory);
 
 /// A file that grows by records and can be cut back to an earlier length.
 ///
-/// append() keeps records in memory; flush() writes all of them by one call. A program that is killed
-/// during this call may leave an incomplete record at the end of the file, which reopen() cuts off.
+/// append() keeps records in memory; flush() writes all of them by one call. A program that is
+/// killed during this call may leave an incomplete record at the end of the file, which reopen()
+/// cuts off.
 class AppendFile {
  public:
   /// Makes a new, empty file.

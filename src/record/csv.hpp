@@ -10,31 +10,23 @@ namespace stokesbook {
 /// @addtogroup record
 /// @{
 
-/// A table of a run, whose numbers restore the values exactly.
-struct RunTable {
-  const char* name;         ///< name of the file
-  std::string_view header;  ///< first line
-};
-
-/// @name Tables
+/// @name Headers of the tables of a run, whose numbers restore the values exactly
 /// @{
 
-/// The bodies at the written times.
-inline constexpr RunTable trajectory_table{"trajectory.csv",
-                                           "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n"};
-/// The walls at the written times.
-inline constexpr RunTable walls_table{"walls.csv", "t,wall,fx,fy,torque\n"};
-/// The whole suspension at the written times.
-inline constexpr RunTable rheology_table{
-    "rheology.csv", "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n"};
-/// The contact forces at the written times.
-inline constexpr RunTable contacts_table{"contacts.csv", "t,a,b,x,y,nx,ny,force,gap\n"};
-/// The steps.
-inline constexpr RunTable steps_table{
-    "steps.csv",
+/// Header of `trajectory.csv`.
+inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n";
+/// Header of `walls.csv`.
+inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
+/// Header of `rheology.csv`.
+inline constexpr std::string_view rheology_header =
+    "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n";
+/// Header of `contacts.csv`.
+inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
+/// Header of `steps.csv`.
+inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,velocity_error,"
     "step_error,seconds,kkt_residual,force_imbalance,torque_imbalance,contact_power,"
-    "energy_injected\n"};
+    "energy_injected\n";
 /// @}
 
 /// @name Rows of the tables, with the columns of the headers

@@ -1,6 +1,6 @@
-// Draws the configuration and the fields of a frame as SVG. A configuration has walls, bodies
-// coloured by speed, velocities and contact forces; a field has a colour map, streamlines, and walls
-// and bodies on top. Lengths are in pixels where nothing else is said.
+// Draws the configuration and the fields of a frame as SVG. The picture of a configuration shows
+// walls, bodies coloured by speed, velocities and contact forces; the picture of a field shows a
+// colour map, streamlines, and walls and bodies on top.
 #include "record/picture.hpp"
 
 #include <algorithm>

@@ -20,6 +20,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* checkpoint_name = "checkpoint";
+constexpr const char* trajectory_name = "trajectory.csv";
+constexpr const char* walls_name = "walls.csv";
+constexpr const char* rheology_name = "rheology.csv";
+constexpr const char* contacts_name = "contacts.csv";
+constexpr const char* steps_name = "steps.csv";
 constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
@@ -34,17 +39,15 @@ struct GrowingFile {
 /// Returns the files that grow, steps.csv first, which every run has.
 std::vector<GrowingFile> growing_files(const RunContents& contents) {
   std::vector<GrowingFile> files;
-  const auto add = [&](const RunTable& table) {
-    files.push_back({table.name, std::string(table.header)});
+  const auto add = [&](const char* name, std::string_view head) {
+    files.push_back({name, std::string(head)});
   };
-  add(steps_table);
-  if (contents.csv) add(trajectory_table);
-  if (contents.csv) add(rheology_table);
-  if (contents.csv && !contents.outlines.walls.empty()) add(walls_table);
-  if (contents.csv && contents.contacts) add(contacts_table);
-  if (contents.html) {
-    files.push_back({animation_name, animation_head(contents.title, contents.outlines)});
-  }
+  add(steps_name, steps_header);
+  if (contents.csv) add(trajectory_name, trajectory_header);
+  if (contents.csv) add(rheology_name, rheology_header);
+  if (contents.csv && !contents.outlines.walls.empty()) add(walls_name, walls_header);
+  if (contents.csv && contents.contacts) add(contacts_name, contacts_header);
+  if (contents.html) add(animation_name, animation_head(contents.title, contents.outlines));
   return files;
 }
 
@@ -57,9 +60,9 @@ std::optional<std::size_t> frame_of(const std::string& name) {
 }
 
 bool belongs_to_run(const std::string& name) {
-  constexpr std::array names{checkpoint_name,     trajectory_table.name, walls_table.name,
-                             rheology_table.name, contacts_table.name,   steps_table.name,
-                             animation_name,      picture_name,          info_name};
+  constexpr std::array names{checkpoint_name, trajectory_name, walls_name,
+                             rheology_name,   contacts_name,   steps_name,
+                             animation_name,  picture_name,    info_name};
   const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
@@ -118,10 +121,9 @@ void remove_run(const fs::path& directory) {
     return [=](const std::string& name) { return name == other; };
   };
   remove_files(directory, is(checkpoint_name));
-  remove_files(directory, [](const std::string& name) {
-    return belongs_to_run(name) && name != steps_table.name;
-  });
-  remove_files(directory, is(steps_table.name));
+  remove_files(directory,
+               [](const std::string& name) { return belongs_to_run(name) && name != steps_name; });
+  remove_files(directory, is(steps_name));
 }
 
 }  // namespace
@@ -137,7 +139,7 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
   FileLock lock = FileLock::of_folder(path);
   if (existing == ExistingRun::refuse) {
     require_no_run(path, "--resume, --overwrite");
-  } else if (existing == ExistingRun::restart && !fs::exists(path / steps_table.name, error)) {
+  } else if (existing == ExistingRun::restart && !fs::exists(path / steps_name, error)) {
     require_no_run(path, "--overwrite");
   } else {
     remove_run(path);
@@ -180,10 +182,10 @@ void RunDirectory::write_frame(const Frame& frame) {
   if (!contents_.contacts && !frame.contacts.empty()) {
     throw std::invalid_argument("a frame has contacts only if the run writes them");
   }
-  append(trajectory_table.name, trajectory_rows(frame));
-  append(walls_table.name, wall_rows(frame));
-  append(rheology_table.name, rheology_row(frame));
-  append(contacts_table.name, contact_rows(frame));
+  append(trajectory_name, trajectory_rows(frame));
+  append(walls_name, wall_rows(frame));
+  append(rheology_name, rheology_row(frame));
+  append(contacts_name, contact_rows(frame));
   if (contents_.html) append(animation_name, animation_frame(frame));
   if (contents_.vtk) {
     replace(body_files.name(frame_count()), configuration_vtp(frame, contents_.outlines));
@@ -215,7 +217,7 @@ void RunDirectory::write_pictures(const Frame& frame) {
 }
 
 void RunDirectory::write_step(const StepInfo& step) {
-  append(steps_table.name, step_row(step));
+  append(steps_name, step_row(step));
 }
 
 void RunDirectory::save(const Checkpoint& checkpoint) {

@@ -63,8 +63,8 @@ inline constexpr ColourMap cool_to_warm{
     "cool-to-warm",
     {0x3b4cc0, 0x6282ea, 0x8db0fe, 0xb8d0f9, 0xdddddd, 0xf5c4ad, 0xf49a7b, 0xde604d, 0xb40426}};
 
-/// Returns the colour `#rrggbb` of a fraction, by linear interpolation between the samples of a map.
-/// Fractions outside [0, 1] have the colour of the nearer end.
+/// Returns the colour `#rrggbb` of a fraction, by linear interpolation between the samples of a
+/// map. Fractions outside [0, 1] have the colour of the nearer end.
 std::string colour(const ColourMap& map, double fraction);
 
 /// @}

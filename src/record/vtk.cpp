@@ -109,24 +109,20 @@ std::string poly_data(const std::vector<Cell>& cells, const std::string& data) {
                       "</Polys>\n</Piece>\n");
 }
 
-/// Encodes bytes in base64: 3 bytes become 4 letters of 6 bits each.
+/// Encodes bytes in base64: a letter for every 6 bits, filled up to a multiple of 4 letters.
 std::string base64(const std::string& bytes) {
   constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t first = 0; first < bytes.size(); first += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - first);
-    std::uint32_t triple = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const char byte = k < count ? bytes[first + k] : '\0';
-      triple = triple << 8 | static_cast<unsigned char>(byte);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? letters[triple >> (18 - 6 * k) & 63] : '=';
-    }
+  std::uint32_t bits = 0;
+  int waiting = 0;  // number of the last bits that are not in the text yet
+  for (const char byte : bytes) {
+    bits = bits << 8 | static_cast<unsigned char>(byte);
+    waiting += 8;
+    for (; waiting >= 6; waiting -= 6) text += letters[bits >> (waiting - 6) & 63];
   }
-  return text;
+  if (waiting > 0) text += letters[bits << (6 - waiting) & 63];
+  return text.append((4 - text.size() % 4) % 4, '=');
 }
 
 /// Writes contiguous numbers as a binary data array.

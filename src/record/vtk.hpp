@@ -15,9 +15,9 @@ namespace stokesbook {
 /// Writes a configuration as VTK PolyData (XML, ASCII), with one cell for each wall and body.
 ///
 /// Enclosing walls are closed polylines and come first, since VTK orders lines before polygons.
-/// Each body and inner wall is a polygon, which may be concave. Cell data: `id` (ContactParty::id()),
-/// `velocity` and `omega` (0 for walls), `theta`, `force` and `torque` (by the body or wall on the
-/// fluid).
+/// Each body and inner wall is a polygon, which may be concave. Cell data: `id` as in
+/// ContactParty::id(), `velocity` and `omega` (0 for walls), `theta`, `force` and `torque` (by the
+/// body or wall on the fluid).
 /// @throws std::invalid_argument when the numbers of outlines and states differ
 std::string configuration_vtp(const Frame& frame, const Outlines& outlines);
 
@@ -34,8 +34,8 @@ std::string contacts_vtp(const Frame& frame);
 /// their names in field_scalars. All arrays but the first hold the exact doubles.
 std::string field_vti(const Field& field);
 
-/// A kind of file that a run writes for each frame, and the ParaView collection that lists files and
-/// times.
+/// A kind of file that a run writes for each frame, and the ParaView collection that lists files
+/// and times.
 struct FrameFiles {
   std::string_view stem;       ///< start of their names
   std::string_view extension;  ///< end of their names

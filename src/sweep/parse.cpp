@@ -24,10 +24,10 @@ namespace {
 using namespace scene_text;
 
 /// Tables of a run with one row for each time, or one for each time and body or wall.
-constexpr Words<std::string_view, 4> tables{{{rheology_table.name, rheology_table.header},
-                                             {steps_table.name, steps_table.header},
-                                             {trajectory_table.name, trajectory_table.header},
-                                             {walls_table.name, walls_table.header}}};
+constexpr Words<std::string_view, 4> tables{{{"rheology.csv", rheology_header},
+                                             {"steps.csv", steps_header},
+                                             {"trajectory.csv", trajectory_header},
+                                             {"walls.csv", walls_header}}};
 
 constexpr Words<Reduction, 4> reductions{{{"last", Reduction::last},
                                           {"least", Reduction::least},

@@ -1,9 +1,8 @@
 // Tests pictures of fields in special cases; read_outputs.py checks the positions in pictures.
 
-#include "record/picture.hpp"
-
 #include <boost/test/unit_test.hpp>
 
+#include "record/picture.hpp"
 #include "record/svg.hpp"
 #include "sample_run.hpp"
 

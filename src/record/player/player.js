@@ -7,13 +7,13 @@ class Player {
     this.run = run;
     this.frames = run.frames;
     this.view = new View(element("canvas"), run);
-    this.place = 0;        // in the list of frames
+    this.place = 0;       // a place in the list of frames
     this.playing = false;
-    this.pinned = null;    // what was picked to stay
-    this.hovered = null;
-    this.pointer = null;   // its last pixel on the canvas
+    this.pinned = null;   // the part that a click or key has picked
+    this.hovered = null;  // the part under the pointer
+    this.pointer = null;  // the last pixel of the pointer
     const length = this.frames.at(-1).t - this.frames[0].t;
-    // At speed 1 a run takes 4 to 20 seconds, 15 frames a second between these.
+    // At speed 1 a run plays at 15 frames a second, but takes at least 4 and at most 20 seconds.
     this.rate = length / Math.min(20, Math.max(4, this.frames.length / 15));
     const spacing = length / Math.max(1, this.frames.length - 1) || 1;
     this.decimals = Math.min(12, Math.max(0, 2 - Math.floor(Math.log10(spacing))));

@@ -20,7 +20,7 @@ function readRun() {
   return run;
 }
 
-// The state of a body (k >= 0) or wall (-1, -2, ...) in a frame.
+// Returns the state of a body (k >= 0) or wall (-1, -2, ...) in a frame.
 const stateIn = (frame, k) => k < 0 ? frame.walls[-1 - k] : frame.bodies[k];
 
 const between = (from, to, part) => from.map((x, i) => x + part * (to[i] - x));

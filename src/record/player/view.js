@@ -113,7 +113,7 @@ class View {
                                  this.canvas.clientHeight / (top - bottom));
   }
 
-  // Pixels of the page, from the canvas's corner, and points of the plane.
+  // Maps a point of the plane to a pixel, from the corner of the canvas; toPoint() maps back.
   toPixel(x, y) {
     return [this.canvas.clientWidth / 2 + this.scale * (x - this.x),
             this.canvas.clientHeight / 2 - this.scale * (y - this.y)];
@@ -149,7 +149,7 @@ class View {
     if (this.fitted) this.fit();
   }
 
-  // Coordinates of the plane, or of a body or wall; y points upwards.
+  // Makes the context draw in the frame of a body or wall, or in the plane; y points upwards.
   enter(state = [0, 0, 0]) {
     const ratio = window.devicePixelRatio || 1, size = ratio * this.scale;
     const c = size * Math.cos(state[THETA]), s = size * Math.sin(state[THETA]);
@@ -251,7 +251,7 @@ class View {
     context.globalAlpha = 1;
   }
 
-  // Returns the part under a pixel: {contact: k}, {part: k} for a body or (negative) a wall, or null.
+  // Returns the part under a pixel: {contact: k}, {part: k} with k < 0 for walls, or null.
   pick(state, px, py, withContacts) {
     const [x, y] = this.toPoint(px, py);
     if (withContacts) {
