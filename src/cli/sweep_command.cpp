@@ -1,11 +1,9 @@
-// Runs a sweep: starts its tasks as parallel processes, and collects a table of their results.
+// Runs a sweep: its tasks side by side as processes, and then collects a table of their results.
 #include "cli/sweep_command.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <deque>
 #include <exception>
-#include <map>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -23,15 +21,12 @@
 #include "sweep/results.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
-#include "sweep/workers.hpp"
 
 namespace stokesbook {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int most_tries = 3;  // attempts at a task whose worker is killed
 
 /// Runs one task in this process, from its last checkpoint, unless the task is done.
 int run_task(const Sweep& sweep, const SweepOptions& options) {
@@ -60,117 +55,64 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   }
 }
 
-/// Returns the words of the command for a task, without its number. All paths are absolute, so that
-/// the command works in every folder.
-std::vector<std::string> task_command(const SweepOptions& options) {
+Batch batch_of(const Sweep& sweep, const SweepOptions& options) {
   std::error_code unknown;
   const fs::path here = fs::read_symlink("/proc/self/exe", unknown);
-  return {(unknown ? fs::absolute(options.program) : here).string(),
-          "sweep",
-          fs::absolute(options.file).string(),
-          "--out",
-          fs::absolute(options.out).string(),
-          "--threads",
-          std::to_string(options.threads),
-          "--quiet",
-          "--task"};
+  return {unknown ? fs::absolute(options.program) : here, fs::absolute(options.file),
+          fs::absolute(options.out), task_count(sweep), options.threads};
 }
 
-void print_plan(const Sweep& sweep, const SweepOptions& options) {
-  const std::vector<std::string> task = task_command(options);
-  std::vector<std::string> collect(task.begin(), task.begin() + 5);
-  collect.emplace_back("--collect");
-  const std::string output =
-      in_slurm((fs::absolute(options.out) / "runs").string()) + "/slurm-%a.txt";
-  std::printf("# %zu tasks, listed in %s\n%s", task_count(sweep),
-              (options.out / "tasks.csv").c_str(),
-              batch_commands({task, collect, output, task_count(sweep), options.threads}).c_str());
+/// Returns the numbers of the tasks that are not done.
+std::vector<std::size_t> find_tasks_to_do(const Sweep& sweep, const fs::path& out) {
+  std::vector<std::size_t> tasks;
+  bool is_shared = false;
+  for (std::size_t k = 0; k < task_count(sweep); ++k) {
+    const TaskFolder folder(out, k);
+    if (folder.state() == TaskState::done) continue;
+    tasks.push_back(k);
+    is_shared = is_shared || FileLock::is_taken(folder.lock());
+  }
+  // Another sweep works in this folder, beginning with the first task: begin with the last one.
+  if (is_shared) std::ranges::reverse(tasks);
+  return tasks;
 }
 
-/// The workers of this machine, and the tasks that wait for a worker.
-class LocalSweep {
- public:
-  LocalSweep(const Sweep& sweep, const SweepOptions& options)
-      : sweep_(sweep), options_(options), command_(task_command(options)) {
-    for (std::size_t k = 0; k < task_count(sweep); ++k) {
-      if (TaskFolder(options.out, k).state() != TaskState::done) waiting_.push_back(k);
-    }
-  }
+void report_failure(const Task& task, const TaskFolder& folder) {
+  std::string message = folder.failure();
+  if (message.empty()) message = "see " + folder.log().string();
+  std::fprintf(stderr, "stokes: %s: failed: %s\n", task.description().c_str(),
+               for_terminal(message).c_str());
+}
 
-  /// Runs all waiting tasks, and returns the number of tasks that failed.
-  std::size_t run() {
-    const int jobs =
-        options_.jobs > 0 ? options_.jobs : std::max(1, omp_get_num_procs() / options_.threads);
-    say("%zu tasks, %zu of them to do, %d at a time\n", task_count(sweep_), waiting_.size(), jobs);
-    while (!waiting_.empty() || workers_.running() > 0) {
-      while (!waiting_.empty() && workers_.running() < static_cast<std::size_t>(jobs)) start_next();
-      take_note(workers_.wait());
-    }
-    return failed_;
-  }
-
- private:
-  template <class... Values>
-  void say(const char* format, Values... values) const {
-    if (options_.quiet) return;
-    std::printf(format, values...);
+/// Runs the tasks that are not done, and returns the number of tasks that failed.
+std::size_t run_tasks(const Sweep& sweep, const SweepOptions& options) {
+  const std::vector<std::size_t> tasks = find_tasks_to_do(sweep, options.out);
+  const int jobs =
+      options.jobs > 0 ? options.jobs : std::max(1, omp_get_num_procs() / options.threads);
+  if (!options.quiet) {
+    std::printf("%zu tasks, %zu of them to do, %d at a time\n", task_count(sweep), tasks.size(),
+                jobs);
     std::fflush(stdout);
   }
-
-  /// Starts a worker for the next task. Tasks on which another sweep works come last, since their
-  /// workers would have to wait.
-  void start_next() {
-    const auto is_free = [&](std::size_t k) {
-      const TaskFolder folder(options_.out, k);
-      folder.make();
-      return !FileLock::is_taken(folder.lock());
-    };
-    auto next = std::ranges::find_if(waiting_, is_free);
-    if (next == waiting_.end()) next = waiting_.begin();
-    const std::size_t task = *next;
-    waiting_.erase(next);
-    std::vector<std::string> command = command_;
-    command.push_back(std::to_string(task));
-    workers_.start(task, command, TaskFolder(options_.out, task).log());
-  }
-
-  void take_note(const WorkerEnd& end) {
-    const std::string task = task_of(sweep_, end.task).description();
-    if (end.signal != 0) return take_note_of_kill(end, task);
-    const std::size_t left = waiting_.size() + workers_.running();
-    if (end.exit_code == exit_done) return say("%s: done, %zu left\n", task.c_str(), left);
-    report_failure(end.task, task);
-  }
-
-  void take_note_of_kill(const WorkerEnd& end, const std::string& task) {
-    const std::string cause = "killed by signal " + std::to_string(end.signal);
-    if (++kills_[end.task] < most_tries) {
-      std::fprintf(stderr, "stokes: %s: %s; the task continues from its checkpoint\n", task.c_str(),
-                   cause.c_str());
-      waiting_.push_back(end.task);
-      return;
+  std::size_t left = tasks.size(), failed = 0;
+  run_in_parallel(batch_of(sweep, options), tasks, jobs, [&](std::size_t number, int signal) {
+    --left;
+    const Task task = task_of(sweep, number);
+    const TaskFolder folder(options.out, number);
+    if (signal > 0) {
+      folder.write_failure("killed by signal " + std::to_string(signal) + ", the last of " +
+                           std::to_string(most_tries) + " tries");
     }
-    TaskFolder(options_.out, end.task)
-        .write_failure(cause + ", the last of " + std::to_string(most_tries) + " tries");
-    report_failure(end.task, task);
-  }
-
-  void report_failure(std::size_t number, const std::string& task) {
-    const TaskFolder folder(options_.out, number);
-    std::string message = folder.failure();
-    if (message.empty()) message = "see " + folder.log().string();
-    std::fprintf(stderr, "stokes: %s: failed: %s\n", task.c_str(), for_terminal(message).c_str());
-    ++failed_;
-  }
-
-  const Sweep& sweep_;
-  const SweepOptions& options_;
-  std::vector<std::string> command_;
-  std::deque<std::size_t> waiting_;
-  Workers workers_;
-  std::map<std::size_t, int> kills_;  // number of kills, by task
-  std::size_t failed_ = 0;
-};
+    if (signal > 0 || folder.state() != TaskState::done) {
+      report_failure(task, folder);
+      ++failed;
+    } else if (!options.quiet) {
+      std::printf("%s: done, %zu left\n", task.description().c_str(), left);
+      std::fflush(stdout);
+    }
+  });
+  return failed;
+}
 
 void write_results(const Sweep& sweep, const SweepOptions& options) {
   const FileLock lock = FileLock::wait_for(sweep_lock(options.out));
@@ -193,11 +135,14 @@ int run_sweep(const SweepOptions& given) {
     return exit_done;
   }
   open_sweep(options.out, manifest(sweep));
+  for (std::size_t k = 0; k < task_count(sweep); ++k) TaskFolder(options.out, k).make();
   if (options.plan) {
-    print_plan(sweep, options);
+    const Batch batch = batch_of(sweep, options);
+    std::printf("# %zu tasks, listed in %s\n%s", batch.tasks, (options.out / "tasks.csv").c_str(),
+                batch_commands(batch).c_str());
     return exit_done;
   }
-  const std::size_t failed = LocalSweep(sweep, options).run();
+  const std::size_t failed = run_tasks(sweep, options);
   write_results(sweep, options);
   return failed > 0 ? exit_refused : exit_done;
 }

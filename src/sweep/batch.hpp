@@ -1,41 +1,48 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace stokesbook {
 
 /// @addtogroup sweep
 /// @{
 
-/// Quotes a word so that a POSIX shell takes it literally.
-///
-/// @param  word  any word
-/// @return       the word, in single quotes unless all its characters are harmless
-std::string shell_quoted(std::string_view word);
-
-/// Escapes a path for Slurm, which replaces patterns such as `%a` in paths.
-///
-/// @param  path  any path
-/// @return       the path, with each % doubled
-std::string in_slurm(std::string_view path);
-
-/// The commands of a sweep that is to be run elsewhere.
+/// A sweep whose tasks run as processes of their own. All paths are absolute, so that the commands
+/// work in every folder.
 struct Batch {
-  std::vector<std::string> task;     ///< words of the command for a task, without its number
-  std::vector<std::string> collect;  ///< words of the command that writes the results
-  std::string output;                ///< file for the output of Slurm's jobs; `%a`: the task
-  std::size_t tasks = 1;             ///< number of tasks, at least one
-  int threads = 1;                   ///< threads of each task
+  std::filesystem::path program;  ///< the program stokes
+  std::filesystem::path sweep;    ///< sweep file
+  std::filesystem::path out;      ///< folder of the sweep, in which each task has its folder
+  std::size_t tasks = 1;          ///< number of tasks, at least one
+  int threads = 1;                ///< threads of each task
 };
 
-/// Writes commands that run tasks elsewhere: as an array of Slurm jobs, and with GNU parallel.
-///
-/// @param  batch  commands of the sweep
-/// @return        commands for a POSIX shell, with their titles as comments
+/// Number of attempts at a task whose process is killed. A task that fails is not tried again.
+inline constexpr int most_tries = 3;
+
+/// Quotes a word so that a POSIX shell, Slurm's `--wrap` and GNU parallel take it literally.
+std::string shell_quoted(std::string_view word);
+
+/// Writes commands for a POSIX shell, with their titles as comments: they run all tasks as an array
+/// of Slurm jobs, or by GNU parallel, and collect the results.
 std::string batch_commands(const Batch& batch);
+
+/// Runs tasks side by side by GNU parallel, with the command of batch_commands().
+///
+/// If this process is killed, GNU parallel ends the processes of its tasks.
+/// @param  batch   a sweep whose tasks have their folders
+/// @param  tasks   numbers of the tasks to run
+/// @param  jobs    number of tasks that run at a time
+/// @param  report  called at the end of each task with its number, and with the signal that killed
+///                 the last of its tries, or 0
+/// @throws RecordError when GNU parallel is not installed, or ends before all tasks have ended
+void run_in_parallel(const Batch& batch, std::span<const std::size_t> tasks, int jobs,
+                     const std::function<void(std::size_t task, int signal)>& report);
 
 /// @}
 

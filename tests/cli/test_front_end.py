@@ -62,6 +62,15 @@ class FrontEnd(unittest.TestCase):
             self.assertRegex(errors, rf"^stokes: not installed yet:\n(  .*\n)*  {missing} ")
             self.assertNotIn("libeigen3-dev", errors)
 
+    def test_only_a_local_sweep_needs_gnu_parallel(self):
+        self.configure(self.root)
+        errors = self.stokes("sweep", "a.toml", "--jobs", "2", code=1).stderr
+        self.assertRegex(errors, r"^stokes: not installed yet:\n  parallel +runs the tasks ")
+        for arguments in (["--plan"], ["--out", "b", "--collect"], ["--task", "7"], ["--task=7"],
+                          ["--help"]):
+            self.stokes("sweep", "a.toml", *arguments)
+        self.stokes("run", "sweep")
+
     def test_a_build_that_was_configured_is_kept(self):
         link = self.root.parent / "link"
         link.symlink_to(self.root)

@@ -1,13 +1,9 @@
-// Tests folders of sweeps and tasks, their locks, and the processes that work in them.
-
-#include <csignal>
-#include <thread>
+// Tests folders of sweeps and tasks, and their locks.
 
 #include "record/file_lock.hpp"
 #include "record/record_error.hpp"
 #include "sweep/manifest.hpp"
 #include "sweep/task_folder.hpp"
-#include "sweep/workers.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;
@@ -91,44 +87,6 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   const auto open = [&] { open_sweep(out, manifest(changed)); };
   BOOST_TEST(message_of<RecordError>(folder, open) == other);
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
-}
-
-BOOST_AUTO_TEST_CASE(workers_tell_how_they_ended) {
-  const Folder folder;
-  const std::filesystem::path log = folder.path() / "log.txt";
-  Workers workers;
-  const auto end_of = [&](const std::vector<std::string>& command) {
-    workers.start(5, command, log);
-    BOOST_TEST(workers.running() == 1U);
-    const WorkerEnd end = workers.wait();
-    BOOST_TEST(workers.running() == 0U);
-    BOOST_TEST(end.task == 5U);
-    return std::pair(end.exit_code, end.signal);
-  };
-  BOOST_CHECK(end_of({"/bin/sh", "-c", "echo said; echo wrong >&2"}) == std::pair(0, 0));
-  BOOST_TEST(folder.text_of("log.txt") == "said\nwrong\n");
-  BOOST_CHECK(end_of({"/bin/sh", "-c", "echo again; exit 3"}) == std::pair(3, 0));
-  BOOST_TEST(folder.text_of("log.txt") == "said\nwrong\nagain\n");
-  BOOST_CHECK(end_of({"/bin/sh", "-c", "kill -9 $$"}) == std::pair(0, SIGKILL));
-  BOOST_CHECK(end_of({(folder.path() / "no program").string()}) == std::pair(127, 0));
-  BOOST_CHECK_THROW(workers.start(0, {"/bin/true"}, folder.path() / "no/log"), RecordError);
-  BOOST_CHECK_THROW(workers.wait(), std::logic_error);
-}
-
-BOOST_AUTO_TEST_CASE(workers_run_side_by_side) {
-  const Folder folder;
-  Workers workers;
-  // Each process waits for the file that the other one makes.
-  const std::string here = folder.path().string();
-  const auto meet = [&](const std::string& mine, const std::string& other) {
-    return std::vector<std::string>{"/bin/sh", "-c",
-                                    "touch " + here + "/" + mine + "; while ! test -e " + here +
-                                        "/" + other + "; do sleep 0.01; done"};
-  };
-  workers.start(0, meet("a", "b"), folder.path() / "log");
-  workers.start(1, meet("b", "a"), folder.path() / "log");
-  BOOST_TEST(workers.wait().exit_code == 0);
-  BOOST_TEST(workers.wait().exit_code == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 """Provides a sweep of 20 small runs for tests of sweeps, and finds the processes of its tasks."""
 
+import contextlib
 import json
 import os
 import pathlib
@@ -63,7 +64,8 @@ class Sweeping(unittest.TestCase):
     """A folder with a scene and its sweep; processes in the folder end with the test."""
 
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="stokesbook sweep ")  # a blank in the name
+        # Characters that a shell or GNU parallel would replace.
+        scratch = tempfile.TemporaryDirectory(prefix="stokesbook's {} \"$HOME\" ")
         self.addCleanup(scratch.cleanup)
         self.folder = pathlib.Path(scratch.name).resolve()
         self.write("scene.toml", SCENE)
@@ -98,14 +100,18 @@ class Sweeping(unittest.TestCase):
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    start_new_session=True)
 
-        def end():
-            try:
-                os.killpg(process.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-            process.communicate()
-        self.addCleanup(end)
+        self.addCleanup(self.kill_all, process)
         return process
+
+    def kill_all(self, process):
+        """Kills the group of a sweep, GNU parallel with it, and its workers, if they still run."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        for worker in self.workers().values():
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(worker, signal.SIGKILL)
+        process.communicate()
+        self.wait_until("the end of all workers", lambda: not self.workers())
 
     def results(self, out):
         return (self.folder / out / "results.csv").read_bytes()
@@ -115,15 +121,15 @@ class Sweeping(unittest.TestCase):
         return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
                 for path in (self.folder / out).glob("runs/*/run.json") if has_ended(path)}
 
-    def workers(self, out):
-        """Returns the process of each task that runs in a folder, by the task's number."""
+    def workers(self):
+        """Returns the process of each task that runs in this folder, by the task's number."""
         found = {}
         for process in pathlib.Path("/proc").iterdir():
             try:
                 words = (process / "cmdline").read_bytes().decode().split("\0")
             except OSError:
                 continue  # no process, or a process that has just ended
-            if words[0] == PROGRAM and "--task" in words and str(self.folder / out) in words:
+            if words[0] == PROGRAM and "--task" in words and str(self.folder / "sweep.toml") in words:
                 found[int(words[words.index("--task") + 1])] = int(process.name)
         return found
 
@@ -160,7 +166,7 @@ class Sweeping(unittest.TestCase):
     def kill_one_with_a_checkpoint(self, out):
         """Kills a worker in the middle of its task; returns the task."""
         def killed():
-            for task, process in self.workers(out).items():
+            for task, process in self.workers().items():
                 if self.frames(out, task) >= 3 and self.caught(out, task, process):
                     os.kill(process, signal.SIGKILL)
                     return [task]
