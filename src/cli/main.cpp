@@ -1,5 +1,6 @@
 // Runs the program stokes: reads the command line, runs the requested command, and turns errors
 // into messages and exit codes.
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -18,6 +19,7 @@
 #include "record/record_error.hpp"
 #include "scene/scene.hpp"
 #include "suspension/bodies/solver_error.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -25,11 +27,8 @@ namespace {
 
 std::string version_text() {
   const BuildInfo info = build_info();
-  std::string text = "stokes ";
-  text += info.version;
-  text += " (git " + std::string(info.git_hash) + ", " + std::string(info.compiler) + ", " +
-          std::string(info.build_type) + ", " + std::string(info.flags) + ")";
-  return text;
+  return "stokes " + std::string(info.version) + " (git " +
+         joined(std::array{info.git_hash, info.compiler, info.build_type, info.flags}) + ")";
 }
 
 // The upper bound exists because OpenMP ends the program if the system cannot start the threads.
@@ -43,6 +42,7 @@ void add_scene_options(CLI::App& command, RunOptions& options) {
   command.add_option("--threads", options.threads, "number of threads [all processors]")
       ->check(number_of_threads);
   command.add_flag("--overwrite", options.overwrite, "replace the run in the directory");
+  command.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
@@ -88,15 +88,11 @@ int run_program(int argc, char** argv) {
   RunOptions options;
   CLI::App& run = *app.add_subcommand("run", "simulate a scene from t = 0 to its end");
   add_scene_options(run, options);
-  CLI::Option* resume =
-      run.add_flag("--resume", options.resume, "continue from the last checkpoint");
-  resume->excludes("--overwrite");
-  run.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
+  run.add_flag("--resume", options.resume, "continue from the last checkpoint")
+      ->excludes("--overwrite");
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);
-  solve.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   SweepOptions sweep_options;
-  sweep_options.program = argv[0];
   CLI::App& sweep = *app.add_subcommand("sweep", "run a scene for many values, with error bars");
   add_sweep_options(sweep, sweep_options);
   for (CLI::App* command : {&run, &solve, &sweep}) {

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <omp.h>
@@ -17,8 +16,8 @@
 #include "scene/scene.hpp"
 #include "sweep/batch.hpp"
 #include "sweep/manifest.hpp"
-#include "sweep/parse.hpp"
 #include "sweep/results.hpp"
+#include "sweep/sweep.hpp"
 #include "sweep/task.hpp"
 #include "sweep/task_folder.hpp"
 
@@ -56,10 +55,8 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
 }
 
 Batch batch_of(const Sweep& sweep, const SweepOptions& options) {
-  std::error_code unknown;
-  const fs::path here = fs::read_symlink("/proc/self/exe", unknown);
-  return {unknown ? fs::absolute(options.program) : here, fs::absolute(options.file),
-          fs::absolute(options.out), task_count(sweep), options.threads};
+  return {fs::read_symlink("/proc/self/exe"), fs::absolute(options.file), fs::absolute(options.out),
+          task_count(sweep), options.threads};
 }
 
 /// Returns the numbers of the tasks that are not done.
@@ -130,12 +127,11 @@ int run_sweep(const SweepOptions& given) {
   const Sweep sweep = read_sweep(options.file);
   if (options.task) return run_task(sweep, options);
   if (options.collect) {
-    require_sweep(options.out, manifest(sweep));
+    require_sweep(options.out, sweep);
     write_results(sweep, options);
     return exit_done;
   }
-  open_sweep(options.out, manifest(sweep));
-  for (std::size_t k = 0; k < task_count(sweep); ++k) TaskFolder(options.out, k).make();
+  open_sweep(options.out, sweep);
   if (options.plan) {
     const Batch batch = batch_of(sweep, options);
     std::printf("# %zu tasks, listed in %s\n%s", batch.tasks, (options.out / "tasks.csv").c_str(),

@@ -8,7 +8,6 @@ namespace stokesbook {
 
 /// Options of `stokes sweep`.
 struct SweepOptions {
-  std::filesystem::path program;  ///< name by which this program was called
   std::filesystem::path file;
   std::filesystem::path out;        ///< empty: the name of the sweep, in out/
   std::optional<std::size_t> task;  ///< the only task to run

@@ -18,18 +18,21 @@ namespace stokesbook {
 
 namespace {
 
-constexpr const char* manifest_name = "tasks.csv";
-constexpr const char* another_sweep =
-    "belongs to another sweep, or the scene has changed; choose another --out";
-
-void require_manifest(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::exists(path, error)) return;
-  throw RecordError(path, "does not exist; run stokes sweep --plan first");
+std::filesystem::path manifest_file(const std::filesystem::path& out) {
+  return out / "tasks.csv";
 }
 
-void require_same(const std::filesystem::path& path, std::string_view manifest) {
-  if (read_text(path) != manifest) throw RecordError(path, another_sweep);
+/// Returns the manifest in the folder of a sweep.
+std::string read_manifest(const std::filesystem::path& out) {
+  std::error_code error;
+  if (std::filesystem::exists(manifest_file(out), error)) return read_text(manifest_file(out));
+  throw RecordError(manifest_file(out), "does not exist; run stokes sweep --plan first");
+}
+
+void require_same(const std::filesystem::path& out, bool is_same) {
+  if (is_same) return;
+  throw RecordError(manifest_file(out),
+                    "belongs to another sweep, or the scene has changed; choose another --out");
 }
 
 std::string header(const Sweep& sweep) {
@@ -85,36 +88,30 @@ std::string manifest(const Sweep& sweep) {
   return text;
 }
 
-void open_sweep(const std::filesystem::path& out, std::string_view manifest) {
+void open_sweep(const std::filesystem::path& out, const Sweep& sweep) {
+  const std::string text = manifest(sweep);
   std::error_code error;
   std::filesystem::create_directories(out / "runs", error);
   if (error) throw RecordError(out / "runs", "making the directory", error);
-  const FileLock lock =
-      FileLock::wait_for(sweep_lock(out));  // if two sweeps begin at once, one writes
-  const std::filesystem::path path = out / manifest_name;
-  if (!std::filesystem::exists(path, error)) {
-    write_atomically(path, manifest, SafeFrom::power_cut);
-  } else {
-    require_same(path, manifest);
+  // If two sweeps begin at once, one of them writes the manifest.
+  const FileLock lock = FileLock::wait_for(sweep_lock(out));
+  if (!std::filesystem::exists(manifest_file(out), error)) {
+    write_atomically(manifest_file(out), text, SafeFrom::power_cut);
   }
+  require_same(out, read_manifest(out) == text);
+  for (std::size_t k = 0; k < task_count(sweep); ++k) TaskFolder(out, k).make();
 }
 
-void require_sweep(const std::filesystem::path& out, std::string_view manifest) {
-  require_manifest(out / manifest_name);
-  require_same(out / manifest_name, manifest);
+void require_sweep(const std::filesystem::path& out, const Sweep& sweep) {
+  const std::string text = manifest(sweep);
+  require_same(out, read_manifest(out) == text);
 }
 
 void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task) {
-  const std::filesystem::path path = out / manifest_name;
-  require_manifest(path);
-  const std::string text = read_text(path);
-  const std::string first = header(sweep);
+  const std::string text = read_manifest(out);
   const Task asked = task_of(sweep, task);
-  const std::size_t found =
-      text.find(row(asked, scene_fingerprint(sweep, asked)), first.size() - 1);
-  if (!text.starts_with(first) || found == std::string::npos || text[found - 1] != '\n') {
-    throw RecordError(path, another_sweep);
-  }
+  const std::string line = "\n" + row(asked, scene_fingerprint(sweep, asked));
+  require_same(out, text.starts_with(header(sweep)) && text.find(line) != std::string::npos);
 }
 
 }  // namespace stokesbook

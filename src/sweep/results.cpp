@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gsl/gsl_cdf.h>
 
 #include "sweep/manifest.hpp"
 #include "sweep/table_column.hpp"
@@ -36,12 +40,25 @@ ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep, std:
   return row;
 }
 
-std::string with_error_bar(const Estimate& estimate) {
+std::string with_error_bar(const MeanEstimate& estimate) {
   const std::string mean = short_number(estimate.mean, 6);
   return std::isnan(estimate.interval) ? mean : mean + " +- " + short_number(estimate.interval, 2);
 }
 
 }  // namespace
+
+MeanEstimate estimate_mean(std::span<const double> values) {
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {undefined, undefined, undefined};
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  if (values.size() == 1) return {mean, undefined, undefined};
+  // Standard error e = sqrt(sum_k (x_k - m)^2 / (n (n - 1))), half width t_{n-1}(0.975) e.
+  double squares = 0.0;
+  for (const double x : values) squares += (x - mean) * (x - mean);
+  const double standard_error = std::sqrt(squares / (n * (n - 1.0)));
+  return {mean, standard_error, gsl_cdf_tdist_Pinv(0.975, n - 1.0) * standard_error};
+}
 
 std::array<std::string, 3> columns_of(const Quantity& quantity) {
   return {quantity.name, quantity.name + "_standard_error", quantity.name + "_interval"};
@@ -88,7 +105,7 @@ std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows) {
     for (const int count : {row.runs, row.failed, row.unfinished}) {
       line.push_back(std::to_string(count));
     }
-    for (const Estimate& estimate : row.estimates) line.push_back(with_error_bar(estimate));
+    for (const MeanEstimate& estimate : row.estimates) line.push_back(with_error_bar(estimate));
   }
   std::vector<std::size_t> widths(lines[0].size());
   for (const auto& line : lines) {

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "sweep/estimate.hpp"
 #include "sweep/sweep.hpp"
 
 namespace stokesbook {
@@ -13,42 +13,46 @@ namespace stokesbook {
 /// @addtogroup sweep
 /// @{
 
-/// The results of all runs with one combination of the axes' values.
-struct ResultRow {
-  std::vector<std::string> values;  ///< one for each axis, in TOML's syntax
-  int runs = 0;                     ///< number of runs that are done
-  int failed = 0;                   ///< number of runs whose last attempt ended with an error
-  int unfinished = 0;               ///< number of runs not begun, under way, or killed
-  std::vector<Estimate> estimates;  ///< one for each quantity, from the runs that are done
+/// The mean of independent runs and its uncertainty.
+struct MeanEstimate {
+  double mean;            ///< nan without runs
+  double standard_error;  ///< of the mean; nan with fewer than two runs
+  double interval;        ///< half the width of Student's 95 % confidence interval; nan as above
 };
 
-/// Returns the names of the columns for a quantity.
+/// Estimates the mean of the distribution from which independent values are drawn.
 ///
-/// @param  quantity  quantity of a sweep
-/// @return           names for its mean, standard error and interval, see Estimate
+/// With n values of mean m, the standard error is
+/// \f$ e = \sqrt{\sum_k (x_k - m)^2 / (n (n - 1))} \f$. If the values are normally distributed, the
+/// interval \f$ m \pm t_{n-1}(0.975)\, e \f$ contains the true mean in 95 of 100 cases, where
+/// \f$ t_{n-1} \f$ is the quantile function of Student's distribution with n - 1 degrees of
+/// freedom.
+MeanEstimate estimate_mean(std::span<const double> values);
+
+/// The results of all runs with one combination of the axes' values.
+struct ResultRow {
+  std::vector<std::string> values;      ///< one for each axis, in TOML's syntax
+  int runs = 0;                         ///< number of runs that are done
+  int failed = 0;                       ///< number of runs whose last attempt ended with an error
+  int unfinished = 0;                   ///< number of runs not begun, under way, or killed
+  std::vector<MeanEstimate> estimates;  ///< one for each quantity, from the runs that are done
+};
+
+/// Returns the names of the columns for a quantity, in the order of MeanEstimate.
 std::array<std::string, 3> columns_of(const Quantity& quantity);
 
-/// Collects the quantities of all runs that are done.
+/// Collects the quantities of all runs that are done from the folder of a sweep.
 ///
-/// @param  out    folder of the sweep
-/// @param  sweep  the sweep
-/// @return        one row for each combination; the last axis varies fastest
+/// @return  one row for each combination; the last axis varies fastest
 /// @throws RecordError when the tables of a run that is done are damaged or end too early
 std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep);
 
-/// Writes results as `results.csv`.
-///
-/// @param  sweep  the sweep
-/// @param  rows   its results
-/// @return        text with the columns of the axes, `runs,failed,unfinished`, and columns_of()
-///                each quantity, with 17 digits
+/// Writes results as `results.csv`: columns of the axes, `runs,failed,unfinished`, and columns_of()
+/// each quantity, with 17 digits.
 std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows);
 
-/// Writes results for the terminal: mean +- half the width of the 95 % confidence interval.
-///
-/// @param  sweep  the sweep
-/// @param  rows   its results
-/// @return        lines with aligned columns
+/// Writes results for the terminal in aligned columns: mean +- half the width of the 95 %
+/// confidence interval.
 std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows);
 
 /// @}

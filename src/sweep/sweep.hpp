@@ -52,6 +52,12 @@ struct Sweep {
   std::vector<Quantity> quantities;  ///< quantities to collect
 };
 
+/// Reads a sweep file and checks everything that can be checked without its scene.
+///
+/// The path of the scene in the file is relative to the folder of the file.
+/// @throws SceneError at the first error, with its place, the wrong value and a right one
+Sweep read_sweep(const std::filesystem::path& path);
+
 /// @}
 
 }  // namespace stokesbook

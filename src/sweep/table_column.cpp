@@ -35,19 +35,15 @@ double number_in(std::string_view cell, const std::filesystem::path& path) {
 /// item, only rows with this item in their second column are read.
 Column read_column(const std::filesystem::path& path, const Quantity& quantity) {
   const std::string text = read_text(path);
-  std::string_view rest = text;
-  const auto next_line = [&] {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    return split(line, ',');
-  };
-  const std::vector<std::string_view> header = next_line();
+  const std::vector<std::string_view> lines = split(text, '\n');
+  const std::vector<std::string_view> header = split(lines.front(), ',');
   const auto found = std::ranges::find(header, quantity.column);
   if (found == header.end()) throw RecordError(path, "has no column '" + quantity.column + "'");
   const auto k = static_cast<std::size_t>(found - header.begin());
   Column column;
-  while (!rest.empty()) {
-    const std::vector<std::string_view> cells = next_line();
+  for (const std::string_view line : std::span(lines).subspan(1)) {
+    if (line.empty()) continue;  // the end of the file
+    const std::vector<std::string_view> cells = split(line, ',');
     if (cells.size() != header.size()) throw RecordError(path, "has a row that is not whole");
     if (quantity.item && number_in(cells[1], path) != *quantity.item) continue;
     column.t.push_back(number_in(cells[0], path));

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 
 #include "sweep/sweep.hpp"
 
@@ -20,16 +19,13 @@ namespace stokesbook {
 /// @param  y     values at these times
 /// @param  from  beginning of the interval
 /// @param  to    end of the interval, > from
-/// @return       the average, in the unit of y
 /// @throws std::invalid_argument when the interval ends after the last time
 /// @par Accuracy  exact if the function is linear between the times
 double time_average(std::span<const double> t, std::span<const double> y, double from, double to);
 
-/// Reads a quantity of a run that is done.
+/// Reads a quantity from the tables in the folder of a run that is done; nan if the scene does not
+/// define the quantity.
 ///
-/// @param  run       folder of the run
-/// @param  quantity  the quantity
-/// @return           the number; nan if the scene does not define it
 /// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
 ///         early
 double value_of(const std::filesystem::path& run, const Quantity& quantity);

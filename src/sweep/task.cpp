@@ -8,6 +8,7 @@
 
 #include "scene/parse.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -68,11 +69,9 @@ std::vector<std::string> Task::overrides() const {
 }
 
 std::string Task::description() const {
-  std::string text = "task " + std::to_string(number);
-  for (const auto& [key, chosen] : settings) {
-    text += (&key == &settings.front().key ? ": " : ", ") + key + " = " + chosen.value;
-  }
-  return text;
+  std::vector<std::string> parts;
+  for (const auto& [key, chosen] : settings) parts.push_back(key + " = " + chosen.value);
+  return "task " + std::to_string(number) + ": " + joined(parts);
 }
 
 std::size_t runs_per_combination(const Sweep& sweep) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,40 +23,28 @@ struct Task {
   std::size_t number;             ///< from 0
   std::vector<Setting> settings;  ///< one for each axis, then the seed if the sweep has seeds
 
-  /// Writes the settings in the form of the command line.
-  /// @return one `key=value` for each setting
+  /// Writes each setting in the form of the command line, `key=value`.
   std::vector<std::string> overrides() const;
 
-  /// Describes the task in one line.
-  /// @return "task 7: fill.0.area_fraction = 0.1, seed = 3"
+  /// Describes the task in one line, "task 7: fill.0.area_fraction = 0.1, seed = 3".
   std::string description() const;
 };
 
-/// Counts the runs that differ only in their seeds.
-///
-/// @param  sweep  any sweep
-/// @return        runs for each combination of the axes' values; 1 without seeds
+/// Counts the runs for each combination of the axes' values, which differ only in their seeds.
 std::size_t runs_per_combination(const Sweep& sweep);
 
-/// Counts the tasks.
-///
-/// @param  sweep  any sweep
-/// @return        number of combinations times runs_per_combination()
+/// Counts the tasks: the number of combinations times runs_per_combination().
 std::size_t task_count(const Sweep& sweep);
 
 /// Returns a task. Tasks that differ only in their seeds have consecutive numbers.
 ///
-/// @param  sweep   any sweep
-/// @param  number  number of the task, from 0 to task_count() - 1
-/// @return         the task with its settings
+/// @param  number  from 0 to task_count() - 1
 Task task_of(const Sweep& sweep, std::size_t number);
 
-/// Reads the scene of a task. The function checks that the scene defines the quantities to collect,
-/// and that several seeds give different runs.
+/// Reads the scene of a task, and checks it as far as is possible without a solve. The function
+/// also checks that the scene defines the quantities to collect, and that several seeds give
+/// different runs.
 ///
-/// @param  sweep  the sweep
-/// @param  task   a task of the sweep
-/// @return        the scene, checked as far as is possible without a solve
 /// @throws SceneError at the first error; for a value of the sweep, the message names its place in
 ///         the sweep file
 SceneFile scene_of(const Sweep& sweep, const Task& task);

@@ -10,15 +10,6 @@
 
 namespace stokesbook {
 
-namespace {
-
-constexpr const char* failure_name = "failure.txt";
-
-}  // namespace
-
-TaskFolder::TaskFolder(const std::filesystem::path& out, std::size_t task)
-    : path_(out / name(task)) {}
-
 std::string TaskFolder::name(std::size_t task) {
   const std::string digits = std::to_string(task);
   return "runs/" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
@@ -33,23 +24,22 @@ void TaskFolder::make() const {
 TaskState TaskFolder::state() const {
   if (exit_status_of(path_) == 0) return TaskState::done;
   std::error_code unreadable;
-  return std::filesystem::exists(path_ / failure_name, unreadable) ? TaskState::failed
-                                                                   : TaskState::unfinished;
+  return std::filesystem::exists(failure_file(), unreadable) ? TaskState::failed
+                                                             : TaskState::unfinished;
 }
 
 std::string TaskFolder::failure() const {
   std::error_code unreadable;
-  if (!std::filesystem::exists(path_ / failure_name, unreadable)) return {};
-  return read_text(path_ / failure_name);
+  return std::filesystem::exists(failure_file(), unreadable) ? read_text(failure_file()) : "";
 }
 
 void TaskFolder::write_failure(std::string_view message) const {
-  write_atomically(path_ / failure_name, message, SafeFrom::kill);
+  write_atomically(failure_file(), message, SafeFrom::kill);
 }
 
 void TaskFolder::remove_failure() const {
   std::error_code none;
-  std::filesystem::remove(path_ / failure_name, none);
+  std::filesystem::remove(failure_file(), none);
 }
 
 }  // namespace stokesbook

@@ -21,46 +21,34 @@ enum class TaskState {
 /// after an error, `failure.txt`.
 class TaskFolder {
  public:
-  /// Refers to the folder of a task, which need not exist.
-  ///
-  /// @param  out   folder of the sweep
-  /// @param  task  number of the task
-  TaskFolder(const std::filesystem::path& out, std::size_t task);
+  /// Refers to the folder of a task, which need not exist, in the folder of its sweep.
+  TaskFolder(const std::filesystem::path& out, std::size_t task) : path_(out / name(task)) {}
 
-  /// Returns the path of a task's folder, relative to the folder of the sweep.
-  ///
-  /// @param  task  number of the task
-  /// @return       "runs/0007"; more digits if four do not suffice
+  /// Returns the path of a task's folder, relative to the folder of the sweep: "runs/0007", with
+  /// more digits if four do not suffice.
   static std::string name(std::size_t task);
 
-  /// Returns the folder.
-  /// @return its path
+  /// Returns the path of the folder.
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the folder, if necessary.
-  ///
-  /// @throws RecordError when the folder cannot be made
-  void make() const;
-
-  /// Returns the path of the file for the output of workers.
-  /// @return path of `log.txt`
+  /// Returns the path of the file for warnings and errors of the task's processes.
   std::filesystem::path log() const { return path_ / "log.txt"; }
 
   /// Returns the path of the FileLock of the process that works on the task.
-  /// @return path of `lock`
   std::filesystem::path lock() const { return path_ / "lock"; }
 
-  /// Reads the state of the task.
-  /// @return the state
+  /// Makes the folder, if necessary.
+  /// @throws RecordError when the folder cannot be made
+  void make() const;
+
+  /// Reads the state of the task from its files.
   /// @throws RecordError when `run.json` is damaged
   TaskState state() const;
 
-  /// Returns the error message of the last attempt.
-  /// @return message; empty if the attempt did not fail
+  /// Returns the error message of the last attempt; empty if the attempt did not fail.
   std::string failure() const;
 
   /// Stores the error message of an attempt.
-  /// @param  message  text of the message
   /// @throws RecordError when the file cannot be written
   void write_failure(std::string_view message) const;
 
@@ -68,6 +56,8 @@ class TaskFolder {
   void remove_failure() const;
 
  private:
+  std::filesystem::path failure_file() const { return path_ / "failure.txt"; }
+
   std::filesystem::path path_;
 };
 

@@ -1,6 +1,6 @@
 // Tests means and their error bars against exact values and against random samples.
 
-#include "sweep/estimate.hpp"
+#include "sweep/results.hpp"
 
 #include <array>
 #include <cmath>
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_mean_as_often_as_they_say) {
   for (int k = 0; k < samples; ++k) {
     std::array<double, 4> values{};
     for (double& x : values) x = normal(random);
-    const Estimate estimate = estimate_mean(values);
+    const MeanEstimate estimate = estimate_mean(values);
     held += std::abs(estimate.mean - 3.0) <= estimate.interval ? 1 : 0;
   }
   // The tolerance is four standard deviations of the count. An interval of two standard errors

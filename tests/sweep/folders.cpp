@@ -65,14 +65,15 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
     return message_of<RecordError>(folder, [&] { require_task(out, asked, task); });
   };
   const auto require_all = [&](const Sweep& asked) {
-    return message_of<RecordError>(folder, [&] { require_sweep(out, manifest(asked)); });
+    return message_of<RecordError>(folder, [&] { require_sweep(out, asked); });
   };
   const std::string none = "out/tasks.csv: does not exist; run stokes sweep --plan first";
   BOOST_TEST(require(sweep, 0) == none);
   BOOST_TEST(require_all(sweep) == none);
-  open_sweep(out, manifest(sweep));
+  open_sweep(out, sweep);
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
-  open_sweep(out, manifest(sweep));
+  BOOST_TEST(std::filesystem::is_directory(out / "runs/0001"));
+  open_sweep(out, sweep);
   BOOST_TEST(require(sweep, 0) == "no error");
   BOOST_TEST(require(sweep, 1) == "no error");
   BOOST_TEST(require_all(sweep) == "no error");
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   BOOST_TEST(require(changed, 1) == other);
   BOOST_TEST(require_all(changed) == other);
   BOOST_TEST(require_all(folder.sweep(axis + "[0.5]\n")) == other);
-  const auto open = [&] { open_sweep(out, manifest(changed)); };
+  const auto open = [&] { open_sweep(out, changed); };
   BOOST_TEST(message_of<RecordError>(folder, open) == other);
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
 }

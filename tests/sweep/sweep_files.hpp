@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdlib.h>
 
-#include "sweep/parse.hpp"
+#include "sweep/sweep.hpp"
 
 namespace stokesbook::test {
 

@@ -11,8 +11,8 @@
 #include "scenes.hpp"
 #include "support/once.hpp"
 #include "suspension/nodes/random_fill.hpp"
-#include "sweep/estimate.hpp"
-#include "sweep/parse.hpp"
+#include "sweep/results.hpp"
+#include "sweep/sweep.hpp"
 #include "sweep/task.hpp"
 
 namespace stokesbook::verification::suspension {
@@ -65,14 +65,14 @@ Runs small_runs(const Starts& starts) {
 /// area is a planted defect.
 constexpr double area_of_fluid = 0.95;
 
-Estimate estimate(const Runs& runs, const CouetteProperty& property, double area = 1.0) {
+MeanEstimate estimate(const Runs& runs, const CouetteProperty& property, double area = 1.0) {
   std::vector<double> values;
   for (const CouetteSeries& run : runs) values.push_back(mean(run, property, 1.0, 2.0) / area);
   return estimate_mean(values);
 }
 
 /// Difference of two estimates, relative to the bound that it satisfies 19 times in 20.
-double apart(const Estimate& a, const Estimate& b) {
+double apart(const MeanEstimate& a, const MeanEstimate& b) {
   return std::abs(a.mean - b.mean) / std::hypot(a.interval, b.interval);
 }
 
@@ -198,7 +198,7 @@ Line interval(const std::string& key, const CouetteProperty& property) {
 
 /// Bound on the difference of a further run from the mean of the others, 19 times in 20, plus a
 /// unit of the last printed digit.
-double range_of_a_run(const Estimate& estimate, std::size_t runs) {
+double range_of_a_run(const MeanEstimate& estimate, std::size_t runs) {
   return estimate.interval * std::sqrt(static_cast<double>(runs) + 1.0) + printed_unit;
 }
 
@@ -207,7 +207,7 @@ Line off(const std::string& key, const CouetteProperty& property) {
           .label = "difference from print, over the bound for a further run",
           .measure = of_cells([=](std::size_t cell, const Runs& runs) {
             if (cell == 0) return unprinted;
-            const Estimate found = estimate(runs, property);
+            const MeanEstimate found = estimate(runs, property);
             return std::abs(found.mean - printed_of(printed_of_cells[cell - 1], property)) /
                    range_of_a_run(found, runs.size());
           })};

@@ -1,8 +1,8 @@
 // Reads a sweep file: the scene, the axes with their values, the seeds, and what to collect.
-#include "sweep/parse.hpp"
+#include "sweep/sweep.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace scene_text;
 
-/// Tables of a run with one row for each time, or one for each time and body or wall.
+/// Tables of a run, with a row for each time, or for each time and body or wall; and their headers.
 constexpr Words<std::string_view, 4> tables{{{"rheology.csv", rheology_header},
                                              {"steps.csv", steps_header},
                                              {"trajectory.csv", trajectory_header},
@@ -46,19 +46,18 @@ constexpr Requirement<std::string> scene_key{
     }};
 constexpr Requirement<std::string> column_name{
     "a name of letters, digits and _", [](const std::string& name) {
-      return !name.empty() && name.find_first_not_of(
-                                  "abcdefghijklmnopqrstuvwxyz0123456789_"
-                                  "ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+      const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+      return !name.empty() && std::ranges::all_of(name, fits);
     }};
 /// Largest number of tasks: queues of clusters accept no more, and each task has a folder.
-constexpr std::size_t most_tasks = 100'000;
+constexpr int most_tasks = 100'000;
 constexpr Requirement<int> several{"an integer from 2 to 100000",
-                                   [](const int& k) { return k >= 2 && k <= int{most_tasks}; }};
-constexpr Requirement<int> number_of_seeds{
-    "an integer from 1 to 100000", [](const int& k) { return k >= 1 && k <= int{most_tasks}; }};
+                                   [](const int& k) { return k >= 2 && k <= most_tasks; }};
+constexpr Requirement<int> number_of_seeds{"an integer from 1 to 100000",
+                                           [](const int& k) { return k >= 1 && k <= most_tasks; }};
 constexpr Requirement<std::int64_t> first_seed{
     "an integer from 0 to 9223372036854675807", [](const std::int64_t& k) {
-      return k >= 0 && k <= std::numeric_limits<std::int64_t>::max() - int{most_tasks};
+      return k >= 0 && k <= std::numeric_limits<std::int64_t>::max() - most_tasks;
     }};
 constexpr Requirement<int> item_number{"an integer >= 0", [](const int& k) { return k >= 0; }};
 constexpr Requirement<std::vector<double>> time_interval{
@@ -124,8 +123,7 @@ Axis read_axis(const Node& node) {
     fail(*table.find("key"), "seeds are not an axis; list them in the key seeds");
   }
   axis.name = table.get("name", column_name).value_or(axis.key);
-  const Node* values = table.find("values");
-  const Node* range = table.find("range");
+  const Node *values = table.find("values"), *range = table.find("range");
   if ((values == nullptr) == (range == nullptr)) fail(node, "must hold values or range, not both");
   axis.values = values != nullptr ? read_values(*values) : read_range(*range);
   return axis;
@@ -151,13 +149,14 @@ std::vector<AxisValue> read_seeds(const TableReader& root) {
 void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
   header.remove_suffix(1);  // the end of the line
   const std::vector<std::string_view> columns = split(header, ',');
-  const Node& node = table.at("column", "a column of " + quantity.table);
-  quantity.column = value_as<std::string>(node, "a column of " + quantity.table);
+  const std::string expected = "a column of " + quantity.table;
+  const Node& node = table.at("column", expected);
+  quantity.column = value_as<std::string>(node, expected);
   if (std::ranges::find(columns, quantity.column) == columns.end()) {
     const auto meant = nearest_word(quantity.column, columns);
-    fail(node, "is not a column of " + quantity.table +
-                   (meant ? ", did you mean '" : "; its columns are ") +
-                   (meant ? std::string(*meant) + "'?" : std::string(header)));
+    fail(node, "is not " + expected +
+                   (meant ? ", did you mean '" + std::string(*meant) + "'?"
+                          : "; its columns are " + std::string(header)));
   }
   for (const std::string_view item : {"body", "wall"}) {
     if (columns[1] == item) {
@@ -222,14 +221,12 @@ Sweep read_sweep(const std::filesystem::path& path) {
   // Column names that are taken: the tables of every sweep have these columns.
   std::vector<std::string> columns{"task", "folder", "seed",      "scene",
                                    "runs", "failed", "unfinished"};
-  std::vector<std::string> keys;
   for (const Node& node : root.tables("axes")) {
     const Axis& axis = sweep.axes.emplace_back(read_axis(node));
     require_distinct(axis.name, columns, node);
-    if (std::ranges::find(keys, axis.key) != keys.end()) {
+    if (std::ranges::count(sweep.axes, axis.key, &Axis::key) > 1) {
       fail(node, "another axis already sets " + axis.key);
     }
-    keys.push_back(axis.key);
   }
   sweep.seeds.values = read_seeds(root);
   for (const Node& node : root.tables("collect")) {

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "record/run_data.hpp"
+#include "record/run_info.hpp"
 
 namespace stokesbook {
 
@@ -27,5 +31,18 @@ class Progress {
   bool open_line_ = false;
   std::chrono::steady_clock::time_point start_, last_print_;
 };
+
+/// Prints the title of a scene and the lines of its plan.
+void print_plan(const std::string& title, const std::vector<std::string>& plan);
+
+/// Prints the velocities of all bodies with 15 digits.
+void print_motions(const Frame& frame);
+
+/// Prints cost, error estimates and contact forces of a run that has ended.
+void print_report(const RunInfo& info, const std::filesystem::path& out);
+
+/// Warns of error estimates above the tolerance: of fields, and of velocities with contact forces
+/// or lagged coupling. In all other cases, such an estimate of velocities stops the run.
+void warn_of_estimates(const RunResolution& resolution, double tolerance);
 
 }  // namespace stokesbook
