@@ -106,18 +106,12 @@ int run_program(int argc, char** argv) {
     return exit_bad_usage;
   }
   options.once = solve.parsed();
-  try {
-    return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
-  } catch (const SceneError& error) {
-    std::cerr << "stokes: " << for_terminal(error.what()) << '\n';
-    return exit_bad_usage;
-  } catch (const SolverError& error) {
-    std::cerr << "stokes: refused: " << for_terminal(error.what()) << '\n';
-    return exit_refused;
-  } catch (const RecordError& error) {
-    std::cerr << "stokes: " << for_terminal(error.what()) << '\n';
-    return exit_io;
-  }
+  return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
+}
+
+int report(const std::string& error, int exit_code) {
+  std::cerr << "stokes: " << for_terminal(error) << '\n';
+  return exit_code;
 }
 
 }  // namespace
@@ -125,21 +119,23 @@ int run_program(int argc, char** argv) {
 }  // namespace stokesbook
 
 int main(int argc, char** argv) {
+  using namespace stokesbook;
   try {
-    const int status = stokesbook::run_program(argc, argv);
+    const int status = run_program(argc, argv);
     const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    if (printed || status != stokesbook::exit_done) return status;
-    std::cerr << "stokes: standard output: could not be written completely\n";
-    return stokesbook::exit_io;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "stokes: out of memory\n";
-    return stokesbook::exit_refused;
+    if (printed || status != exit_done) return status;
+    return report("standard output: could not be written completely", exit_io);
+  } catch (const SceneError& error) {
+    return report(error.what(), exit_bad_usage);
+  } catch (const SolverError& error) {
+    return report(std::string("refused: ") + error.what(), exit_refused);
+  } catch (const RecordError& error) {
+    return report(error.what(), exit_io);
   } catch (const std::filesystem::filesystem_error& error) {
-    std::cerr << "stokes: " << stokesbook::for_terminal(error.path1().string()) << ": "
-              << error.code().message() << '\n';
-    return stokesbook::exit_io;
+    return report(error.path1().string() + ": " + error.code().message(), exit_io);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", exit_refused);
   } catch (const std::exception& error) {
-    std::cerr << "stokes: internal error: " << stokesbook::for_terminal(error.what()) << '\n';
-    return stokesbook::exit_internal;
+    return report(std::string("internal error: ") + error.what(), exit_internal);
   }
 }

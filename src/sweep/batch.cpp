@@ -92,29 +92,28 @@ void run_in_parallel(const Batch& batch, std::span<const std::size_t> tasks, int
       parallel_command(batch, " --ungroup --joblog - --jobs " + std::to_string(jobs)) +
       " < /dev/fd/" + std::to_string(::fileno(numbers.get()));
   std::FILE* joblog = ::popen(command.c_str(), "r");
-  if (joblog == nullptr)
-    throw RecordError("parallel", "starting", {errno, std::generic_category()});
-
-  // A line of the log: number of the job from 1, host, start, seconds, two sizes, exit code,
-  // signal, command.
+  require(joblog != nullptr, "GNU parallel", "starting");
+  // Each line of the log: number of the job from 1, host, start, seconds, two sizes, exit code,
+  // signal, command. The first line has the names of these columns.
   std::size_t ended = 0;
   char* line = nullptr;
   for (std::size_t size = 0; ::getline(&line, &size, joblog) > 0;) {
     std::size_t job = 0;
     int exit_code = 0, signal = 0;
-    if (std::sscanf(line, "%zu %*s %*s %*s %*s %*s %d %d", &job, &exit_code, &signal) != 3)
-      continue;
+    constexpr const char* columns = "%zu %*s %*s %*s %*s %*s %d %d";
+    if (std::sscanf(line, columns, &job, &exit_code, &signal) != 3) continue;
     ++ended;
     report(tasks[job - 1], signal > 0 ? signal : exit_code > 128 ? exit_code - 128 : 0);
   }
   std::free(line);
   const int status = ::pclose(joblog);
   if (ended == tasks.size()) return;
-  throw RecordError("GNU parallel",
-                    WIFEXITED(status) && WEXITSTATUS(status) == 127
-                        ? "is not installed; install the package parallel, or run the tasks by the "
-                          "commands of --plan"
-                        : "ended before all tasks had ended; the same command continues the sweep");
+  const bool is_missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
+  throw RecordError("GNU parallel", is_missing
+                                        ? "is not installed; install the package parallel, or run "
+                                          "the tasks by the commands of --plan"
+                                        : "ended before all tasks had ended; the same command "
+                                          "continues the sweep");
 }
 
 }  // namespace stokesbook
