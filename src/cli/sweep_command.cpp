@@ -121,8 +121,7 @@ void write_results(const Sweep& sweep, const SweepOptions& options) {
 
 }  // namespace
 
-int run_sweep(const SweepOptions& given) {
-  SweepOptions options = given;
+int run_sweep(SweepOptions options) {
   if (options.out.empty()) options.out = fs::path("out") / options.file.stem();
   const Sweep sweep = read_sweep(options.file);
   if (options.task) return run_task(sweep, options);

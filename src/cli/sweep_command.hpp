@@ -22,6 +22,6 @@ struct SweepOptions {
 /// this that an option selects. Returns the exit code, which is exit_refused if a task failed.
 ///
 /// @throws SceneError, SolverError, RecordError
-int run_sweep(const SweepOptions& options);
+int run_sweep(SweepOptions options);
 
 }  // namespace stokesbook
