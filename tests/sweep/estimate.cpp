@@ -1,7 +1,5 @@
 // Tests means and their error bars against exact values and against random samples.
 
-#include "sweep/results.hpp"
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include <boost/test/unit_test.hpp>
+
+#include "sweep/results.hpp"
 
 using namespace stokesbook;
 using boost::test_tools::tolerance;
