@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -54,13 +55,12 @@ void keep_named(std::vector<study::Study>& studies, const std::vector<std::strin
   }
 }
 
-study::Provenance provenance() {
+std::string origin() {
   const BuildInfo build = build_info();
-  return {.version = std::string(build.version),
-          .git_hash = std::string(build.git_hash),
-          .compiler = std::string(build.compiler),
-          .flags = std::string(build.flags),
-          .machine = machine_name()};
+  std::ostringstream text;
+  text << "stokesbook " << build.version << ", commit " << build.git_hash << ", " << build.compiler
+       << " (" << build.flags << "), " << machine_name();
+  return text.str();
 }
 
 int run_studies(const std::vector<study::Study>& studies, study::Size size,
@@ -71,9 +71,9 @@ int run_studies(const std::vector<study::Study>& studies, study::Size size,
   std::vector<study::StudyResult> results;
   for (const study::Study& study : studies) {
     results.push_back(run(study, size, std::cout));
-    write_report(results.back(), provenance(), directory);
+    write_report(results.back(), origin(), directory);
   }
-  write_index(results, provenance(), directory);
+  write_index(results, origin(), directory);
   std::cout << "tables and figures: " << (directory / "index.html").string() << '\n';
   return std::ranges::all_of(results, &study::StudyResult::holds) ? 0 : exit_claim_fails;
 }

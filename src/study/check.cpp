@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Core>
+
 #include "text/number_text.hpp"
 
 namespace stokesbook::study {
@@ -14,173 +16,101 @@ namespace {
 constexpr std::size_t fewest_points = 3;
 constexpr double above_floor = 10.0;
 
-struct StraightLine {
-  double slope, intercept;
-};
-
-/// Fits a line: slope = sum_i (x_i - mean x) (y_i - mean y) / sum_i (x_i - mean x)^2.
-StraightLine least_squares(const std::vector<double>& x, const std::vector<double>& y) {
-  double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0;
-  const double n = static_cast<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / n;
-    mean_y += y[i] / n;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mean_x) * (x[i] - mean_x);
-    xy += (x[i] - mean_x) * (y[i] - mean_y);
-  }
-  return {xy / xx, mean_y - xy / xx * mean_x};
+/// Returns the slope of the fitted line,
+/// sum_i (x_i - mean x) (y_i - mean y) / sum_i (x_i - mean x)^2.
+double fitted_slope(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+  const Eigen::ArrayXd from_mean = x - x.mean();
+  return (from_mean * (y - y.mean())).sum() / from_mean.square().sum();
 }
 
-std::string about(double measured, double claimed, double band) {
-  return short_number(measured, 4) + " measured, " + short_number(claimed, 4) + " +- " +
-         short_number(band) + " claimed";
-}
+/// Checks one law against the selected points, and completes the verdict.
+struct LawCheck {
+  const std::vector<Measurement>& points;
+  Verdict& verdict;
 
-double logarithm(double x) {
-  return std::log(x);
-}
-
-double identity(double x) {
-  return x;
-}
-
-/// Checks one law against the points of the window. The class is the visitor of the variant Law.
-class LawCheck {
- public:
-  LawCheck(const Window& window, std::span<const Measurement> measurements)
-      : window_(window), measurements_(measurements) {
-    verdict_.used.assign(measurements.size(), false);
+  void operator()(const Algebraic& law) const {
+    // log e = log C - p log x
+    const double slope = fitted_slope(all(&Measurement::x).log(), all(&Measurement::error).log());
+    band("order ", -slope, law.order, law.band);
   }
 
-  Verdict operator()(const Algebraic& law) {
-    if (!use(above_floor * window_.floor)) return verdict_;
-    const StraightLine line = fit(&Measurement::error, logarithm, 0.0);
-    return band("order ", -line.slope, law.order, law.band, line);
+  void operator()(const Geometric& law) const {
+    // log e - q log x = log C - alpha x
+    const Eigen::ArrayXd x = all(&Measurement::x);
+    const double slope = fitted_slope(x, all(&Measurement::error).log() - law.power * x.log());
+    band("rate ", -slope, law.rate, law.band * law.rate);
   }
 
-  Verdict operator()(const Geometric& law) {
-    if (!use(above_floor * window_.floor)) return verdict_;
-    const StraightLine line = fit(&Measurement::error, identity, law.power);
-    return band("rate ", -line.slope, law.rate, law.band * law.rate, line);
+  void operator()(const Cost& law) const {
+    const double slope =
+        fitted_slope(all(&Measurement::x).log(), all(&Measurement::operations).log());
+    band("order of the operations ", slope, law.order, law.band);
   }
 
-  Verdict operator()(const Cost& law) {
-    if (!use(0.0)) return verdict_;
-    const StraightLine line = fit(&Measurement::operations, logarithm, 0.0);
-    return band("order of the operations ", line.slope, law.order, law.band, line);
-  }
-
-  Verdict operator()(const Superalgebraic& law) {
-    if (!use(above_floor * window_.floor)) return verdict_;
-    std::vector<double> orders = local_orders(used_points());
+  void operator()(const Superalgebraic& law) const {
+    std::vector<double> orders = local_orders(points);
     orders.erase(orders.begin());
     const auto is_finite = [](double order) { return std::isfinite(order); };
     const bool grows = std::ranges::all_of(orders, is_finite) && std::ranges::is_sorted(orders);
-    return decide(grows && orders.back() >= law.order, orders.back(),
-                  "orders from " + short_number(orders.front()) + " to " +
-                      short_number(orders.back()) + (grows ? ", growing" : ", not growing") +
-                      "; beyond " + short_number(law.order) + " claimed");
+    decide(grows && orders.back() >= law.order, orders.back(),
+           "orders from " + short_number(orders.front()) + " to " + short_number(orders.back()) +
+               (grows ? ", growing" : ", not growing") + "; beyond " + short_number(law.order) +
+               " claimed");
   }
 
-  Verdict operator()(const Floor& law) {
-    if (!use(0.0)) return verdict_;
-    std::vector<double> errors = used_errors();
-    std::sort(errors.begin(), errors.end());
+  void operator()(const Floor& law) const {
+    Eigen::ArrayXd errors = all(&Measurement::error);
+    std::ranges::sort(errors);
     const double median = errors[errors.size() / 2];
-    return decide(median >= law.level / law.factor && median <= law.level * law.factor, median,
-                  "median " + short_number(median) + " measured, " + short_number(law.level) +
-                      " within a factor " + short_number(law.factor) + " claimed");
+    decide(median >= law.level / law.factor && median <= law.level * law.factor, median,
+           "median " + short_number(median) + " measured, " + short_number(law.level) +
+               " within a factor " + short_number(law.factor) + " claimed");
   }
 
-  Verdict operator()(const Identity& law) { return at_most(law.tolerance); }
+  void operator()(const Identity& law) const { at_most(law.tolerance); }
 
-  Verdict operator()(const AtMost& law) { return at_most(law.bound); }
+  void operator()(const AtMost& law) const { at_most(law.bound); }
 
-  Verdict operator()(const ErrorBelowTolerance& law) {
-    if (!use(0.0)) return verdict_;
-    std::vector<double> ratios;
-    for (const Measurement& point : used_points()) ratios.push_back(point.error / point.x);
-    const auto [least, most] = std::ranges::minmax(ratios);
-    return decide(most <= law.most && least >= law.least, most,
-                  "error / tolerance from " + short_number(least) + " to " + short_number(most) +
-                      " measured, " + short_number(law.least) + " to " + short_number(law.most) +
-                      " claimed");
+  void operator()(const ErrorBelowTolerance& law) const {
+    const Eigen::ArrayXd ratios = all(&Measurement::error) / all(&Measurement::x);
+    const double least = ratios.minCoeff(), most = ratios.maxCoeff();
+    decide(most <= law.most && least >= law.least, most,
+           "error / tolerance from " + short_number(least) + " to " + short_number(most) +
+               " measured, " + short_number(law.least) + " to " + short_number(law.most) +
+               " claimed");
   }
 
  private:
-  /// Compares the largest error with a bound.
-  Verdict at_most(double bound) {
-    if (!use(0.0)) return verdict_;
-    const double largest = std::ranges::max(used_errors());
-    return decide(
-        largest <= bound, largest,
-        "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
+  /// Returns a quantity of all points.
+  Eigen::ArrayXd all(double Measurement::*quantity) const {
+    return Eigen::ArrayXd::NullaryExpr(std::ssize(points), [&](Eigen::Index i) {
+      return points[static_cast<std::size_t>(i)].*quantity;
+    });
   }
 
-  /// Selects the points to check. Returns false, with the verdict set, if no check is possible.
-  bool use(double least_error) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < measurements_.size(); ++i) {
-      const Measurement& point = measurements_[i];
-      if (point.x < window_.from || point.x > window_.to) continue;
-      if (!std::isfinite(point.error)) {
-        decide(false, point.error, "an error that is not finite");
-        return false;
-      }
-      verdict_.used[i] = least_error == 0.0 || point.error >= least_error;
-      count += verdict_.used[i] ? 1 : 0;
-    }
-    if (count < fewest_points) {
-      verdict_.explanation = std::to_string(count) + " points in the window, " +
-                             std::to_string(fewest_points) + " needed";
-      return false;
-    }
-    return true;
+  void at_most(double bound) const {
+    const double largest = all(&Measurement::error).maxCoeff();
+    decide(largest <= bound, largest,
+           "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
   }
 
-  std::vector<Measurement> used_points() const {
-    std::vector<Measurement> points;
-    for (std::size_t i = 0; i < measurements_.size(); ++i) {
-      if (verdict_.used[i]) points.push_back(measurements_[i]);
-    }
-    return points;
+  void band(const char* name, double measured, double claimed, double width) const {
+    decide(std::abs(measured - claimed) <= width, measured,
+           name + short_number(measured, 4) + " measured, " + short_number(claimed, 4) + " +- " +
+               short_number(width) + " claimed");
   }
 
-  std::vector<double> used_errors() const {
-    std::vector<double> errors;
-    for (const Measurement& point : used_points()) errors.push_back(point.error);
-    return errors;
+  void decide(bool holds, double measured, const std::string& explanation) const {
+    verdict.outcome = holds ? Outcome::holds : Outcome::fails;
+    verdict.measured = measured;
+    verdict.explanation = explanation;
   }
-
-  /// Fits log(quantity) - power * log(x) = log(C) + slope * abscissa(x).
-  StraightLine fit(double Measurement::*quantity, double (*abscissa)(double), double power) const {
-    std::vector<double> x, y;
-    for (const Measurement& point : used_points()) {
-      x.push_back(abscissa(point.x));
-      y.push_back(std::log(point.*quantity) - power * std::log(point.x));
-    }
-    return least_squares(x, y);
-  }
-
-  Verdict decide(bool holds, double measured, std::string explanation) {
-    verdict_.outcome = holds ? Outcome::holds : Outcome::fails;
-    verdict_.measured = measured;
-    verdict_.explanation = std::move(explanation);
-    return verdict_;
-  }
-
-  Verdict band(const char* what, double measured, double claimed, double width, StraightLine line) {
-    verdict_.constant = std::exp(line.intercept);
-    return decide(std::abs(measured - claimed) <= width, measured,
-                  what + about(measured, claimed, width));
-  }
-
-  Window window_;
-  std::span<const Measurement> measurements_;
-  Verdict verdict_;
 };
+
+bool fits_errors(const Law& law) {
+  return std::holds_alternative<Algebraic>(law) || std::holds_alternative<Geometric>(law) ||
+         std::holds_alternative<Superalgebraic>(law);
+}
 
 /// Computes -log(e_i / e_{i-1}) / step(x_{i-1}, x_i).
 template <class Step>
@@ -198,19 +128,35 @@ std::vector<double> local_slopes(std::span<const Measurement> points, const Step
 }  // namespace
 
 std::string to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::holds:
-      return "holds";
-    case Outcome::fails:
-      return "fails";
-    case Outcome::inconclusive:
-      break;
-  }
-  return "inconclusive";
+  if (outcome == Outcome::inconclusive) return "inconclusive";
+  return outcome == Outcome::holds ? "holds" : "fails";
 }
 
 Verdict check(const Claim& claim, std::span<const Measurement> measurements) {
-  return std::visit(LawCheck{claim.window, measurements}, claim.law);
+  Verdict verdict;
+  verdict.used.assign(measurements.size(), false);
+  std::vector<Measurement> points;
+  const bool has_floor = claim.window.floor > 0.0 && fits_errors(claim.law);
+  for (std::size_t i = 0; i < measurements.size(); ++i) {
+    const Measurement& point = measurements[i];
+    if (point.x < claim.window.from || point.x > claim.window.to) continue;
+    if (!std::isfinite(point.error)) {
+      verdict.outcome = Outcome::fails;
+      verdict.measured = point.error;
+      verdict.explanation = "an error that is not finite";
+      return verdict;
+    }
+    if (has_floor && point.error < above_floor * claim.window.floor) continue;
+    verdict.used[i] = true;
+    points.push_back(point);
+  }
+  if (points.size() < fewest_points) {
+    verdict.explanation = std::to_string(points.size()) + " points in the window, " +
+                          std::to_string(fewest_points) + " needed";
+    return verdict;
+  }
+  std::visit(LawCheck{points, verdict}, claim.law);
+  return verdict;
 }
 
 std::vector<double> local_orders(std::span<const Measurement> measurements) {

@@ -83,21 +83,17 @@ struct Claim {
   Law law;                ///< the claimed law
   Window window = {};     ///< range of x for which the law is claimed
   std::string reason;     ///< source of the law's numbers
-  std::vector<std::string> api =
-      {};  ///< Doxygen's names of the functions and types that the claim is about
+  std::vector<std::string> api = {};  ///< Doxygen's names of what the claim is about
 };
 
 /// Returns a law as text, such as "error = C N^-2".
 ///
 /// @param  law   the law
 /// @param  axis  name of the varied quantity, with its letter last: "nodes N"
-/// @return       one line
 std::string law_text(const Law& law, const std::string& axis);
 
-/// Returns the number that a law claims: order, rate, level, tolerance or bound.
-///
-/// @param  law  the law
-/// @return      the number that Verdict::measured is compared with
+/// Returns the number that a law claims, with which Verdict::measured is compared: order, rate,
+/// level, tolerance or bound.
 double claimed_number(const Law& law);
 
 /// @}

@@ -1,8 +1,8 @@
 // Draws the figures of an experiment: errors against the varied quantity, and errors against costs.
 #include "study/figures.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "study/plot.hpp"
 #include "text/number_text.hpp"
@@ -11,52 +11,33 @@ namespace stokesbook::study {
 
 namespace {
 
-/// The used points with the smallest and the largest x.
-struct FittedRange {
-  Measurement first, last;
-};
-
-FittedRange fitted_range(const LineResult& result) {
-  FittedRange range;
-  bool found = false;
-  for (std::size_t i = 0; i < result.measurements.size(); ++i) {
-    if (!result.verdict->used[i]) continue;
-    if (!found) range.first = result.measurements[i];
-    range.last = result.measurements[i];
-    found = true;
-  }
-  return range;
-}
-
-/// Makes the guides of a line from its claimed law, through the first used point (x_0, e_0).
+/// Makes the guide of a line from its claimed law, through the first used point (x_0, e_0).
 struct GuideOfLaw {
   std::size_t line;
-  FittedRange range;
+  Measurement first, last;  ///< used points with the smallest and the largest x
 
-  std::vector<Guide> operator()(const Algebraic& law) const {
+  std::optional<Guide> operator()(const Algebraic& law) const {
     // The guide e_0 (x / x_0)^{-p} spans the middle half of the used points.
-    const double x0 = range.first.x * std::pow(range.last.x / range.first.x, 0.25);
-    const double x1 = range.first.x * std::pow(range.last.x / range.first.x, 0.75);
-    const auto y = [&](double x) {
-      return range.first.error * std::pow(x / range.first.x, -law.order);
-    };
-    return {{.line = line,
-             .from = {x0, y(x0)},
-             .to = {x1, y(x1)},
-             .triangle = law.order != 0.0,
-             .label = short_number(law.order)}};
+    const double x0 = first.x * std::pow(last.x / first.x, 0.25);
+    const double x1 = first.x * std::pow(last.x / first.x, 0.75);
+    const auto y = [&](double x) { return first.error * std::pow(x / first.x, -law.order); };
+    return Guide{.line = line,
+                 .from = {x0, y(x0)},
+                 .to = {x1, y(x1)},
+                 .triangle = law.order != 0.0,
+                 .label = short_number(law.order)};
   }
 
-  std::vector<Guide> operator()(const Geometric& law) const {
+  std::optional<Guide> operator()(const Geometric& law) const {
     // The guide e_0 (x / x_0)^q exp(-alpha (x - x_0)) spans all used points.
-    const double gained = law.rate * (range.last.x - range.first.x);
-    const double power = std::pow(range.last.x / range.first.x, law.power);
-    return {{.line = line,
-             .from = {range.first.x, range.first.error},
-             .to = {range.last.x, range.first.error * power * std::exp(-gained)}}};
+    const double gained = law.rate * (last.x - first.x);
+    const double power = std::pow(last.x / first.x, law.power);
+    return Guide{.line = line,
+                 .from = {first.x, first.error},
+                 .to = {last.x, first.error * power * std::exp(-gained)}};
   }
 
-  std::vector<Guide> operator()(const auto&) const { return {}; }
+  std::optional<Guide> operator()(const auto&) const { return std::nullopt; }
 };
 
 }  // namespace
@@ -67,18 +48,21 @@ std::string convergence_figure(const Experiment& experiment, const std::vector<L
             .y_label = experiment.error,
             .log_x = experiment.axes == Axes::log_log};
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    PlotLine& drawn = plot.lines.emplace_back(PlotLine{experiment.lines[k].label, {}});
+    const std::vector<Measurement>& measurements = lines[k].measurements;
     const std::optional<Verdict>& verdict = lines[k].verdict;
-    for (std::size_t i = 0; i < lines[k].measurements.size(); ++i) {
-      const Measurement& point = lines[k].measurements[i];
-      drawn.points.push_back({point.x, point.error, verdict && !verdict->used[i]});
+    PlotLine& drawn = plot.lines.emplace_back(PlotLine{experiment.lines[k].label, {}});
+    std::vector<Measurement> used;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+      const bool left_out = verdict && !verdict->used[i];
+      drawn.points.push_back({measurements[i].x, measurements[i].error, left_out});
+      if (!left_out) used.push_back(measurements[i]);
     }
     if (!verdict) continue;
     const Claim& claim = *experiment.lines[k].claim;
     if (claim.window.floor > 0.0) plot.floors.push_back(claim.window.floor);
-    if (verdict->outcome == Outcome::inconclusive) continue;
-    std::ranges::copy(std::visit(GuideOfLaw{k, fitted_range(lines[k])}, claim.law),
-                      std::back_inserter(plot.guides));
+    if (verdict->outcome == Outcome::inconclusive || used.empty()) continue;
+    const auto guide = std::visit(GuideOfLaw{k, used.front(), used.back()}, claim.law);
+    if (guide) plot.guides.push_back(*guide);
   }
   return draw_plot(plot);
 }

@@ -10,22 +10,15 @@ namespace stokesbook::study {
 /// @addtogroup study
 /// @{
 
-/// Draws an experiment's errors against the varied quantity, as SVG.
+/// Draws an experiment's errors against the varied quantity, as SVG. The results of its lines are in
+/// order.
 ///
 /// Laws are drawn as slope triangles on logarithmic axes and as dashed lines of the claimed rate on
 /// semi-logarithmic axes. Floors are dotted. Points that a check left out are hollow.
-///
-/// @param  experiment  the experiment
-/// @param  lines       results of its lines, in order
-/// @return             an svg element
 std::string convergence_figure(const Experiment& experiment, const std::vector<LineResult>& lines);
 
-/// Draws an experiment's errors against each cost that was measured, as SVG elements one after
-/// another: unknowns, counted operations, seconds.
-///
-/// @param  experiment  the experiment
-/// @param  lines       results of its lines, in order
-/// @return             none to three svg elements
+/// Draws an experiment's errors against each cost of measured_costs(), as SVG elements one after
+/// another.
 std::string work_precision_figures(const Experiment& experiment,
                                    const std::vector<LineResult>& lines);
 

@@ -8,16 +8,10 @@ namespace stokesbook::study {
 /// @{
 
 /// Replaces the characters that HTML reserves.
-///
-/// @param  text  any text
-/// @return       HTML that shows the text
 std::string escaped(const std::string& text);
 
-/// Writes a number with three digits for a page, with powers of ten as in 1.3·10⁻¹². Whole numbers
-/// below a million keep all their digits.
-///
-/// @param  x  a number; NaN becomes a dash
-/// @return    HTML
+/// Writes a number as HTML with three digits, with powers of ten as in 1.3·10⁻¹². Whole numbers
+/// below a million keep all their digits; NaN becomes a dash.
 std::string html_number(double x);
 
 /// @}

@@ -33,10 +33,9 @@ constexpr std::array dark{"#56b4e9", "#f59e4b", "#2fc796", "#e08fc0", "#e3cf4a",
 std::string style_element() {
   std::string rules, dark_rules;
   for (std::size_t k = 0; k < light.size(); ++k) {
-    std::string selector = ".stokesbook-picture .line-";
-    selector += std::to_string(k) + "{color:";
-    rules += selector + light[k] + '}';
-    dark_rules += selector + dark[k] + '}';
+    const std::string start = ".stokesbook-picture .line-" + std::to_string(k) + "{color:";
+    rules += start + light[k] + '}';
+    dark_rules += start + dark[k] + '}';
   }
   return "<style>" + rules + "@media(prefers-color-scheme:dark){" + dark_rules + "}</style>\n";
 }
@@ -53,6 +52,12 @@ struct Axis {
   double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
   double fraction(double value) const { return (scaled(value) - low) / (high - low); }
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0.0); }
+
+  void span(const std::vector<double>& values) {
+    const auto [least, most] = std::ranges::minmax(values);
+    low = scaled(least);
+    high = scaled(most);
+  }
 };
 
 /// A number that is written along an axis.
@@ -76,7 +81,8 @@ std::vector<Tick> ticks(const Axis& axis) {
   constexpr double most = 7.0;
   std::vector<Tick> values;
   const double range = axis.high - axis.low;
-  if (axis.logarithmic && range < 2.2 && axis.low < 0.0) {
+  const bool is_short = axis.logarithmic && range < 2.2;
+  if (is_short && axis.low < 0.0) {
     for (double e = std::floor(axis.low); e <= axis.high; ++e) {
       for (const double leading : {1.0, 2.0, 5.0}) {
         const double value = leading * std::pow(10.0, e);
@@ -87,17 +93,15 @@ std::vector<Tick> ticks(const Axis& axis) {
     }
     return values;
   }
-  if (axis.logarithmic && range < 2.2) {  // powers of two, like node counts
+  if (is_short) {  // powers of two, like node counts
     for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
          e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
       values.push_back({std::exp2(e), short_number(std::exp2(e), 7)});
     }
     return values;
   }
-  double step = 1.0;
-  if (axis.logarithmic) {
-    step = std::ceil(range / most);
-  } else {
+  double step = std::ceil(range / most);
+  if (!axis.logarithmic) {
     step = std::pow(10.0, std::floor(std::log10(range / most)));
     for (const double factor : {2.0, 2.5, 2.0}) {
       if (range / step > most) step *= factor;
@@ -117,31 +121,27 @@ std::vector<Tick> ticks(const Axis& axis) {
 struct Layout {
   Axis x, y;
 
-  Complex pixel(double px, double py) const {
+  double across(double px) const { return left + drawn_width * x.fraction(px); }
+  double down(double py) const {
     const double up = y.shows(py) ? std::clamp(y.fraction(py), 0.0, 1.0) : 0.0;
-    return {left + drawn_width * x.fraction(px), top + drawn_height * (1.0 - up)};
+    return top + drawn_height * (1.0 - up);
   }
+  Complex pixel(const PlotPoint& point) const { return {across(point.x), down(point.y)}; }
 };
-
-Axis spanning(const std::vector<double>& values, bool logarithmic) {
-  Axis axis{.logarithmic = logarithmic};
-  const auto [low, high] = std::ranges::minmax(values);
-  axis.low = axis.scaled(low);
-  axis.high = axis.scaled(high);
-  return axis;
-}
 
 /// Returns axes that contain all points and floors; no value if no point can be shown.
 std::optional<Layout> lay_out(const Plot& plot) {
+  Layout layout{{.logarithmic = plot.log_x}, {.logarithmic = true}};
   std::vector<double> xs, ys(plot.floors);
   for (const PlotLine& line : plot.lines) {
     for (const PlotPoint& point : line.points) {
-      if (std::isfinite(point.x) && (!plot.log_x || point.x > 0.0)) xs.push_back(point.x);
-      if (std::isfinite(point.y) && point.y > 0.0) ys.push_back(point.y);
+      if (layout.x.shows(point.x)) xs.push_back(point.x);
+      if (layout.y.shows(point.y)) ys.push_back(point.y);
     }
   }
   if (xs.empty() || ys.empty()) return std::nullopt;
-  Layout layout{spanning(xs, plot.log_x), spanning(ys, true)};
+  layout.x.span(xs);
+  layout.y.span(ys);
   const double margin = 0.03 * (layout.x.high - layout.x.low) + (plot.log_x ? 0.02 : 1e-9);
   layout.x.low -= margin;
   layout.x.high += margin;
@@ -163,12 +163,12 @@ std::string frame(const Plot& plot, const Layout& layout) {
   std::string svg, grid;
   const double low = top + drawn_height;
   for (const Tick& tick : ticks(layout.x)) {
-    const double x = layout.pixel(tick.value, 1.0).real();
+    const double x = layout.across(tick.value);
     grid += svg::line({x, top}, {x, low});
     svg += svg::label({x, low + 17.0}, tick.text, "text-anchor=\"middle\"");
   }
   for (const Tick& tick : ticks(layout.y)) {
-    const double y = top + drawn_height * (1.0 - layout.y.fraction(tick.value));
+    const double y = layout.down(tick.value);
     grid += svg::line({left, y}, {left + drawn_width, y});
     svg += svg::label({left - 6.0, y + 4.0}, tick.text, "text-anchor=\"end\"");
   }
@@ -206,7 +206,7 @@ std::string draw_line(const PlotLine& line, std::size_t index, const Layout& lay
   std::string joined, filled, hollow;
   for (const PlotPoint& point : line.points) {
     if (!layout.x.shows(point.x) || !std::isfinite(point.y)) continue;
-    const Complex at = layout.pixel(point.x, point.y);
+    const Complex at = layout.pixel(point);
     joined += (joined.empty() ? 'M' : 'L') + svg::number(at.real()) + ' ' + svg::number(at.imag());
     (point.hollow ? hollow : filled) += marker_path(index, at);
   }
@@ -216,32 +216,27 @@ std::string draw_line(const PlotLine& line, std::size_t index, const Layout& lay
 }
 
 std::string draw_guide(const Guide& guide, const Layout& layout) {
-  const Complex from = layout.pixel(guide.from.x, guide.from.y);
-  const Complex to = layout.pixel(guide.to.x, guide.to.y);
-  std::string svg = "<g " + class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\">\n";
-  std::string text;
-  if (guide.triangle) {
-    const Complex below{0.0, 16.0};
-    const Complex corner{from.real(), to.imag()};
-    ComplexVector points(3);
-    points << from + below, to + below, corner + below;
-    svg += svg::path(svg::polygon(points), "stroke-width=\"1\"");
-    text = svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.label,
-                      "text-anchor=\"end\"");
-  } else {
-    svg += svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"");
+  const Complex from = layout.pixel(guide.from), to = layout.pixel(guide.to);
+  const std::string group =
+      "<g " + class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\">\n";
+  if (!guide.triangle) {
+    return group + svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"") +
+           "</g>\n";
   }
-  return svg + "</g>\n" + text;
+  const Complex below{0.0, 16.0}, corner{from.real(), to.imag()};
+  const ComplexVector points{{from + below, to + below, corner + below}};
+  return group + svg::path(svg::polygon(points), "stroke-width=\"1\"") + "</g>\n" +
+         svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.label,
+                    "text-anchor=\"end\"");
 }
 
 std::string legend(const Plot& plot) {
   std::string svg;
   double y = top + drawn_height + bottom + 12.0;
-  for (std::size_t k = 0; k < plot.lines.size(); ++k) {
+  for (std::size_t k = 0; k < plot.lines.size(); ++k, y += legend_row) {
     svg += "<g " + class_of(k) + " stroke=\"currentColor\">" +
            svg::path(marker_path(k, {left + 6.0, y - 4.0}), "fill=\"currentColor\"") + "</g>\n" +
            svg::label({left + 20.0, y}, plot.lines[k].label);
-    y += legend_row;
   }
   return svg;
 }
@@ -256,7 +251,7 @@ std::string draw_plot(const Plot& plot) {
   std::string svg = svg::open({width, height}, plot.title) + style_element() + frame(plot, *layout);
   std::string floors;
   for (const double level : plot.floors) {
-    const double y = top + drawn_height * (1.0 - layout->y.fraction(level));
+    const double y = layout->down(level);
     floors += svg::line({left, y}, {left + drawn_width, y});
   }
   svg += svg::path(floors, "fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"1.5 4\"");

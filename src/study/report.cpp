@@ -3,10 +3,6 @@
 #include "study/report.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-
-#include <nlohmann/json.hpp>
 
 #include "record/atomic_file.hpp"
 #include "study/figures.hpp"
@@ -18,31 +14,12 @@ namespace stokesbook::study {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Calls visit(experiment, line, result) for all lines of a study, in order.
-template <class Visit>
-void for_each_line(const StudyResult& result, const Visit& visit) {
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
-    for (std::size_t k = 0; k < experiment.lines.size(); ++k) {
-      visit(experiment, experiment.lines[k], result.experiments[e][k]);
-    }
-  }
-}
-
 /// Returns a number as a part of an alias's name: 1e-06 becomes 1em06.
 std::string key_of(double x) {
-  std::string key;
-  for (const char c : short_number(x, 6)) {
-    if (c == '.') {
-      key += 'p';
-    } else if (c == '-') {
-      key += 'm';
-    } else if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      key += c;
-    }
-  }
+  std::string key = short_number(x, 6);
+  std::erase(key, '+');
+  std::ranges::replace(key, '.', 'p');
+  std::ranges::replace(key, '-', 'm');
   return key;
 }
 
@@ -50,63 +27,15 @@ std::string alias(const std::string& name, double value) {
   return "ALIASES += \"" + name + '=' + html_number(value) + "\"\n";
 }
 
-void append_rows(std::string& csv, const std::string& name,
-                 const std::vector<Measurement>& measurements, const auto& role) {
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    const Measurement& point = measurements[i];
-    csv += name;
-    for (const double value :
-         {point.x, point.error, point.unknowns, point.operations, point.seconds}) {
-      csv += ',';
-      append_number(csv, value);
-    }
+void append_row(std::string& csv, const std::string& name, const Measurement& point,
+                const std::string& role) {
+  csv += name;
+  for (const double value :
+       {point.x, point.error, point.unknowns, point.operations, point.seconds}) {
     csv += ',';
-    csv += role(i);
-    csv += '\n';
+    append_number(csv, value);
   }
-}
-
-Json json_of(const std::vector<Measurement>& measurements) {
-  Json rows = Json::array();
-  for (const Measurement& point : measurements) {
-    rows.push_back({{"x", point.x},
-                    {"error", point.error},
-                    {"unknowns", point.unknowns},
-                    {"operations", point.operations},
-                    {"seconds", point.seconds}});
-  }
-  return rows;
-}
-
-Json json_of(const Verdict& verdict) {
-  return {{"outcome", to_string(verdict.outcome)},
-          {"measured", verdict.measured},
-          {"explanation", verdict.explanation},
-          {"used", verdict.used}};
-}
-
-Json json_of(const Experiment& experiment, const Line& line, const LineResult& result) {
-  Json json{{"label", line.label}, {"measurements", json_of(result.measurements)}};
-  if (!line.claim) return json;
-  json["claim"] = {{"id", line.claim->id},
-                   {"statement", line.claim->statement},
-                   {"law", law_text(line.claim->law, experiment.x)},
-                   {"claimed", claimed_number(line.claim->law)},
-                   {"reason", line.claim->reason},
-                   {"api", line.claim->api},
-                   {"error", experiment.error}};
-  if (!result.verdict) return json;
-  json["verdict"] = json_of(*result.verdict);
-  json["control"] = {{"defect", line.control->defect},
-                     {"rejected", result.control->rejected()},
-                     {"verdict", json_of(result.control->verdict)},
-                     {"measurements", json_of(result.control->measurements)}};
-  return json;
-}
-
-std::string provenance_text(const Provenance& provenance) {
-  return "stokesbook " + provenance.version + ", commit " + provenance.git_hash + ", " +
-         provenance.compiler + " (" + provenance.flags + "), " + provenance.machine;
+  csv += ',' + role + '\n';
 }
 
 /// A table or figure of an experiment, and the end of its file name.
@@ -127,7 +56,6 @@ std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines)
                           {"_table.html", convergence_table(experiment, lines)}};
   if (experiment.work_precision) {
     parts.push_back({"_work_figure.html", work_precision_figures(experiment, lines)});
-    parts.push_back({"_work_table.html", work_precision_table(experiment, lines)});
   }
   return parts;
 }
@@ -137,16 +65,24 @@ std::string anchor(const StudyResult& result, const Experiment& experiment) {
   return "study_" + result.study.name + '_' + experiment.key;
 }
 
-/// Returns the section of a study in `index.html`.
-std::string section(const StudyResult& result) {
-  std::string html = "<h2>" + result.study.number + ' ' + escaped(result.study.title) + "</h2>\n" +
-                     claims_table(result);
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
-    html += "<h3>" + escaped(experiment.title) + "</h3>\n";
-    for (const Part& part : parts_of(experiment, result.experiments[e])) html += part.html;
+/// Returns the entry of a claim in the index of claims, as Markdown.
+std::string claim_entry(const StudyResult& result, const Experiment& experiment, const Line& line,
+                        const LineResult& found) {
+  const Claim& claim = *line.claim;
+  const std::string entry = "@anchor claim_" + claim.id + "\n**" + claim.id + "**, " +
+                            escaped(line.label) + ": " + escaped(claim.statement) + " \n<small>" +
+                            escaped(claim.reason) + "</small>\n\n";
+  if (!found.verdict) {
+    return entry + full_size_measures + " See @ref " + anchor(result, experiment) + ".\n\n";
   }
-  return html;
+  std::string about;
+  for (const std::string& name : claim.api) about += " @ref " + name;
+  return entry +
+         "| claimed | measured | control | verdict | study | about |\n|---|---|---|---|---|---|\n"
+         "| " +
+         escaped(law_text(claim.law, experiment.x)) + " | " + escaped(found.verdict->explanation) +
+         " | " + control_html(line, found) + " | " + verdict_html(found) + " | @ref " +
+         anchor(result, experiment) + " |" + about + " |\n\n";
 }
 
 constexpr const char* index_style =
@@ -160,34 +96,19 @@ constexpr const char* index_style =
 
 std::string to_csv(const StudyResult& result) {
   std::string csv = "experiment,line,x,error,unknowns,operations,seconds,role\n";
-  for_each_line(
-      result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-        const std::string name = experiment.key + ',' + line.key;
-        append_rows(csv, name, found.measurements, [&](std::size_t i) {
-          return !found.verdict || found.verdict->used[i] ? "used" : "left out";
-        });
-        if (!found.control) return;
-        append_rows(csv, name, found.control->measurements, [](std::size_t) { return "control"; });
-      });
-  return csv;
-}
-
-std::string to_json(const StudyResult& result, const Provenance& provenance) {
-  Json lines;
   for_each_line(result,
                 [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-                  lines[experiment.key][line.key] = json_of(experiment, line, found);
+                  const std::string name = experiment.key + ',' + line.key;
+                  for (std::size_t i = 0; i < found.measurements.size(); ++i) {
+                    const bool used = !found.verdict || found.verdict->used[i];
+                    append_row(csv, name, found.measurements[i], used ? "used" : "left out");
+                  }
+                  if (!found.control) return;
+                  for (const Measurement& point : found.control->measurements) {
+                    append_row(csv, name, point, "control");
+                  }
                 });
-  const Json json{{"study", result.study.name},
-                  {"size", result.size == Size::full ? "full" : "quick"},
-                  {"holds", result.holds()},
-                  {"version", provenance.version},
-                  {"git_hash", provenance.git_hash},
-                  {"compiler", provenance.compiler},
-                  {"flags", provenance.flags},
-                  {"machine", provenance.machine},
-                  {"experiments", lines}};
-  return json.dump(1) + '\n';
+  return csv;
 }
 
 std::string to_aliases(const StudyResult& result) {
@@ -205,11 +126,10 @@ std::string to_aliases(const StudyResult& result) {
   return text;
 }
 
-std::string study_page(const StudyResult& result, const Provenance& provenance) {
+std::string study_page(const StudyResult& result, const std::string& origin) {
   std::string page = "# Study " + result.study.number + ": " + result.study.title + " {#study_" +
                      result.study.name + "}\n\nAll that was measured for @ref chapter_" +
-                     result.study.number +
-                     " in this build: " + escaped(provenance_text(provenance)) + ".\n\n";
+                     result.study.number + " in this build: " + escaped(origin) + ".\n\n";
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
     const Experiment& experiment = result.study.experiments[e];
     page += "## " + experiment.title + " {#" + anchor(result, experiment) + "}\n\n";
@@ -232,40 +152,22 @@ std::string claims_page(const std::vector<StudyResult>& results) {
             result.study.name + "}\n\nChapter: @ref chapter_" + result.study.number +
             ". Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
             result.study.name + ".\n\n";
-    for_each_line(
-        result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-          if (!line.claim) return;
-          page += "@anchor claim_" + line.claim->id + "\n**" + line.claim->id + "**, " +
-                  escaped(line.label) + ": " + escaped(line.claim->statement) + " \n<small>" +
-                  escaped(line.claim->reason) + "</small>\n\n";
-          if (!found.verdict) {
-            page += full_size_measures + (" See @ref " + anchor(result, experiment)) + ".\n\n";
-            return;
-          }
-          page +=
-              "| claimed | measured | control | verdict | study | about "
-              "|\n|---|---|---|---|---|---|\n| " +
-              escaped(law_text(line.claim->law, experiment.x)) + " | " +
-              escaped(found.verdict->explanation) + " | " + escaped(line.control->defect) + ": " +
-              (found.control->rejected() ? "rejected" : "**not rejected**") + " | " +
-              (found.holds() ? found.verdict_text() : "**" + found.verdict_text() + "**") +
-              " | @ref " + anchor(result, experiment) + " |";
-          for (const std::string& name : line.claim->api) page += " @ref " + name;
-          page += " |\n\n";
-        });
+    for_each_line(result,
+                  [&](const Experiment& experiment, const Line& line, const LineResult& found) {
+                    if (line.claim) page += claim_entry(result, experiment, line, found);
+                  });
   }
   return page;
 }
 
-void write_report(const StudyResult& result, const Provenance& provenance,
+void write_report(const StudyResult& result, const std::string& origin,
                   const std::filesystem::path& directory) {
   const auto write = [&](const std::string& name, const std::string& text) {
     write_atomically(directory / (result.study.name + name), text, SafeFrom::kill);
   };
   write(".csv", to_csv(result));
-  write(".json", to_json(result, provenance));
   write(".aliases", to_aliases(result));
-  write("_study.md", study_page(result, provenance));
+  write("_study.md", study_page(result, origin));
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
     for (const Part& part : parts_of(result.study.experiments[e], result.experiments[e])) {
       write('_' + result.study.experiments[e].key + part.suffix, part.html);
@@ -273,16 +175,24 @@ void write_report(const StudyResult& result, const Provenance& provenance,
   }
 }
 
-void write_index(const std::vector<StudyResult>& results, const Provenance& provenance,
+void write_index(const std::vector<StudyResult>& results, const std::string& origin,
                  const std::filesystem::path& directory) {
   write_atomically(directory / "claims.md", claims_page(results), SafeFrom::kill);
   std::string html =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n"
       "<title>Studies</title>\n" +
-      std::string(index_style) + "</head><body>\n<h1>Studies</h1>\n<p>" +
-      escaped(provenance_text(provenance)) + "</p>\n";
-  for (const StudyResult& result : results) html += section(result);
+      std::string(index_style) + "</head><body>\n<h1>Studies</h1>\n<p>" + escaped(origin) +
+      "</p>\n";
+  for (const StudyResult& result : results) {
+    html += "<h2>" + result.study.number + ' ' + escaped(result.study.title) + "</h2>\n" +
+            claims_table(result);
+    for (std::size_t e = 0; e < result.experiments.size(); ++e) {
+      const Experiment& experiment = result.study.experiments[e];
+      html += "<h3>" + escaped(experiment.title) + "</h3>\n";
+      for (const Part& part : parts_of(experiment, result.experiments[e])) html += part.html;
+    }
+  }
   write_atomically(directory / "index.html", html + "</body></html>\n", SafeFrom::kill);
 }
 

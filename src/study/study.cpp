@@ -49,15 +49,14 @@ LineResult measure(const Line& line, Size size) {
   result.measurements = line.measure(size);
   if (!line.claim) return result;
   result.verdict = check(*line.claim, result.measurements);
-  ControlResult control{.measurements = line.control->measure(size), .verdict = {}};
-  control.verdict = check(*line.claim, control.measurements);
-  result.control = std::move(control);
+  const std::vector<Measurement> defective = line.control->measure(size);
+  result.control = {defective, check(*line.claim, defective)};
   return result;
 }
 
-bool counts_operations(const LineResult& line) {
+bool has_measured(const LineResult& line, double Measurement::*quantity) {
   return std::ranges::any_of(
-      line.measurements, [](const Measurement& point) { return std::isfinite(point.operations); });
+      line.measurements, [=](const Measurement& point) { return std::isfinite(point.*quantity); });
 }
 
 void report(std::ostream& progress, const Line& line, const LineResult& result) {
@@ -84,23 +83,14 @@ std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                  {experiment.operation, &Measurement::operations},
                                  {"seconds on this machine", &Measurement::seconds}};
   std::erase_if(costs, [&](const CostMeasure& cost) {
-    return std::ranges::none_of(lines, [&](const LineResult& line) {
-      return std::ranges::any_of(line.measurements, [&](const Measurement& point) {
-        return std::isfinite(point.*cost.value);
-      });
-    });
+    return std::ranges::none_of(
+        lines, [&](const LineResult& line) { return has_measured(line, cost.value); });
   });
   return costs;
 }
 
 bool LineResult::holds() const {
   return !verdict || (verdict->outcome == Outcome::holds && control->rejected());
-}
-
-std::string LineResult::verdict_text() const {
-  if (!verdict) return {};
-  const bool only_control = verdict->outcome == Outcome::holds && !control->rejected();
-  return to_string(verdict->outcome) + (only_control ? ", but its control is not rejected" : "");
 }
 
 bool StudyResult::holds() const {
@@ -112,13 +102,14 @@ bool StudyResult::holds() const {
 StudyResult run(const Study& study, Size size, std::ostream& progress) {
   validate(study);
   progress << study.number << ' ' << study.title << '\n';
-  StudyResult result{.study = study, .size = size, .experiments = {}};
+  StudyResult result{.study = study, .experiments = {}};
   for (const Experiment& experiment : study.experiments) {
     std::vector<LineResult>& lines = result.experiments.emplace_back();
     for (const Line& line : experiment.lines) {
       lines.push_back(measure(line, size));
-      require(!experiment.operation.empty() || !counts_operations(lines.back()),
-              experiment.key + '.' + line.key + " counts operations; set Experiment::operation");
+      require(
+          !experiment.operation.empty() || !has_measured(lines.back(), &Measurement::operations),
+          experiment.key + '.' + line.key + " counts operations; set Experiment::operation");
       report(progress, line, lines.back());
     }
   }

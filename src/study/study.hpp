@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "study/check.hpp"
-#include "study/claim.hpp"
-#include "study/measurement.hpp"
 
 namespace stokesbook::study {
 
@@ -60,9 +58,6 @@ struct Experiment {
 };
 
 /// Restricts all lines of an experiment to the full size.
-///
-/// @param  experiment  any experiment
-/// @return             the same experiment, which the quick size does not measure
 Experiment left_to_full(Experiment experiment);
 
 /// The study of one method, with all claims of its chapter.
@@ -78,8 +73,7 @@ struct ControlResult {
   std::vector<Measurement> measurements;  ///< of the defective method
   Verdict verdict;                        ///< of the same check
 
-  /// Returns whether the check has found the defect.
-  /// @return  false also if the control was inconclusive
+  /// Returns whether the check has found the defect; false also if the control was inconclusive.
   bool rejected() const { return verdict.outcome == Outcome::fails; }
 };
 
@@ -89,13 +83,9 @@ struct LineResult {
   std::optional<Verdict> verdict;         ///< of the line's claim; none if the line is left out
   std::optional<ControlResult> control;   ///< of the line's control
 
-  /// Returns whether the claim holds and its control was rejected.
-  /// @return  true also if the line has no claim, or if this size leaves the line out
+  /// Returns whether the claim holds and its control was rejected; true also if the line has no
+  /// claim, or if this size leaves the line out.
   bool holds() const;
-
-  /// Returns the outcome of the claim as text.
-  /// @return  the outcome, with a remark if the control was not rejected; empty without a verdict
-  std::string verdict_text() const;
 };
 
 /// A kind of cost, with its name on axes and in tables.
@@ -104,32 +94,39 @@ struct CostMeasure {
   double Measurement::*value;  ///< member of Measurement with this cost
 };
 
-/// Lists the costs that at least one line of an experiment has measured: unknowns, operations,
-/// seconds.
+/// Lists the costs that at least one line of an experiment has measured: unknowns, operations (named
+/// Experiment::operation), seconds.
 ///
-/// @param  experiment  the experiment, whose Experiment::operation names the counted operation
+/// @param  experiment  the experiment
 /// @param  lines       results of its lines, in order
-/// @return             zero to three kinds of cost
 std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                         const std::vector<LineResult>& lines);
 
 /// Results of a study, in the order of its experiments and lines.
 struct StudyResult {
   Study study;                                       ///< the study
-  Size size = Size::quick;                           ///< the size that was run
   std::vector<std::vector<LineResult>> experiments;  ///< results of the lines of each experiment
 
-  /// Returns whether all claims hold and all controls were rejected.
-  /// @return  false also if a check was inconclusive
+  /// Returns whether all claims hold and all controls were rejected; false also if a check was
+  /// inconclusive.
   bool holds() const;
 };
+
+/// Calls visit(experiment, line, result) for all lines of a study, in order.
+void for_each_line(const StudyResult& result, const auto& visit) {
+  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
+    const Experiment& experiment = result.study.experiments[e];
+    for (std::size_t k = 0; k < experiment.lines.size(); ++k) {
+      visit(experiment, experiment.lines[k], result.experiments[e][k]);
+    }
+  }
+}
 
 /// Runs a study and checks its claims.
 ///
 /// @param  study     claims and measurements
-/// @param  size      how much to do
+/// @param  size      the lines that run, and how many points they measure
 /// @param  progress  stream for the verdicts, one line for each claim
-/// @return           measurements, verdicts and controls
 /// @throws std::logic_error before any measurement, when a claim lacks its control, or when keys or
 ///                          ids are not unique or not fit for file names; later, when a line counts
 ///                          operations and Experiment::operation is empty

@@ -1,9 +1,8 @@
-// Writes the tables of a study as HTML: convergence, work against error, and claims.
+// Writes the tables of a study as HTML: convergence and claims.
 #include "study/tables.hpp"
 
+#include <map>
 #include <optional>
-#include <set>
-#include <span>
 
 #include "study/html.hpp"
 
@@ -37,26 +36,12 @@ std::string caption(const Experiment& experiment) {
   return escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.';
 }
 
-std::string verdict_cell(const LineResult& result, const std::string& attributes) {
-  if (!result.verdict) return cell("shown for comparison", attributes);
-  const std::string text = result.verdict_text();
-  return cell(result.holds() ? text : "<b>" + text + "</b>", attributes);
-}
-
 std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
-/// Returns three cells: the measurement of a claim, the result of its control, and the verdict.
-std::string evidence(const Line& line, const LineResult& found) {
-  return cell(escaped(found.verdict->explanation)) +
-         cell(escaped(line.control->defect) + ": " +
-              (found.control->rejected() ? "rejected" : "<b>not rejected</b>")) +
-         verdict_cell(found, "");
-}
-
 /// Returns the cost that a convergence table shows beside the errors: the counted operations, else
-/// the unknowns, else no value. Work-precision tables show all costs, including seconds.
+/// the unknowns, else no value. Work-precision figures show all costs, including seconds.
 std::optional<CostMeasure> shown_cost(const Experiment& experiment,
                                       const std::vector<LineResult>& lines) {
   std::vector<CostMeasure> costs = measured_costs(experiment, lines);
@@ -65,119 +50,91 @@ std::optional<CostMeasure> shown_cost(const Experiment& experiment,
   return costs.back();
 }
 
-/// The measure of convergence between neighbouring points, by the axes: order or rate.
-struct Slope {
-  std::string name;
-  std::vector<double> (*between)(std::span<const Measurement>);
-};
-
-std::optional<Slope> shown_slope(Axes axes) {
-  switch (axes) {
-    case Axes::log_log:
-      return Slope{"order", local_orders};
-    case Axes::semi_log:
-      return Slope{"rate", local_rates};
-    case Axes::nominal:
-      break;
-  }
-  return std::nullopt;
-}
-
-/// The columns that a convergence table has for each line.
-struct LineColumns {
-  std::optional<Slope> slope;
-  std::optional<CostMeasure> cost;
-  std::size_t count() const { return 1 + (slope ? 1 : 0) + (cost ? 1 : 0); }
-};
-
-/// Returns error, slope and cost of a line at x, or an empty cell without a measurement at x.
-std::string cells_at(const LineResult& line, const std::vector<double>& slopes,
-                     const LineColumns& columns, double x) {
+/// Returns error, slope and cost of each measurement of a line: the cells of a convergence table, by
+/// their x. The slope is the order or rate since the measurement before, on the axes that have one.
+std::map<double, std::string> cells_of(const LineResult& line, Axes axes,
+                                       const std::optional<CostMeasure>& cost) {
+  const std::vector<double> slopes =
+      axes == Axes::log_log ? local_orders(line.measurements) : local_rates(line.measurements);
+  std::map<double, std::string> cells;
   for (std::size_t i = 0; i < line.measurements.size(); ++i) {
-    if (line.measurements[i].x != x) continue;
+    const Measurement& point = line.measurements[i];
     const bool used = !line.verdict || line.verdict->used[i];
     const std::string grey = used ? "" : " class=\"left-out\"";
-    const Measurement& point = line.measurements[i];
-    return cell(html_number(point.error), grey) +
-           (columns.slope ? cell(html_number(slopes[i]), grey) : "") +
-           (columns.cost ? cell(html_number(point.*columns.cost->value), grey) : "");
+    std::string text = cell(html_number(point.error), grey);
+    if (axes != Axes::nominal) text += cell(html_number(slopes[i]), grey);
+    if (cost) text += cell(html_number(point.*cost->value), grey);
+    cells.emplace(point.x, text);
   }
-  return cell("", span(columns.count()));
+  return cells;
 }
 
 }  // namespace
 
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  const LineColumns each{shown_slope(experiment.axes), shown_cost(experiment, lines)};
-  const auto& cost = each.cost;
+  const std::optional<CostMeasure> cost = shown_cost(experiment, lines);
+  std::string each = head("error");
+  if (experiment.axes != Axes::nominal) {
+    each += head(experiment.axes == Axes::log_log ? "order" : "rate");
+  }
+  if (cost) each += head("cost");
+  const std::string spanned =
+      span(1 + (experiment.axes != Axes::nominal ? 1U : 0U) + (cost ? 1U : 0U));
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
-  const std::string spanned = span(each.count());
-  std::vector<std::vector<double>> slopes;
-  std::set<double> xs;
+  std::map<double, std::string> rows;
+  for (const LineResult& result : lines) {
+    for (const Measurement& point : result.measurements) rows[point.x] = head(html_number(point.x));
+  }
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const Line& line = experiment.lines[k];
-    const LineResult& result = lines[k];
-    slopes.push_back(each.slope ? each.slope->between(result.measurements) : std::vector<double>{});
     names += head(escaped(line.label), spanned);
-    columns +=
-        head("error") + (each.slope ? head(each.slope->name) : "") + (cost ? head("cost") : "");
-    for (const Measurement& point : result.measurements) xs.insert(point.x);
+    columns += each;
+    const auto cells = cells_of(lines[k], experiment.axes, cost);
+    for (auto& [x, text] : rows) text += cells.contains(x) ? cells.at(x) : cell("", spanned);
     claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
                                      escaped(law_text(line.claim->law, experiment.x))
                                : "",
                     spanned);
-    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", spanned);
-    verdict += verdict_cell(result, spanned);
+    measured += cell(lines[k].verdict ? html_number(lines[k].verdict->measured) : "", spanned);
+    verdict += cell(verdict_html(lines[k]), spanned);
   }
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
-  for (const double x : xs) {
-    std::string cells = head(html_number(x));
-    for (std::size_t k = 0; k < lines.size(); ++k) cells += cells_at(lines[k], slopes[k], each, x);
-    body += row(cells);
-  }
+  for (const auto& [x, text] : rows) body += row(text);
   body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
   return table(caption(experiment) + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
 }
 
-std::string work_precision_table(const Experiment& experiment,
-                                 const std::vector<LineResult>& lines) {
-  std::vector<CostMeasure> columns = measured_costs(experiment, lines);
-  columns.insert(columns.begin(),
-                 {{experiment.x, &Measurement::x}, {"error", &Measurement::error}});
-  std::string names = head("method"), body;
-  for (const CostMeasure& column : columns) names += head(escaped(column.name));
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    for (const Measurement& point : lines[k].measurements) {
-      std::string cells = head(escaped(experiment.lines[k].label));
-      for (const CostMeasure& column : columns) cells += cell(html_number(point.*column.value));
-      body += row(cells);
-    }
-  }
-  return table(caption(experiment),
-               "<thead>" + row(names) + "</thead>\n<tbody>\n" + body + "</tbody>");
-}
-
 std::string claims_table(const StudyResult& result) {
   std::string body;
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
-    for (std::size_t k = 0; k < experiment.lines.size(); ++k) {
-      const Line& line = experiment.lines[k];
-      const LineResult& found = result.experiments[e][k];
-      if (!line.claim) continue;
-      body += row(head("<a id=\"claim_" + line.claim->id + "\"></a>" + line.claim->id) +
-                  cell(escaped(line.claim->statement) + "<br><small>" +
-                       escaped(line.claim->reason) + "</small>") +
-                  cell(escaped(law_text(line.claim->law, experiment.x))) +
-                  (found.verdict ? evidence(line, found) : cell(full_size_measures, span(3))));
-    }
-  }
+  for_each_line(
+      result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
+        if (!line.claim) return;
+        body += row(head("<a id=\"claim_" + line.claim->id + "\"></a>" + line.claim->id) +
+                    cell(escaped(line.claim->statement) + "<br><small>" +
+                         escaped(line.claim->reason) + "</small>") +
+                    cell(escaped(law_text(line.claim->law, experiment.x))) +
+                    (found.verdict ? cell(escaped(found.verdict->explanation)) +
+                                         cell(control_html(line, found)) + cell(verdict_html(found))
+                                   : cell(full_size_measures, span(3))));
+      });
   return table(escaped(result.study.title),
-               "<thead>" +
-                   row(head("claim") + head("statement, reason") + head("law") + head("measured") +
-                       head("control") + head("verdict")) +
-                   "</thead>\n<tbody>\n" + body + "</tbody>");
+               "<thead><tr><th>claim</th><th>statement, reason</th><th>law</th><th>measured</th>"
+               "<th>control</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
+                   body + "</tbody>");
+}
+
+std::string verdict_html(const LineResult& result) {
+  if (!result.verdict) return "shown for comparison";
+  const std::string text = to_string(result.verdict->outcome);
+  if (result.holds()) return text;
+  const bool only_control = result.verdict->outcome == Outcome::holds;
+  return "<b>" + text + (only_control ? ", but its control is not rejected" : "") + "</b>";
+}
+
+std::string control_html(const Line& line, const LineResult& result) {
+  return escaped(line.control->defect) +
+         (result.control->rejected() ? ": rejected" : ": <b>not rejected</b>");
 }
 
 }  // namespace stokesbook::study

@@ -1,11 +1,10 @@
-// Checks the output of a study: tables, CSV, JSON and the numbers of the chapters.
+// Checks the output of a study: tables, CSV and the numbers of the chapters.
 
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include <boost/test/unit_test.hpp>
-#include <nlohmann/json.hpp>
 
 #include "study/html.hpp"
 #include "study/report.hpp"
@@ -22,7 +21,7 @@ StudyResult sample_result() {
   return run(sample_study(), Size::quick, progress);
 }
 
-const Provenance here{"0.1", "abc", "GNU", "-O3", "a machine"};
+const std::string here = "stokesbook 0.1, a machine";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -45,18 +44,6 @@ BOOST_AUTO_TEST_CASE(csv_restores_every_number) {
   for (; std::getline(csv, row); ++rows) controls += row.ends_with(",control") ? 1 : 0;
   BOOST_TEST(rows == 15);
   BOOST_TEST(controls == 5);
-}
-
-BOOST_AUTO_TEST_CASE(json_has_claim_verdict_and_origin) {
-  const auto json = nlohmann::json::parse(to_json(sample_result(), here));
-  BOOST_TEST(json["git_hash"] == "abc");
-  BOOST_TEST(json["holds"] == true);
-  const auto& line = json["experiments"]["orders"]["method"];
-  BOOST_TEST(line["verdict"]["outcome"] == "holds");
-  BOOST_TEST(line["verdict"]["measured"].get<double>() == 2.0, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(line["control"]["rejected"] == true);
-  BOOST_TEST(line["measurements"][1]["error"].get<double>() == 3.0 / 256.0);
-  BOOST_TEST(line["measurements"][1]["seconds"].is_null());
 }
 
 BOOST_AUTO_TEST_CASE(aliases_carry_the_numbers) {
@@ -100,7 +87,7 @@ BOOST_AUTO_TEST_CASE(tables_show_what_failed) {
   BOOST_TEST(contains(progress.str(), "99_1  fails"));
   BOOST_TEST(contains(convergence_table(study.experiments[0], result.experiments[0]), "<b>fails"));
   BOOST_TEST(contains(claims_table(result), "<b>fails"));
-  BOOST_TEST(contains(claims_page({result}), "**fails**"));
+  BOOST_TEST(contains(claims_page({result}), "<b>fails</b>"));
 }
 
 BOOST_AUTO_TEST_CASE(tables_and_pages_say_the_same_of_a_claim) {
@@ -112,7 +99,7 @@ BOOST_AUTO_TEST_CASE(tables_and_pages_say_the_same_of_a_claim) {
     BOOST_TEST(contains(convergence_table(study.experiments[0], result.experiments[0]),
                         "<b>" + text + "</b></td>"));
     BOOST_TEST(contains(claims_table(result), cell));
-    BOOST_TEST(contains(claims_page({result}), "| **" + text + "** |"));
+    BOOST_TEST(contains(claims_page({result}), "| <b>" + text + "</b> |"));
   };
   Study too_few = sample_study();
   too_few.experiments[0].lines[0].claim->window.from = 1e9;
@@ -130,23 +117,6 @@ BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   const std::string table = convergence_table(study.experiments[0], result.experiments[0]);
   BOOST_TEST(contains(table, "Cost: unknowns."));
   BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
-}
-
-BOOST_AUTO_TEST_CASE(work_precision_tables_have_a_row_for_every_measurement) {
-  const StudyResult result = sample_result();
-  const std::string table =
-      work_precision_table(result.study.experiments[0], result.experiments[0]);
-  std::size_t measurements = 0;
-  for (const LineResult& line : result.experiments[0]) {
-    measurements += line.measurements.size();
-    for (const Measurement& point : line.measurements) {
-      BOOST_TEST(contains(
-          table, "<td>" + html_number(point.x) + "</td><td>" + html_number(point.error) + "</td>"));
-    }
-  }
-  const std::regex row("<tr>");
-  const std::sregex_iterator first(table.begin(), table.end(), row), end;
-  BOOST_TEST(std::distance(first, end) == static_cast<std::ptrdiff_t>(1 + measurements));
 }
 
 BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
@@ -188,7 +158,7 @@ BOOST_AUTO_TEST_CASE(text_is_escaped) {
 
 BOOST_AUTO_TEST_CASE(claims_lead_to_their_measurements) {
   BOOST_TEST(contains(claims_page({sample_result()}), "@ref study_sample_orders"));
-  const std::string page = study_page(sample_result(), {"0.1", "", "", "", "a <fast> one"});
+  const std::string page = study_page(sample_result(), "a <fast> one");
   BOOST_TEST(contains(page, "{#study_sample_orders}"));
   BOOST_TEST(contains(page, "@htmlinclude sample_orders_figure.html"));
   BOOST_TEST(contains(page, "a &lt;fast&gt; one"));
