@@ -85,7 +85,7 @@ int run_studies(const std::vector<study::Study>& studies, study::Size size,
 int main(int argc, char** argv) {
   using namespace stokesbook;
   omp_set_num_threads(1);  // seconds compare methods at any load of the machine
-  CLI::App app{"Checks the claims of the book, one study a method"};
+  CLI::App app{"Checks the claims of the book; each method has one study"};
   std::vector<study::Study> studies = all_studies();
   std::vector<std::string> methods, known_methods, experiments;
   for (const study::Study& study : studies) known_methods.push_back(study.name);
@@ -93,10 +93,11 @@ int main(int argc, char** argv) {
   std::string directory = "out/study";
   app.add_option("name", methods, "methods to study [all]")->check(CLI::IsMember(known_methods));
   app.add_option("--experiment", experiments,
-                 "experiments of them to do, by their keys, with all of their lines [all]")
+                 "keys of the experiments to run, with all of their lines [all]")
       ->option_text("KEY ...");
-  app.add_option("--size", size,
-                 "quick: enough for nearly every claim; full: all of them, more and harder points")
+  app.add_option(
+         "--size", size,
+         "quick: suffices for nearly every claim; full: all claims, with more and harder points")
       ->transform(CLI::CheckedTransformer(std::map<std::string, study::Size>{
           {"quick", study::Size::quick}, {"full", study::Size::full}}));
   app.add_option("--out", directory, "directory of the results [out/study]");

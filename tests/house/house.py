@@ -71,14 +71,15 @@ def use_violations(root):
     violations = []
     for room in sorted(path for path in (root / "src").iterdir() if path.is_dir()):
         if room.name not in MAY_USE:
-            violations.append(f"src/{room.name}: this room is not in the table")
+            violations.append(f"src/{room.name} is not in the table of rooms, MAY_USE")
             continue
         included = set()
         for source in sorted([*room.rglob("*.hpp"), *room.rglob("*.cpp")]):
             for used in sorted(included_rooms(source) - {room.name}):
                 name = source.relative_to(root).as_posix()
                 if used == "":
-                    violations.append(f"{name}: an include without its room")
+                    violations.append(
+                        f'{name} includes a file without its room; write "room/file.hpp"')
                     continue
                 included.add(used)
                 if used not in MAY_USE[room.name]:
@@ -92,9 +93,13 @@ def use_violations(root):
             violations.append(
                 f"src/{room.name}/CMakeLists.txt links {used}, which {room.name} may not use")
         for used in sorted(included - linked):
-            violations.append(f"src/{room.name} includes from {used}, but its USES lack it")
+            violations.append(
+                f"src/{room.name} includes from {used}, but its CMakeLists.txt does not list "
+                f"{used} in USES")
         for used in sorted(linked - included):
-            violations.append(f"src/{room.name} has {used} in USES, but includes nothing of it")
+            violations.append(
+                f"src/{room.name}/CMakeLists.txt lists {used} in USES, but nothing is included "
+                f"from {used}")
     return violations
 
 
@@ -104,7 +109,7 @@ def folder_violations(root):
     for source in sorted([*suspension.rglob("*.hpp"), *suspension.rglob("*.cpp")]):
         name, folder = source.relative_to(root).as_posix(), source.parent.name
         if folder not in FOLDERS_OF_SUSPENSION:
-            violations.append(f"{name}: the folder is not in the list")
+            violations.append(f"{name} is in {folder}, which is not in FOLDERS_OF_SUSPENSION")
             continue
         allowed = FOLDERS_OF_SUSPENSION[:FOLDERS_OF_SUSPENSION.index(folder) + 1]
         for include in INCLUDE.findall(source.read_text()):
@@ -114,7 +119,8 @@ def folder_violations(root):
     for folder in FOLDERS_OF_SUSPENSION:
         count = len(list((suspension / folder).glob("*.[hc]pp")))
         if count > MOST_FILES_OF_A_FOLDER:
-            violations.append(f"src/suspension/{folder}: {count} files")
+            violations.append(
+                f"src/suspension/{folder} has {count} files, more than {MOST_FILES_OF_A_FOLDER}")
     return violations
 
 
@@ -134,9 +140,9 @@ def file_violations(root):
         name = path.relative_to(root).as_posix()
         content = path.read_bytes()
         if BUILD_OUTPUT.search(name) or content.startswith(b"\x7fELF"):
-            violations.append(f"{name}: a build output")
+            violations.append(f"{name} is a build output, which must not be committed")
             continue
         for number, line in enumerate(content.decode("utf-8", "replace").splitlines(), 1):
             if found := MACHINE_PATH.search(line):
-                violations.append(f"{name}:{number}: a path of one machine: {found[0]}")
+                violations.append(f"{name}:{number} contains a path of one machine, {found[0]}")
     return violations

@@ -83,22 +83,25 @@ class PlantedTree(unittest.TestCase):
         self.plant("src/double_layer/CMakeLists.txt",
                    "stokesbook_library(double_layer SOURCES sum.cpp)\n")
         self.assertEqual(house.use_violations(self.root),
-                         ["src/double_layer includes from trapezoid, but its USES lack it"])
+                         ["src/double_layer includes from trapezoid, but its CMakeLists.txt does not "
+                          "list trapezoid in USES"])
 
     def test_link_without_include(self):
         self.plant("src/double_layer/sum.cpp", "")
         self.assertEqual(house.use_violations(self.root),
-                         ["src/double_layer has trapezoid in USES, but includes nothing of it"])
+                         ["src/double_layer/CMakeLists.txt lists trapezoid in USES, but nothing is "
+                          "included from trapezoid"])
 
     def test_include_without_room(self):
         self.plant("src/trapezoid/curve.cpp", '#include "curve.hpp"\n')
         self.assertEqual(house.use_violations(self.root),
-                         ["src/trapezoid/curve.cpp: an include without its room"])
+                         ['src/trapezoid/curve.cpp includes a file without its room; write '
+                          '"room/file.hpp"'])
 
     def test_unknown_room(self):
         self.plant("src/attic/box.hpp", "")
         self.assertEqual(house.use_violations(self.root),
-                         ["src/attic: this room is not in the table"])
+                         ["src/attic is not in the table of rooms, MAY_USE"])
 
     def test_folders_of_suspension(self):
         self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/random_fill.hpp"\n'
@@ -112,15 +115,15 @@ class PlantedTree(unittest.TestCase):
         self.assertEqual(house.folder_violations(self.root), [
             "src/suspension/nodes/random_fill.hpp includes suspension/solver/solver.hpp, "
             "which nodes may not use",
-            "src/suspension/plan.hpp: the folder is not in the list",
-            "src/suspension/motion: 21 files"])
+            "src/suspension/plan.hpp is in suspension, which is not in FOLDERS_OF_SUSPENSION",
+            "src/suspension/motion has 21 files, more than 20"])
 
     def test_machine_path(self):
         for folder in ["work", "root", "home", "tmp"]:
             path = "/" + folder + "/scene.toml"  # in two pieces, for the check of this very file
             self.plant("src/trapezoid/curve.cpp", f'// \n const char* scene = "{path}";\n')
             self.assertEqual(house.file_violations(self.root),
-                             [f"src/trapezoid/curve.cpp:2: a path of one machine: {path[:-5]}"])
+                             [f"src/trapezoid/curve.cpp:2 contains a path of one machine, {path[:-5]}"])
 
     def test_paths_of_no_machine(self):
         self.plant("README.md", "https://example.org/home/page out/work/x ${prefix}/tmp/x\n")
@@ -130,12 +133,14 @@ class PlantedTree(unittest.TestCase):
         for name in ["build/release/build.ninja", "src/trapezoid/curve.o",
                      "tests/house/__pycache__/house.pyc", "CMakeCache.txt"]:
             self.plant(name, "")
-            self.assertEqual(house.file_violations(self.root), [f"{name}: a build output"])
+            self.assertEqual(house.file_violations(self.root),
+                             [f"{name} is a build output, which must not be committed"])
             (self.root / name).unlink()
 
     def test_program(self):
         self.plant("stokes", "\x7fELF\x02\x01\x01")
-        self.assertEqual(house.file_violations(self.root), ["stokes: a build output"])
+        self.assertEqual(house.file_violations(self.root),
+                         ["stokes is a build output, which must not be committed"])
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ Table time_direct_sum(double peak, int most, double budget) {
       {},
       "  % of peak: 19 operations a pair, as 2 (r) + 3 (rho^2) + 3 (r.n) + 3 (r.eta) +\n"
       "  3 (product, 1/rho^4 with one division) + 1 (factor) + 4 (accumulate), one thread;\n"
-      "  two threads: how many times as fast as one",
+      "  two threads: their speed over that of one thread",
       "% of the peak of one core",
       3,
       3};
@@ -70,7 +70,7 @@ Table time_storage(double budget) {
   }
   int chosen = 0;
   while (StressletSum::automatic_storage(chosen + 1) == KernelStorage::stored) ++chosen;
-  table.note = "  stored is faster up to " + std::to_string(break_even) +
+  table.note = "  the stored matrix is faster up to " + std::to_string(break_even) +
                " nodes here; the plan stores up to " + std::to_string(chosen);
   return table;
 }

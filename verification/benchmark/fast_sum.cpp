@@ -74,8 +74,9 @@ Table time_fast_sum(int bodies, double budget) {
       "Fast multipole sum of " + std::to_string(nodes) + " nodes, by the tolerance",
       {"tolerance", "order", "ms", "direct/FMM", "plan/FMM", "2 fields", "4 fields", "two threads"},
       {},
-      "  one thread but for the last column: how many times as fast as one two are;\n"
-      "  fields: time of several at once over that of as many applications;\n"
+      "  all columns but the last are for one thread; the last is the speed of two threads over\n"
+      "  that of one;\n"
+      "  fields: time of several fields at once over that of as many applications;\n"
       "  bounds for 1e5 nodes: direct/FMM at least 100 for 1e-6 and 60 for 1e-12, plan/FMM at "
       "most 1 for 1e-6",
       "times as fast as the direct sum",
@@ -99,7 +100,7 @@ Table time_break_even(double budget) {
   Table table{"Fast multipole sum of few nodes: its time over the direct sum's, one thread",
               {"nodes", "1e-3", "1e-6", "1e-9", "1e-12"},
               {},
-              "  break_even() says",
+              "  break_even() returns",
               "time over the direct sum's",
               1,
               4};

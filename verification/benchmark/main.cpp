@@ -56,14 +56,15 @@ std::vector<Table> run_benchmarks(bool quick, const std::string& program) {
 }  // namespace stokesbook
 
 int main(int argc, char** argv) {
-  CLI::App app{"Speed of the sums and of the solver on this machine"};
+  CLI::App app{"Measures the speed of the sums and of the solver on this machine"};
   std::string csv, html;
   bool quick = false;
-  app.add_option("--csv", csv, "also write the numbers to a file");
-  app.add_option("--html", html, "also write tables and figures to a file");
+  app.add_option("--csv", csv, "file to which the numbers are written, too");
+  app.add_option("--html", html, "file to which tables and figures are written, too");
   app.add_flag("--quick", quick, "fewer sizes and repeats");
   int solves = 0;
-  app.add_option("--solves", solves, "only this work, for the times of waiting threads")->group("");
+  app.add_option("--solves", solves, "number of solves to time; the program does nothing else")
+      ->group("");
   CLI11_PARSE(app, argc, argv);
   if (solves > 0) {
     const stokesbook::WorkTime time = stokesbook::solve_often(solves);

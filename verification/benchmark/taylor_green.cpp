@@ -65,7 +65,7 @@ Table time_taylor_green(double budget) {
               {"nodes/body", "tolerance", "block-diagonal", "set-up ms", "matvec ms", "iterations",
                "solve ms", "error estimate"},
               {},
-              "  tolerance: of the velocities, at which these nodes are not refused"};
+              "  tolerance: the tolerance of velocities at which the solver accepts these nodes"};
   for (const Case& c : cases) table.rows.push_back(time_case(c, budget));
   return table;
 }

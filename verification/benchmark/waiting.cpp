@@ -65,7 +65,7 @@ WorkTime least_of_three_runs(const std::string& command) {
     const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
     WorkTime time{};
     if (!output || std::fscanf(output.get(), "%lf %lf", &time.wall, &time.cpu) != 2) {
-      throw std::runtime_error("no times from: " + command);
+      throw std::runtime_error("this command has printed no times: " + command);
     }
     if (k == 0 || time.wall < least.wall) least = time;
   }
@@ -86,7 +86,7 @@ Table time_waiting(const std::string& program) {
               {"busy processes beside", "own choice s", "own choice CPU s", "spinning s",
                "spinning CPU s", "own/spinning"},
               {},
-              "  own choice: threads that wait sleep; spinning: OMP_WAIT_POLICY=active"};
+              "  own choice: waiting threads sleep; spinning: OMP_WAIT_POLICY=active"};
   for (const int beside : {0, 2}) {
     const BusyProcesses busy(beside);
     const std::string environment =

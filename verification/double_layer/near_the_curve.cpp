@@ -28,12 +28,13 @@ ComplexVector rule(Index n, const ComplexVector& targets) {
 
 /// A planted defect: the normal points into the fluid.
 ComplexVector inward_normal(Index n, const ComplexVector& targets) {
-  return -rule(n, targets);
+  return plain_rule(sample(two_to_one, n, Side::fluid_outside), resolved_density(n), targets);
 }
 
-/// A planted defect: the kernel lacks the factor 1/pi.
-ComplexVector forgotten_pi(Index n, const ComplexVector& targets) {
-  return std::numbers::pi * rule(n, targets);
+/// A planted defect: all nodes have the same weight.
+ComplexVector same_weights(Index n, const ComplexVector& targets) {
+  const Curve wall = sample(two_to_one, n, Side::fluid_inside);
+  return plain_rule(wall, test::with_equal_weights(wall, resolved_density(n)), targets);
 }
 
 /// A planted defect: each node has the density of the next node.
@@ -94,16 +95,19 @@ ComplexVector targets_off(const Curve& curve, double spacings) {
 
 /// Errors by distance. The exact values are by a rule that is so fine that no target is near. The
 /// number of nodes is so large that five spacings are small relative to the radius of curvature.
-Measure errors_over_spacings(const Shape& shape, Index n, Side side, double scale) {
+/// Equal weights of all nodes are a planted defect.
+Measure errors_over_spacings(const Shape& shape, Index n, Side side, bool equal_weights = false) {
   return [=](Size size) {
     const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);
     const int steps = size == Size::full ? 20 : 10;
+    ComplexVector density = smooth_densities(n);
+    if (equal_weights) density = test::with_equal_weights(curve, density);
     std::vector<Measurement> measurements;
     for (int k = 1; k <= steps; ++k) {
       const double distance = 5.0 * k / steps;
       const ComplexVector targets = targets_off(curve, distance);
       const ComplexVector exact = plain_rule(fine, smooth_densities(fine.size()), targets);
-      const ComplexVector got = scale * plain_rule(curve, smooth_densities(n), targets);
+      const ComplexVector got = plain_rule(curve, density, targets);
       measurements.push_back({.x = distance, .error = relative_error(got, exact)});
     }
     return measurements;
@@ -114,7 +118,7 @@ Line spacing_line(const std::string& key, const std::string& id, const std::stri
                   const Shape& shape, Index n, Side side) {
   return {.key = key,
           .label = label,
-          .measure = errors_over_spacings(shape, n, side, 1.0),
+          .measure = errors_over_spacings(shape, n, side),
           .claim = Claim{.id = id,
                          .statement = "Each spacing h between curve and target is worth a factor "
                                       "e^{-2 pi}, almost three digits.",
@@ -123,8 +127,8 @@ Line spacing_line(const std::string& key, const std::string& id, const std::stri
                          .reason = "close to a resolved curve d = |x - z| / |x'| and h = 2 pi |x'| "
                                    "/ N, so that d N = 2 pi |x - z| / h",
                          .api = {"stokesbook::StressletSum"}},
-          .control = Control{"the kernel without 1/pi",
-                             errors_over_spacings(shape, n, side, std::numbers::pi)}};
+          .control =
+              Control{"all nodes of the same weight", errors_over_spacings(shape, n, side, true)}};
 }
 
 }  // namespace
@@ -137,7 +141,7 @@ Experiment rates_near_the_curve() {
       .error = "error of the velocity, relative to the largest",
       .axes = Axes::semi_log,
       .lines = {height_line("far", "02_3", 0.4, "the normal into the fluid", inward_normal),
-                height_line("near", "02_4", 0.2, "the kernel without 1/pi", forgotten_pi),
+                height_line("near", "02_4", 0.2, "all nodes of the same weight", same_weights),
                 height_line("nearer", "02_5", 0.1, "densities of the next node", shifted_density)}};
 }
 

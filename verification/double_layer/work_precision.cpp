@@ -31,7 +31,9 @@ Evaluation plain(const Curve& wall, const ComplexVector& density) {
 
 /// A planted defect: the normal points into the fluid.
 Evaluation inward_normal(const Curve& wall, const ComplexVector& density) {
-  return plain(wall, -density);
+  Curve turned = wall;
+  turned.side = Side::fluid_outside;
+  return plain(turned, density);
 }
 
 Evaluation refined(const Curve& wall, const ComplexVector& density) {

@@ -62,7 +62,9 @@ int run_all(const std::string& html) {
       std::ranges::count_if(rows, [](const Row& row) { return !is_met(row.hard, row.finding); });
   const bool are_controls_rejected = rejects_bad_answers();
   std::cout << rows.size() - static_cast<std::size_t>(failed) << " of " << rows.size()
-            << " as they must be" << (are_controls_rejected ? "\n" : "; the controls FAILED\n");
+            << " results are as required"
+            << (are_controls_rejected ? "\n"
+                                      : "; the controls FAILED: a bad answer was accepted\n");
   return failed == 0 && are_controls_rejected ? 0 : exit_case_fails;
 }
 
@@ -72,9 +74,9 @@ int run_all(const std::string& html) {
 
 int main(int argc, char** argv) {
   omp_set_num_threads(1);
-  CLI::App app{"The hard cases of the book: what was asked, what happened"};
+  CLI::App app{"Runs the hard cases of the book, and shows how this build handles them"};
   std::string html;
-  app.add_option("--html", html, "also write the table to a file");
+  app.add_option("--html", html, "file to which the table is written, too");
   CLI11_PARSE(app, argc, argv);
   return stokesbook::verification::hard_cases::run_all(html);
 }

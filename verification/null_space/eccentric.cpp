@@ -114,16 +114,16 @@ Line density_line(const std::string& key, const std::string& id, double relative
 
 const std::vector<double> gaps{0.01, 0.014, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5};
 
-Measure gap_errors(Index n) {
+/// @param  narrowest  narrowest gap that is set up; not 0: a planted defect
+Measure gap_errors(Index n, double narrowest = 0.0) {
   return over(gaps, [=](double gap) {
-    const EccentricAnnulus annulus = eccentric_annulus(gap);
+    const EccentricAnnulus annulus = eccentric_annulus(std::max(gap, narrowest));
     const StokesProblem problem = annulus_problem(annulus, 1.0, n, n);
     return relative_difference(solve_annulus(problem, right_matrix(problem)).load,
                                inner_load(annulus, 1.0));
   });
 }
 
-/// A planted defect: the residual of the linear system in place of the error.
 Measure gap_residuals(Index n) {
   return over(gaps, [=](double gap) {
     const StokesProblem problem = annulus_problem(eccentric_annulus(gap), 1.0, n, n);
@@ -213,24 +213,24 @@ Experiment closing_gap() {
           .x = "relative gap g",
           .error = "relative error of the inner circle's load",
           .axes = Axes::log_log,
-          .lines = {{.key = "n32", .label = "32 nodes a circle", .measure = gap_errors(32)},
-                    {.key = "n64", .label = "64 nodes a circle", .measure = gap_errors(64)},
-                    {.key = "n128",
-                     .label = "128 nodes a circle",
-                     .measure = gap_errors(128),
-                     .claim = Claim{.id = "04_24",
-                                    .statement = "With 128 nodes no digit of the load is right at "
-                                                 "relative gaps of 0.02 and below.",
-                                    .law = Floor{1.0, 3.0},
-                                    .window = {.to = 0.0201},
-                                    .reason = "2 d N is below 3, so that nothing has begun to "
-                                              "converge; the true load outgrows the computed one",
-                                    .api = {"stokesbook::assemble"}},
-                     .control = Control{"the residual of the linear system taken for the error",
-                                        gap_residuals(128)}},
-                    {.key = "residual",
-                     .label = "residual of the linear system, 128 nodes",
-                     .measure = gap_residuals(128)}}};
+          .lines = {
+              {.key = "n32", .label = "32 nodes a circle", .measure = gap_errors(32)},
+              {.key = "n64", .label = "64 nodes a circle", .measure = gap_errors(64)},
+              {.key = "n128",
+               .label = "128 nodes a circle",
+               .measure = gap_errors(128),
+               .claim = Claim{.id = "04_24",
+                              .statement = "With 128 nodes no digit of the load is right at "
+                                           "relative gaps of 0.02 and below.",
+                              .law = Floor{1.0, 3.0},
+                              .window = {.to = 0.0201},
+                              .reason = "2 d N is below 3, so that nothing has begun to "
+                                        "converge; the true load outgrows the computed one",
+                              .api = {"stokesbook::assemble"}},
+               .control = Control{"gaps that do not close further than 0.2", gap_errors(128, 0.2)}},
+              {.key = "residual",
+               .label = "residual of the linear system, 128 nodes",
+               .measure = gap_residuals(128)}}};
 }
 
 Experiment balance() {

@@ -58,7 +58,9 @@ Complex exact_stresslet(double ratio, double angle) {
 
 /// A planted defect: the normal points into the fluid.
 Complex with_inward_normal(const Curve& curve, const ComplexVector& density, double mu) {
-  return -body_stresslet(curve, density, mu);
+  Curve turned = curve;
+  turned.side = Side::fluid_inside;
+  return body_stresslet(turned, density, mu);
 }
 
 /// A planted defect: the scalar product instead of the complex one.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "double_layer/double_layer.hpp"
 #include "record/run_data.hpp"
@@ -14,10 +13,7 @@ namespace stokesbook::test {
 /// bodies, plus the reactions of walls and held bodies in the list of contacts. The force is
 /// relative to the largest contact force, the torque to that force times the largest distance from
 /// the origin. The result is the larger of the two, and 0 if there is no contact.
-///
-/// @param  left_out  a body that the sum omits (a planted defect)
-inline double contact_imbalance(const Scene& scene, const Frame& frame,
-                                std::optional<std::size_t> left_out = {}) {
+inline double contact_imbalance(const Scene& scene, const Frame& frame) {
   if (frame.contacts.empty()) return 0.0;
   Complex net{};
   double torque = 0.0, largest = 0.0, farthest = 0.0;
@@ -36,7 +32,7 @@ inline double contact_imbalance(const Scene& scene, const Frame& frame,
     if (is_support(contact.b)) count(contact.point, -force);
   }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    if (k == left_out || scene.bodies[k].held) continue;
+    if (scene.bodies[k].held) continue;
     const BodyState& body = frame.bodies[k];
     farthest = std::max(farthest, std::abs(body.position));
     count(body.position, body.force - scene.bodies[k].force);

@@ -11,6 +11,8 @@
 #include "support/exact_gaps.hpp"
 #include "support/once.hpp"
 #include "support/recorded_run.hpp"
+#include "suspension/contact/gap_constraints.hpp"
+#include "suspension/motion/stepping.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -22,14 +24,80 @@ namespace {
 /// Results of the scenes of one family.
 struct Tally {
   double scenes = 0.0, stopped = 0.0, steps = 0.0, halved = 0.0;
-  double in_contact = 0.0;                              // steps in contact
-  double iterations = 0.0, one_by_one = 0.0;            // of contact; if each treated only one pair
-  double all_iterations = 0.0;                          // including those of rejected attempts
-  double most_iterations = 0.0, most_one_by_one = 0.0;  // largest numbers in a step
-  double narrowest = 4.0;  // least gap of any written state, in separations
-  double unbalanced = 0.0, unbalanced_but_one = 0.0;
+  double in_contact = 0.0;                         // steps in contact
+  double iterations = 0.0, most_iterations = 0.0;  // of contact; largest number in a step
+  double all_iterations = 0.0;                     // including those of rejected attempts
+  double narrowest = 4.0;                          // least gap of any written state, in separations
+  double unbalanced = 0.0, unbalanced_without_reaction = 0.0;
   double seconds = 0.0, seconds_of_contact = 0.0;
+  int one_by_one = 0;  // linear problems of the step with the most contacts, see one_by_one()
 };
+
+/// A planted defect: returns a frame in which each contact force acts on one of both bodies only.
+Frame without_reaction(const Scene& scene, Frame frame) {
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    frame.bodies[k].force = scene.bodies[k].force;
+    frame.bodies[k].torque = scene.bodies[k].torque;
+  }
+  for (const ContactForce& contact : frame.contacts) {
+    if (contact.a.is_wall) continue;
+    BodyState& body = frame.bodies[contact.a.number];
+    const Complex force = contact.force * contact.normal;
+    body.force += force;
+    body.torque += cross(contact.point - body.position, force);
+  }
+  return frame;
+}
+
+/// A planted defect: resolves the contact of one Euler step pair by pair, until no pair is violated
+/// or each pair has been resolved four times.
+///
+/// @return  number of linear problems
+int one_by_one(Scene scene, const Frame& frame) {
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    scene.bodies[k].position = frame.bodies[k].position;
+    scene.bodies[k].orientation = frame.bodies[k].orientation;
+  }
+  const SuspensionSolver solver(scene);
+  Instant start = solver.start();
+  const auto reversals =
+      std::ranges::count_if(scene.reverse_at, [&](double t) { return t <= frame.t; });
+  start.amplitude = reversals % 2 == 0 ? 1.0 : -1.0;
+  const Solution free = solver.solve(start);
+  ContactMobility mobility(solver, free);
+  const double separation = solver.separation(), sag = 4e-3 * separation;
+  const ContactShapes shapes = contact_shapes(solver.discretisation(), sag);
+  const ContactRules polygons{{separation + 2.0 * sag}, 1e-5 * separation};
+  Eigen::VectorXd velocity = to_rate(free);
+  int linear_problems = 0;
+  for (int sweep = 0; sweep < 4; ++sweep) {
+    const std::vector<RigidPath> paths =
+        straight_paths(start.configuration, velocity, *scene.time->dt);
+    const std::vector<stokesbook::Contact> contacts =
+        interferences(shapes, paths, polygons).contacts;
+    if (contacts.empty()) break;
+    for (const stokesbook::Contact& contact : contacts) {
+      const ContactStage stage{
+          start.configuration, velocity, *scene.time->dt, start.configuration, 1.0, {}, 9};
+      const ConstraintRules rules{polygons, {separation}, [&](std::size_t a, std::size_t b) {
+                                    return a == contact.a && b == contact.b;
+                                  }};
+      GapConstraints rows(stage, solver.discretisation(), shapes, rules);
+      const ContactResult result = rows.resolved(
+          {.free_velocity = velocity,
+           .dt = stage.dt,
+           .separation = separation,
+           .tolerance = polygons.tolerance,
+           .rows = {},
+           .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
+             return mobility(forces);
+           }});
+      linear_problems += result.iterations;
+      if (result.status == ContactStatus::resolved) velocity = result.velocity;
+    }
+  }
+  return linear_problems;
+}
 
 void add(Tally& tally, const Scene& scene, double separation) {
   const auto start = std::chrono::steady_clock::now();
@@ -43,21 +111,23 @@ void add(Tally& tally, const Scene& scene, double separation) {
   tally.halved += static_cast<double>(run.totals.rejected_steps);
   tally.all_iterations += static_cast<double>(run.totals.ncp_iterations);
   for (const StepInfo& step : run.steps) {
-    const double iterations = step.ncp_iterations, one_by_one = iterations * step.contacts;
+    const double iterations = step.ncp_iterations;
     tally.in_contact += iterations > 0.0 ? 1.0 : 0.0;
     tally.iterations += iterations;
-    tally.one_by_one += one_by_one;
     tally.most_iterations = std::max(tally.most_iterations, iterations);
-    tally.most_one_by_one = std::max(tally.most_one_by_one, one_by_one);
   }
   const double gap = least_exact_gap(scene, run.frames, 4.0 * separation);
   tally.narrowest = std::min(tally.narrowest, gap / separation);
   for (const Frame& frame : run.frames) {
     tally.unbalanced = std::max(tally.unbalanced, contact_imbalance(scene, frame));
-    if (frame.contacts.empty()) continue;
-    const double but_one = contact_imbalance(scene, frame, frame.contacts[0].a.number);
-    tally.unbalanced_but_one = std::max(tally.unbalanced_but_one, but_one);
+    tally.unbalanced_without_reaction =
+        std::max(tally.unbalanced_without_reaction,
+                 contact_imbalance(scene, without_reaction(scene, frame)));
   }
+  if (!scene.contact) return;
+  const auto contacts = [](const Frame& frame) { return frame.contacts.size(); };
+  const Frame& most = std::ranges::max(run.frames, {}, contacts);
+  if (tally.one_by_one == 0 && contacts(most) > 0) tally.one_by_one = one_by_one(scene, most);
 }
 
 // Without contact, an overlap stops the run. The planted defect leaves contact out; its steps may
@@ -114,14 +184,11 @@ double stopped(const Tally& tally) {
 double mean_iterations(const Tally& tally) {
   return tally.iterations / std::max(tally.in_contact, 1.0);
 }
-double mean_one_by_one(const Tally& tally) {
-  return tally.one_by_one / std::max(tally.in_contact, 1.0);
+double problems_one_by_one(const Tally& tally) {
+  return tally.one_by_one;
 }
 double most_iterations(const Tally& tally) {
   return tally.most_iterations;
-}
-double most_one_by_one(const Tally& tally) {
-  return tally.most_one_by_one;
 }
 
 double share_of_time(const Tally& tally) {
@@ -138,7 +205,7 @@ Measure over_flows(double (*quantity)(const Tally&)) {
       last = family;
       sum.in_contact += tally.in_contact;
       sum.iterations += tally.iterations;
-      sum.one_by_one += tally.one_by_one;
+      sum.one_by_one = std::max(sum.one_by_one, tally.one_by_one);
     }
     Tallies sums;
     for (const auto& [flow, family_and_sum] : flows) sums.insert(family_and_sum);
@@ -183,8 +250,9 @@ Experiment random_crowds() {
                           .law = Identity{1e-12},
                           .reason = "they act on both bodies at one point along one line",
                           .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"one body left out", over_families([](const Tally& tally) {
-                                return tally.unbalanced_but_one;
+           .control = Control{"forces that act on one of both bodies only",
+                              over_families([](const Tally& tally) {
+                                return tally.unbalanced_without_reaction;
                               })}},
           {.key = "stopped",
            .label = "scenes that stopped",
@@ -217,7 +285,7 @@ Experiment random_crowds() {
                          "Newton's method for gaps that are nearly linear where the step before "
                          "ended; both stages of Heun's method count, rejected attempts do not",
                      .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs resolved one by one", over_flows(mean_one_by_one)}},
+           .control = Control{"pairs resolved one by one", over_flows(problems_one_by_one)}},
           {.key = "most_iterations",
            .label = "most in a step",
            .measure = over_families(most_iterations),
@@ -227,7 +295,7 @@ Experiment random_crowds() {
                      .law = AtMost{9.0},
                      .reason = "a step that needs more is halved; the published maximum is nine",
                      .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs resolved one by one", over_families(most_one_by_one)}},
+           .control = Control{"pairs resolved one by one", over_families(problems_one_by_one)}},
           counted("share", "share of the time that contact takes", share_of_time)}};
 }
 

@@ -31,18 +31,25 @@ struct Hold {
   double force, widest, narrowest;  // least and largest gap of all times, in separations
 };
 
+/// Settings other than these are planted defects.
+struct HoldSettings {
+  int nodes = automatic_nodes;  ///< nodes on each disk
+  double rate = 1.0;            ///< rate of strain
+  double viscosity = 1.0;
+  auto operator<=>(const HoldSettings&) const = default;
+};
+
 /// Two disks of radius 1/2 on the x axis of u = (-x, y); their initial gap is the separation.
-///
-/// @param  nodes  nodes on each disk; a small number is a planted defect
-Hold hold(double gap, double dt, int nodes = automatic_nodes) {
-  static Once<std::tuple<double, double, int>, Hold> holds;
-  return holds({gap, dt, nodes}, [&] {
-    std::vector<Body> disks(2, Body{.shape = Circle{0.5}, .n_nodes = nodes});
+Hold hold(double gap, double dt, const HoldSettings& settings = {}) {
+  static Once<std::tuple<double, double, HoldSettings>, Hold> holds;
+  return holds({gap, dt, settings}, [&] {
+    std::vector<Body> disks(2, Body{.shape = Circle{0.5}, .n_nodes = settings.nodes});
     disks[0].position = -0.5 - 0.5 * gap;
     disks[1].position = 0.5 + 0.5 * gap;
-    Scene scene = over(in_contact(ExtensionalFlow{-1.0}, disks, gap), 4.0 * dt, dt);
+    Scene scene = over(in_contact(ExtensionalFlow{-settings.rate}, disks, gap), 4.0 * dt, dt);
+    scene.viscosity = settings.viscosity;
     // The experiment shows the error of 32 nodes; the solver must not reject such a solution.
-    if (nodes != automatic_nodes) scene.solver.tolerance = 0.5;
+    if (settings.nodes != automatic_nodes) scene.solver.tolerance = 0.5;
     const RecordedRun run = recorded_run(scene);
     Hold found{run.frames.back().contacts.at(0).force, 0.0, 2.0};
     for (const Frame& frame : run.frames) {
@@ -60,18 +67,21 @@ Measure differences(int nodes) {
     std::vector<Measurement> measurements;
     for (const auto& [gap, force] : known) {
       measurements.push_back(
-          {.x = gap, .error = std::abs(hold(gap * node_spacing, 0.1, nodes).force / force - 1.0)});
+          {.x = gap,
+           .error = std::abs(hold(gap * node_spacing, 0.1, {.nodes = nodes}).force / force - 1.0)});
     }
     return measurements;
   };
 }
 
-// Relative distance of the force from its limit as the gap tends to 0.
-Measure beyond(double limit) {
+// Relative distance of the force from its limit 6 pi mu e a = 3 pi as the gap tends to 0.
+Measure beyond_limit(const HoldSettings& settings) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (double gap = size == Size::full ? 1.0 / 1024 : 1.0 / 64; gap <= 0.25; gap *= 2.0) {
-      measurements.push_back({.x = gap, .error = std::abs(hold(gap, 0.1).force / limit - 1.0)});
+      measurements.push_back(
+          {.x = gap,
+           .error = std::abs(hold(gap, 0.1, settings).force / (3.0 * std::numbers::pi) - 1.0)});
     }
     return measurements;
   };
@@ -87,8 +97,18 @@ Measure over_steps(double (*quantity)(double dt)) {
   };
 }
 
+double force_spread(double dt, const HoldSettings& settings) {
+  const double gap = 2.0 * node_spacing;
+  return std::abs(hold(gap, dt, settings).force / hold(gap, 0.1).force - 1.0);
+}
+
 double force_spread(double dt) {
-  return std::abs(hold(2.0 * node_spacing, dt).force / hold(2.0 * node_spacing, 0.1).force - 1.0);
+  return force_spread(dt, {});
+}
+
+// A planted defect: the published normalisation of Stokeslets, without 1 / (4 pi).
+double published_unit(double dt) {
+  return force_spread(dt, {.viscosity = 1.0 / (4.0 * std::numbers::pi)});
 }
 
 double gap_drift(double dt) {
@@ -107,11 +127,6 @@ double free_drift(double dt) {
   const Solution solution = solver.solve(solver.start());
   return std::abs((solution.motions[1].velocity - solution.motions[0].velocity) * dt) /
          (2.0 * node_spacing);
-}
-
-// A planted defect: the published normalisation of Stokeslets, without 1 / (4 pi).
-double published_unit(double dt) {
-  return std::abs(hold(2.0 * node_spacing, dt).force / (4.0 * std::numbers::pi) / 9.7982 - 1.0);
 }
 
 }  // namespace
@@ -134,24 +149,24 @@ Experiment holding_force() {
 }
 
 Experiment holding_force_limit() {
-  return {
-      .key = "holding_force_limit",
-      .title = "Its limit as the gap closes",
-      .x = "gap g",
-      .error = "relative difference of the force from 3 pi",
-      .lines = {{.key = "limit",
-                 .label = "from 3 pi",
-                 .measure = beyond(3.0 * std::numbers::pi),
-                 .claim = Claim{.id = "12_11",
-                                .statement = "As the gap closes the force tends to 6 pi mu e a = "
-                                             "3 pi, with an error of order 1 in the gap.",
-                                .law = Algebraic{-1.0, 0.05},
-                                .window = {.from = 0.0, .to = 0.07},
-                                .reason = "the pair is one rigid body then; the force is "
-                                          "analytic in the gap, as the measured slope of the "
-                                          "five-digit table is",
-                                .api = {"stokesbook::SuspensionContact"}},
-                 .control = Control{"9.5 in place of 3 pi", beyond(9.5)}}}};
+  return {.key = "holding_force_limit",
+          .title = "Its limit as the gap closes",
+          .x = "gap g",
+          .error = "relative difference of the force from 3 pi",
+          .lines = {
+              {.key = "limit",
+               .label = "from 3 pi",
+               .measure = beyond_limit({}),
+               .claim = Claim{.id = "12_11",
+                              .statement = "As the gap closes the force tends to 6 pi mu e a = "
+                                           "3 pi, with an error of order 1 in the gap.",
+                              .law = Algebraic{-1.0, 0.05},
+                              .window = {.from = 0.0, .to = 0.07},
+                              .reason = "the pair is one rigid body then; the force is "
+                                        "analytic in the gap, as the measured slope of the "
+                                        "five-digit table is",
+                              .api = {"stokesbook::SuspensionContact"}},
+               .control = Control{"a rate of strain 1 % too high", beyond_limit({.rate = 1.01})}}}};
 }
 
 Experiment holding_steps() {
@@ -166,7 +181,7 @@ Experiment holding_steps() {
                  .claim = Claim{.id = "12_12",
                                 .statement = "The force that holds two disks apart does not "
                                              "depend on the time step.",
-                                .law = Identity{1e-5},
+                                .law = AtMost{1e-5},
                                 .reason = "a step at rest needs the force that stops the approach",
                                 .api = {"stokesbook::SuspensionContact"}},
                  .control = Control{"without 1/(4 pi) in the Stokeslet, as published",
@@ -176,7 +191,7 @@ Experiment holding_steps() {
                  .measure = over_steps(gap_drift),
                  .claim = Claim{.id = "12_13",
                                 .statement = "A gap that begins at the separation is kept.",
-                                .law = Identity{1e-5},
+                                .law = AtMost{1e-5},
                                 .reason = "the tolerance of gaps is 1e-5 of the separation",
                                 .api = {"stokesbook::SuspensionContact"}},
                  .control = Control{"a step without contact", over_steps(free_drift)}}}};

@@ -59,7 +59,7 @@ Experiment resting() {
                .claim = Claim{.id = "12_16",
                               .statement = "A body at rest on a wall keeps its gap; it does "
                                            "not drift.",
-                              .law = Identity{1e-5},
+                              .law = AtMost{1e-5},
                               .reason =
                                   "every step ends at the separation, to a tolerance of 1e-5 of it",
                               .api = {"stokesbook::SuspensionContact"}},

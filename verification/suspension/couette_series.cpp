@@ -49,7 +49,13 @@ double order_alone(const Scene& scene, double t) {
   return sum / static_cast<double>(scene.bodies.size());
 }
 
-CouetteSeries couette_series(const Scene& scene) {
+std::vector<Body> every_other(const std::vector<Body>& bodies) {
+  std::vector<Body> kept;
+  for (std::size_t k = 0; k < bodies.size(); k += 2) kept.push_back(bodies[k]);
+  return kept;
+}
+
+CouetteSeries couette_series(const Scene& scene, double separation) {
   using clock = std::chrono::steady_clock;
   const clock::time_point start = clock::now();
   const test::RecordedRun run = test::recorded_run(scene);
@@ -59,7 +65,6 @@ CouetteSeries couette_series(const Scene& scene) {
   series.gmres_iterations = run.totals.gmres_iterations;
   series.contact_iterations = run.totals.ncp_iterations;
   series.largest_estimate = run.resolution.velocity_error / scene.solver.tolerance;
-  const double separation = scene.contact->minimum_separation;
   series.least_gap = test::least_exact_gap(scene, run.frames, 2.0 * separation) / separation;
   for (const Frame& frame : run.frames) {
     series.revolutions.push_back(frame.t / (2.0 * std::numbers::pi));

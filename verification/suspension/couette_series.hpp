@@ -19,7 +19,12 @@ struct CouetteSeries {
 };
 
 /// Runs a Couette cell whose outer wall turns at the rate 1.
-CouetteSeries couette_series(const Scene& scene);
+///
+/// @param  separation  the unit of the least gap, which contact should keep
+CouetteSeries couette_series(const Scene& scene, double separation);
+
+/// Returns the bodies with even numbers; leaving out the others is a planted defect.
+std::vector<Body> every_other(const std::vector<Body>& bodies);
 
 /// Returns the order parameter of a Couette cell if each ellipse stayed on its circle and turned by
 /// Jeffery's equation in the shear of the cell without bodies.

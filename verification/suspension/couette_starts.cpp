@@ -176,7 +176,7 @@ Experiment couette_digits() {
             .claim = Claim{.id = "12_38",
                            .statement = "Positions known to four digits give the viscosity of the "
                                         "first instant to a hundred-thousandth.",
-                           .law = Identity{1.0},
+                           .law = AtMost{1.0},
                            .reason = "a mean over 320 bodies, whose errors are independent",
                            .api = {"stokesbook::Rheometer"}},
             .control = Control{"moves a hundred times as large",

@@ -78,20 +78,20 @@ double least_gap(const Scene& scene, const Frame& frame) {
          shipped_crowd().contact->minimum_separation;
 }
 
-/// @param  kept  separation to compare with, in separations; more than 1 is a planted defect
-Measure lost_in_extension(double kept) {
-  return over_time(true, [=](const Scene& scene, const Frame& frame) {
-    return std::max(0.0, kept - least_gap(scene, frame));
+Measure lost_in_extension(bool in_contact) {
+  return over_time(in_contact, [](const Scene& scene, const Frame& frame) {
+    return std::max(0.0, 1.0 - least_gap(scene, frame));
   });
 }
 
 /// Motions of the crowd at its start, with all distances multiplied by `spread`.
-const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
-  static Once<std::pair<Size, double>, std::vector<RigidMotion>> found;
-  return found({size, spread}, [&] {
+const std::vector<RigidMotion>& motions_apart(Size size, double spread, double rate) {
+  static Once<std::tuple<Size, double, double>, std::vector<RigidMotion>> found;
+  return found({size, spread, rate}, [&] {
     Scene scene = shipped_crowd();
     scene.contact.reset();
     scene.solver.tolerance = size == Size::full ? 1e-9 : 1e-7;
+    scene.flow = ExtensionalFlow{rate};
     for (Body& body : scene.bodies) body.position *= spread;
     const SuspensionSolver solver(scene);
     return solver.solve(solver.start()).motions;
@@ -100,24 +100,25 @@ const std::vector<RigidMotion>& motions_apart(Size size, double spread) {
 
 /// Largest difference of an angular velocity from that of the same ellipse alone.
 ///
-/// @param  factor  multiplies Jeffery's angular velocity; a factor other than 1 is a planted defect
-double turned_by_others(Size size, double spread, double factor) {
+/// @param  rate  rate of strain; a rate other than 1 is a planted defect
+double turned_by_others(Size size, double spread, double rate) {
   const Scene& crowd = shipped_crowd();
-  const std::vector<RigidMotion>& motions = motions_apart(size, spread);
+  const std::vector<RigidMotion>& motions = motions_apart(size, spread, rate);
   double largest = 0.0;
   for (std::size_t k = 0; k < crowd.bodies.size(); ++k) {
     const double alone =
         free_ellipse_omega(ellipse_of(crowd), crowd.bodies[k].orientation, 0.0, 1.0, 0.0);
-    largest = std::max(largest, std::abs(motions[k].omega - factor * alone));
+    largest = std::max(largest, std::abs(motions[k].omega - alone));
   }
   return largest;
 }
 
-Measure differences_from_alone(double factor) {
+Measure differences_from_alone(double least_spread, double rate) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
-    for (double spread = 1.0; spread <= (size == Size::full ? 64.0 : 32.0); spread *= 2.0) {
-      measurements.push_back({.x = spread, .error = turned_by_others(size, spread, factor)});
+    for (double spread = least_spread; spread <= (size == Size::full ? 64.0 : 32.0);
+         spread *= 2.0) {
+      measurements.push_back({.x = spread, .error = turned_by_others(size, spread, rate)});
     }
     return measurements;
   };
@@ -153,14 +154,14 @@ Experiment extension_gaps() {
           {.key = "contact", .label = "with contact", .measure = over_time(true, least_gap)},
           {.key = "lost",
            .label = "shortfall below the separation",
-           .measure = lost_in_extension(1.0),
+           .measure = lost_in_extension(true),
            .claim = Claim{.id = "12_47",
                           .statement = "In extension a crowd keeps its separation.",
-                          .law = Identity{1e-3},
+                          .law = AtMost{1e-3},
                           .reason = "each step resolves contact with the mobility of all "
                                     "bodies together",
                           .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"a separation 1 % wider than what is kept", lost_in_extension(1.01)}},
+           .control = Control{"contact left out", lost_in_extension(false)}},
           {.key = "without", .label = "without contact", .measure = over_time(false, least_gap)}}};
 }
 
@@ -171,7 +172,7 @@ Experiment extension_apart() {
           .error = "largest difference from the angular velocity alone, over the rate of strain",
           .lines = {{.key = "turned",
                      .label = "36 ellipses",
-                     .measure = differences_from_alone(1.0),
+                     .measure = differences_from_alone(1.0, 1.0),
                      .claim = Claim{.id = "12_48",
                                     .statement = "Ellipses of a crowd in extension turn as each "
                                                  "would alone, but for a difference of order 2 in "
@@ -181,8 +182,8 @@ Experiment extension_apart() {
                                     .reason = "the others are stresslets; the gradient of their "
                                               "flow falls like s^-2",
                                     .api = {"stokesbook::SuspensionSolver"}},
-                     .control = Control{"an ellipse alone that turns 1 % faster",
-                                        differences_from_alone(1.01)}}}};
+                     .control = Control{"a rate of strain 1 % too high",
+                                        differences_from_alone(8.0, 1.01)}}}};
 }
 
 }  // namespace stokesbook::verification::suspension
