@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup closure
-/// @{
-
 /// The forms of the linear system of one problem. Conditioning and quadrature errors differ; the
 /// exact motions and loads are the same.
 enum class ClosureForm {
@@ -53,7 +50,5 @@ DenseSystem assemble(const StokesProblem& problem, ClosureForm form);
 /// @throws std::invalid_argument when Closure rejects the problem
 Completion complete_dense(const StokesProblem& problem, ClosureForm form,
                           const Eigen::VectorXd& solution);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup closure
-/// @{
-
 /// Force and torque of a component on the fluid.
 struct Load {
   Complex force;        ///< force / length
@@ -141,7 +138,5 @@ class Closure {
   Eigen::Index prescribed_count_ = 0;
   bool free_uniform_velocity_ = false;
 };
-
-/// @}
 
 }  // namespace stokesbook

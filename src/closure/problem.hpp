@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup closure
-/// @{
-
 /// The kind of a component of the boundary: its given data and its results.
 enum class ComponentKind {
   free_body,       ///< force and torque are given; velocity and omega are results
@@ -65,7 +62,5 @@ bool has_net_force(const StokesProblem& problem);
 /// has a prescribed velocity. The velocity found is the one for which the net force is zero; it
 /// cancels any uniform velocity of the background.
 bool has_free_uniform_velocity(const StokesProblem& problem);
-
-/// @}
 
 }  // namespace stokesbook

@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup closure
-/// @{
-
 /// Velocity \f$ U + \omega (x - c)^\perp \f$ (03.1) of a rigid body about a centre c.
 struct RigidMotion {
   Complex velocity;    ///< U, length / time
@@ -61,7 +58,5 @@ struct RigidModeMatrices {
 
 /// Assembles the matrices of a curve's rigid motions about a centre, by O(N^2) operations.
 RigidModeMatrices rigid_mode_matrices(const Curve& curve, Complex centre);
-
-/// @}
 
 }  // namespace stokesbook

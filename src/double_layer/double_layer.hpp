@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// Applies the diagonal of the double layer of a curve on itself: the limit (02.9) of the kernel
 /// times the weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
 ///
@@ -67,7 +64,5 @@ inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eige
 /// Writes a real-linear map of plane vectors, \f$ \eta \to A\eta + B\bar\eta \f$, as a real matrix
 /// that acts on interleaved() vectors; A and B have the same size.
 Eigen::MatrixXd interleaved_map(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);
-
-/// @}
 
 }  // namespace stokesbook

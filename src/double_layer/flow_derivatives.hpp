@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// Pressure, vorticity and strain of a Stokes flow at a point.
 ///
 /// If the velocity is \f$ u = \phi - z\overline{\phi'} - \overline{\psi} \f$ with analytic
@@ -64,7 +61,5 @@ inline FlowDerivatives rotlet_derivatives(Complex r, double torque, double mu) {
   const Complex conjugate = std::conj(1.0 / r);
   return {0.0, 0.0, -imaginary * (torque / (2.0 * std::numbers::pi * mu)) * conjugate * conjugate};
 }
-
-/// @}
 
 }  // namespace stokesbook

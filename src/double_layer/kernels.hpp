@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// Evaluates the stresslet \f$ \frac1\pi \frac{(r\cdot n)(r\cdot\eta)}{\rho^4} r \f$ with
 /// \f$ \rho = |r| \f$: the velocity of the double layer (02.6) per unit length of curve.
 ///
@@ -45,7 +42,5 @@ inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
 inline Complex rotlet(Complex r, double torque, double mu) {
   return perp(r) * (torque / (4.0 * std::numbers::pi * mu * std::norm(r)));
 }
-
-/// @}
 
 }  // namespace stokesbook

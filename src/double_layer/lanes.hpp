@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// Number of doubles in a register of the processor for which a source file is compiled. Source
 /// files may differ in this number: functions of the libraries therefore pass plain arrays to each
 /// other, and use Lanes inside only.
@@ -32,7 +29,5 @@ inline Lanes load(const double* from) {
 inline void store(const Lanes& lanes, double* to) {
   std::memcpy(to, &lanes, sizeof lanes);
 }
-
-/// @}
 
 }  // namespace stokesbook

@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// The nodes of several curves, one after another, in the layout that the kernels read.
 struct StressletNodes {
   explicit StressletNodes(const std::vector<Curve>& curves);  ///< copies the nodes of the curves
@@ -66,7 +63,5 @@ void add_velocities(const StressletBlock& block, const VectorGroup& targets,
 /// @param  sum     derivatives of the flow at the target, 1 / time; the block's are added
 /// @par Cost       one kernel evaluation per node
 void add_derivatives(const StressletBlock& block, Complex target, FlowDerivatives& sum);
-
-/// @}
 
 }  // namespace stokesbook

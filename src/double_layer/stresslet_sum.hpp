@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup double_layer
-/// @{
-
 /// The ways in which a sum over all pairs of nodes provides its kernel.
 enum class KernelStorage {
   streamed,  ///< evaluated anew in every application
@@ -85,7 +82,5 @@ class StressletSum {
   StressletNodes nodes_;
   Eigen::MatrixXd matrix_;  // empty if the kernel is streamed
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// Coefficients of a pair of Goursat functions about the centre c of a box, one column for each
 /// power k = 0 ... p: real and imaginary part of the coefficient of \f$ \phi \f$, then those of
 /// \f$ \psi_c = \psi + \bar c\phi' \f$. The velocity is
@@ -91,7 +88,5 @@ void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGrou
 /// its box, 1 / time.
 FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
                                 Complex target);
-
-/// @}
 
 }  // namespace stokesbook

@@ -17,9 +17,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// Densities, forces and torques of the sources of an Fmm, one column per field. The members are
 /// views, which are valid during the call of a function.
 struct FmmStrengths {
@@ -163,7 +160,5 @@ class Fmm {
   Eigen::VectorXd least2_;                   // squared half weight
   std::vector<Eigen::Index> points_before_;  // number of points before each source, then of all
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// Parameters of an Fmm.
 struct FmmSettings {
   int order = 0;               ///< p, highest power of the expansions, 1 to 60
@@ -38,7 +35,5 @@ struct FmmSettings {
 /// most n = 450, 600, 770 and 930 nodes, for 3, 6, 9 and 12 digits. With n nodes an Fmm takes about
 /// half of the direct sum's operations, @ref claim_08_30.
 Eigen::Index break_even(const FmmSettings& settings);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// Consecutive points of a tree.
 struct Range {
   Eigen::Index first;  ///< first of them
@@ -48,7 +45,5 @@ struct Interactions {
 /// @par Cost             O(number of boxes)
 Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
                                Eigen::Index direct_pairs);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// A box of a quadtree: points that are consecutive in the tree's order, and the disk about them.
 struct Box {
   Eigen::Index first = 0;        ///< first of its points
@@ -68,7 +65,5 @@ class Quadtree {
   std::vector<Box> boxes_;
   std::vector<Eigen::Index> levels_ = {0};
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup fmm
-/// @{
-
 /// Translates expansions of one order from box to box.
 ///
 /// Every translation consists of a diagonal scaling, a matrix of binomial coefficients that is the
@@ -68,7 +65,5 @@ class Translations {
   Matrix binomial_;  // row n, column k, n <= p
   Matrix m2l_;       // H, row l, column k
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -11,9 +11,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup krylov
-/// @{
-
 /// Assembles a component's own block of the reduced system (03.11), with N_0 (04.6) on an enclosing
 /// wall.
 ///
@@ -81,7 +78,5 @@ class BlockDiagonalPreconditioner {
 /// @throws std::domain_error when the block is numerically singular: a reciprocal condition number
 ///         below 1e-14
 Eigen::MatrixXd invert_block(const Eigen::MatrixXd& block);
-
-/// @}
 
 }  // namespace stokesbook

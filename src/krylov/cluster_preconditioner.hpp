@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup krylov
-/// @{
-
 /// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters:
 /// a hundred times the largest radius of gyration a of all inner components.
 ///
@@ -123,7 +120,5 @@ class ClusterPreconditioner {
   std::vector<ReleasedBody> released_;            // free bodies in the resistance form
   std::shared_ptr<const Resistance> resistance_;  // R of these bodies, 3 unknowns each
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup krylov
-/// @{
-
 /// Solves the whole system by a factorisation, for few unknowns, many right-hand sides, and gaps so
 /// narrow that many iterations would be necessary.
 ///
@@ -36,7 +33,5 @@ class DirectPreconditioner {
  private:
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
-
-/// @}
 
 }  // namespace stokesbook

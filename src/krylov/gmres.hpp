@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup krylov
-/// @{
-
 /// A linear map of real vectors.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
@@ -61,7 +58,5 @@ struct GmresResult {
 /// 14 (1993) 461
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
                   const GmresOptions& options, const Eigen::VectorXd& guess = {});
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// A linear complementarity problem (11.2) whose matrix M is only applied to vectors, not stored.
 struct LcpOperator {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< maps z to M z
@@ -35,7 +32,5 @@ LcpResult matrix_free_barzilai_borwein(const LcpOperator& problem, const LcpOpti
 
 /// Solves as matrix_free_barzilai_borwein() does, for a matrix that is stored.
 LcpResult barzilai_borwein(const LcpProblem& problem, const LcpOptions& options = {});
-
-/// @}
 
 }  // namespace stokesbook

@@ -11,9 +11,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// Identifies a row. A row keeps its key from one iteration to the next as long as it belongs to
 /// the same point.
 struct ContactKey {
@@ -140,7 +137,5 @@ struct ContactResult {
 ///                  max_iterations calls of respond(); one more call of both for each refinement
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// Solves (11.2) by Lemke's complementary pivoting: follows the solutions of
 /// \f$ w = q + M z + t e,\ e = (1, \dots, 1) \f$ (11.4) from large t down to t = 0.
 ///
@@ -28,7 +25,5 @@ namespace stokesbook {
 /// @par Not for     m beyond a thousand: use barzilai_borwein()
 /// @sa source: Cottle, Pang, Stone, The Linear Complementarity Problem (1992), 4.4 and 4.9
 LcpResult lemke(const LcpProblem& problem, const LcpOptions& options = {});
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// Solves (11.2) by Newton's method for the functions of Fischer and Burmeister (11.7),
 /// \f$ \varphi_i = \sqrt{z_i^2 + w_i^2} - z_i - w_i \f$, which vanish exactly where z_i, w_i >= 0
 /// and z_i w_i = 0.
@@ -44,7 +41,5 @@ LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options = 
 ///                  solution
 /// @sa source: Harker, Pang, Lect. Appl. Math. 26 (1990) 265
 LcpResult minimum_map_newton(const LcpProblem& problem, const LcpOptions& options = {});
-
-/// @}
 
 }  // namespace stokesbook

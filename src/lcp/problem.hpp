@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// Linear complementarity problem: find z with
 /// \f$ w = q + M z, \quad z \ge 0, \quad w \ge 0, \quad z \cdot w = 0 \f$ (11.2).
 ///
@@ -48,7 +45,5 @@ struct LcpResult {
 /// projected_gauss_seidel(), barzilai_borwein(). All throw std::invalid_argument when sizes do not
 /// agree, and std::domain_error when M or q is not finite.
 using LcpSolver = std::function<LcpResult(const LcpProblem&, const LcpOptions&)>;
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// Solves (11.2) by sweeps that set \f$ z_i \leftarrow \max(0, z_i - w_i / M_{ii}) \f$ for one i
 /// after another.
 ///
@@ -23,7 +20,5 @@ namespace stokesbook {
 ///                  solution
 /// @sa source: Cottle, Pang, Stone, The Linear Complementarity Problem (1992), 5.2
 LcpResult projected_gauss_seidel(const LcpProblem& problem, const LcpOptions& options = {});
-
-/// @}
 
 }  // namespace stokesbook

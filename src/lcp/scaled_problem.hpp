@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup lcp
-/// @{
-
 /// The factors of the unknowns: \f$ z_i = a s_i z'_i \f$ with z' without units.
 struct LcpScaling {
   Eigen::VectorXd scale;  ///< s_i > 0, see lcp_residual()
@@ -75,7 +72,5 @@ LcpResult make_result(const ScaledLcp& scaled, const Eigen::VectorXd& z, double 
 /// @return    0 at a solution; the denominator is 1 if q = 0
 /// @par Cost  one product with M
 double lcp_residual(const LcpProblem& problem, const Eigen::VectorXd& z);
-
-/// @}
 
 }  // namespace stokesbook

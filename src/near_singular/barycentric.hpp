@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// The two sums that a barycentric evaluation computes at a target z.
 struct BarycentricValues {
   Complex first,  ///< \f$ \sum_j w_j f_j \f$
@@ -60,7 +57,5 @@ class Barycentric {
   Eigen::VectorXd cx_, cy_;  // s t'_j h / (2 pi i)
   double own_;               // [s = -1]: 1 for a body, 0 for the enclosing wall
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// Node values of the three functions from which CauchyCurve evaluates the velocity of a double
 /// layer.
 ///
@@ -109,7 +106,5 @@ class CauchyCurve {
   Eigen::MatrixXcd dphi_;  // density -> phi'
   Eigen::MatrixXd limit_;  // density -> U: -1/2 + D, interleaved
 };
-
-/// @}
 
 }  // namespace stokesbook

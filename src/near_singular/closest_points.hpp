@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// A curve placed in the plane that can be evaluated between its nodes.
 struct SmoothCurve {
   Curve nodes;                                   ///< nodes in the plane
@@ -75,7 +72,5 @@ ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 /// @par Accuracy  as closest_points(), @ref claim_06_36
 /// @par Cost      about five evaluations of the curves per Newton step
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);
-
-/// @}
 
 }  // namespace stokesbook

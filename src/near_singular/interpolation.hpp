@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// Parameters of the interpolation scheme.
 ///
 /// For a resolved density the error of the scheme is about
@@ -116,7 +113,5 @@ class InterpolationCurve {
   Eigen::MatrixXd refine_;  // node values -> fine node values
   Eigen::MatrixXd limit_;   // -1/2 + D, interleaved
 };
-
-/// @}
 
 }  // namespace stokesbook

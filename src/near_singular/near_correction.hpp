@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// Data that a near correction stores between applications.
 enum class NearStorage {
   automatic,     ///< for each curve the cheaper of the two in about thirty applications
@@ -77,7 +74,5 @@ class NearCorrection {
   std::vector<Group> groups_;          // of the other curves with near targets
   Eigen::Index target_count_;
 };
-
-/// @}
 
 }  // namespace stokesbook

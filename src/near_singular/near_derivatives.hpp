@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// Evaluates pressure, vorticity and strain of the double layers of several curves at any distance
 /// from the curves: by the trapezoid rule, or by the Cauchy scheme where this rule is too coarse.
 ///
@@ -36,7 +33,5 @@ std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<Place
                                                          const ComplexVector& density,
                                                          const ComplexVector& targets,
                                                          double tolerance);
-
-/// @}
 
 }  // namespace stokesbook

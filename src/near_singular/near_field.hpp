@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// Finds the preimage of a target, which is the complex parameter s, relative to that of node j,
 /// with \f$ x(t_j + s) = z \f$ for the continued curve, to second order in the distance (06.4).
 ///
@@ -58,7 +55,5 @@ bool is_near(const Curve& curve, Complex target, double tolerance);
 /// cluster.
 /// @par Cost  O(N)
 double near_reach(const Curve& curve, double tolerance);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup near_singular
-/// @{
-
 /// A scheme of close evaluation for one curve. Both schemes evaluate `velocity(data(densities),
 /// column, targets)` and `velocity_rows(targets)`; only CauchyCurve evaluates pressure and strain.
 using CloseScheme =
@@ -56,7 +53,5 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
 /// Returns the position of each curve's first node in the vector of all nodes, and in a last entry
 /// the number of all nodes.
 std::vector<Eigen::Index> node_offsets(const std::vector<PlacedCurve>& curves);
-
-/// @}
 
 }  // namespace stokesbook

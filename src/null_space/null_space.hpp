@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup null_space
-/// @{
-
 /// Applies the null-space fix (04.6) of an enclosing wall to the density on the wall,
 /// \f$ N_0\eta(x) = -\frac{1}{|\Gamma_0|}\, n(x) \int_{\Gamma_0} n\cdot\eta\,ds \f$.
 ///
@@ -41,7 +38,5 @@ double net_flux(const StokesProblem& problem);
 /// Computes \f$ \int_{\partial\Omega} |g|\,ds \ge |Q| \f$, a scale to which net_flux() can be
 /// compared.
 double flux_scale(const StokesProblem& problem);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// The page that plays a run, without data. The build joins the files of `src/record/player` into
 /// this text.
 extern const std::string_view player_page;
@@ -33,7 +30,5 @@ std::string animation_head(const std::string& title, const Outlines& outlines);
 ///          a contact `[a, b, x, y, force, gap]`, where a and b are ContactParty::id()
 /// @throws std::invalid_argument when a number is not finite, since JSON cannot represent it
 std::string animation_frame(const Frame& frame);
-
-/// @}
 
 }  // namespace stokesbook

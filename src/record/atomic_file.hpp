@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// The event that a new file must survive. Safety from a power cut costs some milliseconds.
 enum class SafeFrom {
   kill,      ///< the program is killed at any moment
@@ -88,7 +85,5 @@ class AppendFile {
 /// Returns the bytes of a file.
 /// @throws RecordError when the file cannot be read
 std::string read_text(const std::filesystem::path& path);
-
-/// @}
 
 }  // namespace stokesbook

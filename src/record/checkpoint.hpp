@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// The data that a solver requires to continue exactly where it stopped.
 struct Checkpoint {
   double t = 0.0;         ///< time reached; beginning of the step if a step is to be repeated
@@ -40,7 +37,5 @@ std::string to_text(const SavedRun& saved);
 /// Reads a saved run from a file with the text of to_text(); all numbers are restored bit for bit.
 /// @throws RecordError when the file is missing, of another kind, damaged or cut short
 SavedRun read_saved_run(const std::filesystem::path& path);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// @name Headers of the tables of a run, whose numbers restore the values exactly
 /// @{
 
@@ -42,8 +39,6 @@ std::string rheology_row(const Frame& frame);
 std::string contact_rows(const Frame& frame);
 /// Writes one line.
 std::string step_row(const StepInfo& step);
-/// @}
-
 /// @}
 
 }  // namespace stokesbook

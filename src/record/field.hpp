@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// A grid of points in rows and columns, with square cells.
 struct FieldGrid {
   Complex corner;            ///< the lower left point, length
@@ -58,7 +55,5 @@ inline constexpr std::array<FieldScalar, 4> field_scalars{
      {"vorticity", &Field::vorticity, true},
      {"shear_stress", &Field::shear_stress, true},
      {"dissipation", &Field::dissipation, false}}};
-
-/// @}
 
 }  // namespace stokesbook

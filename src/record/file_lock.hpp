@@ -5,9 +5,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// A lock on a file or folder, which only one object can have at a time. The kernel releases the
 /// lock when the process ends, even if it is killed.
 class FileLock {
@@ -37,7 +34,5 @@ class FileLock {
 
   int descriptor_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// Draws a configuration as an SVG document, for display alone or inside a page, on a light or dark
 /// background.
 ///
@@ -40,7 +37,5 @@ std::map<std::string, std::string> draw_fields(const Frame& frame, const Outline
 
 /// Returns whether a file name is one of those that draw_fields() returns.
 bool is_field_picture(const std::string& name);
-
-/// @}
 
 }  // namespace stokesbook

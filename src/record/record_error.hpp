@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// A file could not be read or written; the message names the file and the reason.
 struct RecordError : std::runtime_error {
   /// Constructs the message `path: reason`.
@@ -20,7 +17,5 @@ struct RecordError : std::runtime_error {
   RecordError(const std::filesystem::path& path, const std::string& action, std::error_code cause)
       : RecordError(path, action + " failed: " + cause.message()) {}
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// A body at one time, in the user's units.
 struct BodyState {
   Complex position;          ///< length
@@ -122,7 +119,5 @@ struct StepInfo {
                                   ///< force / time; negative if they resist the motion
   double energy_injected = 0.0;   ///< work of contact forces, positive part only, force
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -14,9 +14,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// The contents of a run, and the files that it writes in addition to steps.csv and checkpoint.
 struct RunContents {
   std::string title;      ///< title of pictures and animation
@@ -119,7 +116,5 @@ struct ResumedRun {
   Checkpoint checkpoint;        ///< data from which the solver continues
   bool by_this_program = true;  ///< whether the saving program is that of the contents
 };
-
-/// @}
 
 }  // namespace stokesbook

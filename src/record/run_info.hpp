@@ -11,9 +11,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// Totals of a run. For a resumed run, counts and seconds begin at the last start, except the
 /// number of steps; the number of steps, the imbalances and the energy are those of the whole run.
 struct RunTotals {
@@ -70,7 +67,5 @@ std::string to_json(const RunInfo& info);
 /// ended or not begun.
 /// @throws RecordError when the file cannot be read or is damaged
 std::optional<int> exit_status_of(const std::filesystem::path& run);
-
-/// @}
 
 }  // namespace stokesbook

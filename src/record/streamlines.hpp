@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// A streamline: a line along the velocity.
 struct Streamline {
   std::vector<Complex> points;  ///< in order, length; about two for each cell of the grid
@@ -27,7 +24,5 @@ struct Streamline {
 /// @par Not for        anything but pictures: lines drift by the error of the interpolation
 /// @sa source: Jobard and Lefer, Visualization in Scientific Computing '97, 43
 std::vector<Streamline> streamlines(const Field& field, double separation);
-
-/// @}
 
 }  // namespace stokesbook

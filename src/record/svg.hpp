@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// Functions that write pieces of SVG text. Points are in pixels, with y downwards.
 namespace svg {
 
@@ -66,7 +63,5 @@ inline constexpr ColourMap cool_to_warm{
 /// Returns the colour `#rrggbb` of a fraction, by linear interpolation between the samples of a
 /// map. Fractions outside [0, 1] have the colour of the nearer end.
 std::string colour(const ColourMap& map, double fraction);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup record
-/// @{
-
 /// Writes a configuration as VTK PolyData (XML, ASCII), with one cell for each wall and body.
 ///
 /// Enclosing walls are closed polylines and come first, since VTK orders lines before polygons.
@@ -59,7 +56,5 @@ inline constexpr FrameFiles body_files{"bodies", ".vtp"};
 inline constexpr FrameFiles contact_files{"contacts", ".vtp"};
 /// Files with fields on a grid, by field_vti().
 inline constexpr FrameFiles field_files{"fields", ".vti"};
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup scene
-/// @{
-
 /// Reads a scene file and the files that it names, checks everything that can be checked without a
 /// solve, and fills in the defaults. Names of files are relative to the folder of the scene file.
 ///
@@ -26,7 +23,5 @@ SceneFile read_scene(const std::filesystem::path& path,
 SceneFile parse_scene(std::string_view text, std::string_view file_name,
                       const std::filesystem::path& directory,
                       std::span<const std::string> overrides = {});
-
-/// @}
 
 }  // namespace stokesbook

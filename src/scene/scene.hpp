@@ -15,9 +15,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup scene
-/// @{
-
 /// A scene that cannot be used. The message names the place, the wrong value and a right one:
 /// `couette.toml:12:11: bodies[0].n_nodes = 31: must be an even integer >= 8 (try 32)`.
 class SceneError : public std::runtime_error {
@@ -297,7 +294,5 @@ const Wall* only_wall(const Scene& scene, WallRole role);
 /// Returns whether a scene is a Couette cell, in which the torque on the inner wall measures an
 /// effective viscosity: one outer and one inner wall, each fixed or rotating, at different rates.
 bool is_couette_cell(const Scene& scene);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,17 +8,14 @@
 
 namespace stokesbook {
 
-/// @addtogroup scene
-/// @{
-
 /// Writes a scene file that needs no other file: `parse_scene(to_toml(file), ...)` equals `file`,
 /// bit for bit. Points of nodal curves are written out.
 /// @param  file  a valid scene file, as parse_scene() returns it
 std::string to_toml(const SceneFile& file);
 
-/// @}
+}  // namespace stokesbook
 
-namespace scene_text {
+namespace stokesbook::scene_text {
 
 /// Writes a number as the shortest float that restores it exactly, `1.0`.
 std::string toml_value(double number);
@@ -35,6 +32,4 @@ std::string toml_value(std::integral auto value) {
   }
 }
 
-}  // namespace scene_text
-
-}  // namespace stokesbook
+}  // namespace stokesbook::scene_text

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// Holds a volume by absolute velocities, and the forces that are its derivative.
 struct AbsoluteVolume {
   double volume;     ///< V, length^2, at most 0
@@ -28,7 +25,5 @@ struct AbsoluteVolume {
 /// @par Not for       simulations with contact: use connected_contacts()
 /// @sa source: Bystricky, Shanbhag, Quaife, Int. J. Numer. Meth. Fluids 92 (2020)
 AbsoluteVolume absolute_volume(const PairEvents& pair, double tolerance);
-
-/// @}
 
 }  // namespace stokesbook

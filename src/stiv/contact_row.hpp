@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// A force and a torque about the component's centre, per unit of a multiplier, or the derivative
 /// of a length with respect to centre and orientation.
 struct Wrench {
@@ -72,7 +69,5 @@ struct PathPair {
 /// @par Accuracy      the derivative is exact for the closest edge of the polygon,
 ///                    @ref claim_10_10; forces balance to rounding, @ref claim_10_11
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);
-
-/// @}
 
 }  // namespace stokesbook

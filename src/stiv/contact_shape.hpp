@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// The shape of a component for contact, in its own frame: a polygon whose vertices lie on the
 /// curve.
 struct ContactShape {
@@ -45,7 +42,5 @@ ContactShape contact_shape(const Curve& curve);
 /// @throws std::invalid_argument when sag_limit is not positive
 /// @par Cost          O(M), for a NodalCurve O(M log M)
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit);
-
-/// @}
 
 }  // namespace stokesbook

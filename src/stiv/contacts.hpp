@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// Selects the rows that a contact has. All choices admit the same poses.
 enum class RowChoice {
   deepest,    ///< rows of the deepest vertex, other local minima of the gap, ends of flat contacts
@@ -64,7 +61,5 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 /// @return            violations, then near contacts, in an order that depends only on the events
 /// @par Cost          O(e log e) for e events
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows);
-
-/// @}
 
 }  // namespace stokesbook

@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// A straight piece of a path, or of a polygon.
 struct Chord {
   Complex from;  ///< start, length
@@ -43,7 +40,5 @@ class EdgeRun {
   Lanes x_, y_, dx_, dy_;  // starts, and vectors from starts to ends
   Lanes inverse_;          // inverse squared lengths
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// Distances that components must keep, and options of the search for contacts.
 struct ContactRules {
   Separation separation;                ///< of the polygons
@@ -46,7 +43,5 @@ struct Interferences {
 /// @par Cost       O(n log n), and a few queries for each vertex that comes near another component
 Interferences interferences(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                             const ContactRules& rules);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// Returns the least rectangle that holds the polygon of a component, with O(M) operations.
 Rectangle bounding_rectangle(const ContactShape& shape, const Pose& pose);
 
@@ -29,7 +26,5 @@ Rectangle swept_rectangle(const ContactShape& shape, const RigidPath& path);
 /// @par Cost           O(n log n + p) for p pairs, as long as rectangles overlap few others
 std::vector<ComponentPair> near_pairs(const ContactShapes& shapes,
                                       const std::vector<Rectangle>& rectangles, double reach);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// The point of a polygon that is closest to a given point z.
 struct ClosestPoint {
   double distance;    ///< signed distance of z, length: > 0 in the fluid, < 0 beyond the polygon
@@ -92,7 +89,5 @@ class Polygon {
   std::vector<EdgeRun> runs_;     // one for each leaf; copies of the last edge fill the last run
   std::vector<Rectangle> boxes_;  // of nodes 1, 2, ...: 2 k and 2 k + 1 are the children of node k
 };
-
-/// @}
 
 }  // namespace stokesbook

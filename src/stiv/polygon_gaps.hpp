@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// The gap of two polygons.
 struct PolygonGap {
   std::size_t a;  ///< one component
@@ -32,7 +29,5 @@ struct PolygonGap {
 ///                 edge of one polygon
 std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vector<Pose>& poses,
                                      double reach);
-
-/// @}
 
 }  // namespace stokesbook

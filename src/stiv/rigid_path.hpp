@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// The rigid motion of a component in one step, linear in \f$ \tau \in [0, 1] \f$:
 /// \f$ c(\tau) = c + \tau\Delta c,\ \theta(\tau) = \theta + \tau\Delta\theta \f$.
 struct RigidPath {
@@ -78,7 +75,5 @@ class RelativePath {
   double speed_, bend_;              // bounds for the centre of A
   RelativeFrame start_, end_;
 };
-
-/// @}
 
 }  // namespace stokesbook

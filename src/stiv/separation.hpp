@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// The numbers of two components, the smaller number first.
 using ComponentPair = std::pair<std::size_t, std::size_t>;
 
@@ -30,7 +27,5 @@ struct Separation {
     return own == closer.end() ? everywhere : std::min(everywhere, own->second);
   }
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stiv
-/// @{
-
 /// Records how a vertex of a component A comes near the polygon of a component B in a step.
 struct VertexEvent {
   Eigen::Index vertex;  ///< of A
@@ -86,7 +83,5 @@ struct VertexEvents {
 ///             1996, for the advancement
 VertexEvents vertex_events(const ContactShape& a, const ContactShape& b, const RelativePath& path,
                            const Clearance& clearance);
-
-/// @}
 
 }  // namespace stokesbook

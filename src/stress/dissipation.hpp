@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 /// Integrates the power that the surface of each component puts into the fluid,
 /// \f$ \oint u\cdot\sigma n\,ds \f$.
 ///
@@ -41,7 +38,5 @@ std::vector<double> power_of_loads(const SolvedFlow& flow);
 /// @par Accuracy      that of the rule, once the flow is resolved: @ref claim_07_20
 double volume_dissipation(const FluidQuadrature& rule,
                           const std::vector<FlowDerivatives>& at_points, double mu);
-
-/// @}
 
 }  // namespace stokesbook

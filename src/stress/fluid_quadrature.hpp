@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 /// Points and weights of a quadrature rule over an area.
 struct FluidQuadrature {
   ComplexVector points;     ///< m points, length
@@ -40,7 +37,5 @@ double strip_width(const std::vector<Curve>& curves);
 /// @par Cost      area times (P / width)^2 points on the grid, 128 points per node in strips
 /// @par Not for   small gaps, which the grid must resolve
 FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves, double points_per_width = 18.0);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 class SolvedFlow;
 
 /// Functions that sum a solution's double layer, by the trapezoid rule, and its Stokeslets and
@@ -102,7 +99,5 @@ class SolvedFlow {
 /// @par Cost      that of one CauchyCurve per component
 /// @par Not for   many components of one shape, which can share a CauchyCurve
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 /// A symmetric tensor of the plane.
 struct Stress {
   double s11 = 0.0,  ///< normal stress in direction 1, force / length^2
@@ -67,7 +64,5 @@ inline double dissipation_density(const FlowDerivatives& flow, double mu) {
 inline double largest_shear_stress(const FlowDerivatives& flow, double mu) {
   return mu * std::abs(flow.strain);
 }
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 /// Computes the stresslet of a component from its density, \f$ S_{11} + iS_{12} =
 /// -\mu\oint n\eta\,ds \f$ (complex product; \f$ S_{22} = -S_{11} \f$), by (07.14).
 ///
@@ -53,7 +50,5 @@ inline Complex stresslet_of_traction(const Curve& curve, Complex centre,
 inline double intrinsic_viscosity(Complex stresslet, Complex strain, double area, double mu) {
   return dot(strain, stresslet) / (mu * std::norm(strain) * area);
 }
-
-/// @}
 
 }  // namespace stokesbook

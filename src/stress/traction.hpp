@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup stress
-/// @{
-
 /// Computes the traction at the N nodes of one curve, as boundary_traction() does.
 ComplexVector traction_on(const Curve& curve, std::span<const FlowDerivatives> at_nodes,
                           double viscosity);
@@ -33,7 +30,5 @@ ComplexVector boundary_traction(const StokesProblem& problem,
 /// @par Accuracy     agree with the loads of the same solution to 1e-14: @ref claim_07_14; these
 /// loads converge geometrically in the nodes, @ref claim_07_17
 std::vector<Load> integrated_loads(const StokesProblem& problem, const ComplexVector& traction);
-
-/// @}
 
 }  // namespace stokesbook

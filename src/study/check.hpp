@@ -9,9 +9,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// The value of a quantity that was not measured.
 inline constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -59,7 +56,5 @@ std::vector<double> local_orders(std::span<const Measurement> measurements);
 /// Computes the rate between successive points, \f$ -\log(e_i/e_{i-1})/(x_i-x_{i-1}) \f$, in the
 /// form of local_orders().
 std::vector<double> local_rates(std::span<const Measurement> measurements);
-
-/// @}
 
 }  // namespace stokesbook::study

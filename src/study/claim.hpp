@@ -7,9 +7,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// @name Laws for the errors e at the points x
 /// A band around a known number has two sides, since a method that is better than its theory is not
 /// understood. Errors that are zero up to rounding, and orders that grow without bound, have a
@@ -95,7 +92,5 @@ std::string law_text(const Law& law, const std::string& axis);
 /// Returns the number that a law claims, with which Verdict::measured is compared: order, rate,
 /// level, tolerance or bound.
 double claimed_number(const Law& law);
-
-/// @}
 
 }  // namespace stokesbook::study

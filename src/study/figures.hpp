@@ -7,9 +7,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// Draws an experiment's errors against the varied quantity, as SVG. The results of its lines are in
 /// order.
 ///
@@ -21,7 +18,5 @@ std::string convergence_figure(const Experiment& experiment, const std::vector<L
 /// another.
 std::string work_precision_figures(const Experiment& experiment,
                                    const std::vector<LineResult>& lines);
-
-/// @}
 
 }  // namespace stokesbook::study

@@ -5,9 +5,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// A point of a plot; points that a fit left out are hollow.
 struct PlotPoint {
   double x;             ///< abscissa
@@ -50,7 +47,5 @@ struct Plot {
 /// @param  plot  lines and labels
 /// @return       an svg element; a sentence if no point can be shown
 std::string draw_plot(const Plot& plot);
-
-/// @}
 
 }  // namespace stokesbook::study

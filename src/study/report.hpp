@@ -8,9 +8,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// Returns a study's results as CSV, a line for each measurement, with numbers at full precision.
 ///
 /// The last column distinguishes measurements that the check used, measurements that it left out,
@@ -50,7 +47,5 @@ void write_report(const StudyResult& result, const std::string& origin,
 /// @throws RecordError when a file cannot be written
 void write_index(const std::vector<StudyResult>& results, const std::string& origin,
                  const std::filesystem::path& directory);
-
-/// @}
 
 }  // namespace stokesbook::study

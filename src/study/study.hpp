@@ -10,9 +10,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// The size of a study.
 enum class Size {
   quick,  ///< enough for nearly every claim; for tests and for a build of the docs
@@ -131,7 +128,5 @@ void for_each_line(const StudyResult& result, const auto& visit) {
 ///                          ids are not unique or not fit for file names; later, when a line counts
 ///                          operations and Experiment::operation is empty
 StudyResult run(const Study& study, Size size, std::ostream& progress);
-
-/// @}
 
 }  // namespace stokesbook::study

@@ -7,9 +7,6 @@
 
 namespace stokesbook::study {
 
-/// @addtogroup study
-/// @{
-
 /// Writes an experiment's errors as an HTML table. The results of its lines are in order.
 ///
 /// The table has a row for each x, with the error of each line and the order (on logarithmic axes)
@@ -30,7 +27,5 @@ std::string control_html(const Line& line, const LineResult& result);
 
 /// The sentence that pages show in place of numbers that the size of a study leaves out.
 inline constexpr const char* full_size_measures = "The full size of the study measures this.";
-
-/// @}
 
 }  // namespace stokesbook::study

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// A sweep whose tasks run as processes of their own. All paths are absolute, so that the commands
 /// work in every folder.
 struct Batch {
@@ -43,7 +40,5 @@ std::string batch_commands(const Batch& batch);
 /// @throws RecordError when GNU parallel is not installed, or ends before all tasks have ended
 void run_in_parallel(const Batch& batch, std::span<const std::size_t> tasks, int jobs,
                      const std::function<void(std::size_t task, int signal)>& report);
-
-/// @}
 
 }  // namespace stokesbook

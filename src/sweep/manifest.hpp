@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// Writes text on one line as a cell of a CSV file: if the text has commas or quotes, in double
 /// quotes, with its own quotes doubled.
 std::string csv_cell(std::string_view text);
@@ -45,7 +42,5 @@ void require_sweep(const std::filesystem::path& out, const Sweep& sweep);
 /// @throws RecordError when the folder belongs to no sweep, or when the task has other values or
 ///         another scene
 void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task);
-
-/// @}
 
 }  // namespace stokesbook

@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// The mean of independent runs and its uncertainty.
 struct MeanEstimate {
   double mean;            ///< nan without runs
@@ -54,7 +51,5 @@ std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows);
 /// Writes results for the terminal in aligned columns: mean +- half the width of the 95 %
 /// confidence interval.
 std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// A value of an axis.
 struct AxisValue {
   std::string value;  ///< in TOML's syntax
@@ -57,7 +54,5 @@ struct Sweep {
 /// The path of the scene in the file is relative to the folder of the file.
 /// @throws SceneError at the first error, with its place, the wrong value and a right one
 Sweep read_sweep(const std::filesystem::path& path);
-
-/// @}
 
 }  // namespace stokesbook

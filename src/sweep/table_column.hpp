@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// Averages a function of time over an interval: the integral of its piecewise linear interpolant
 /// (the trapezoid rule), divided by the length of the interval.
 ///
@@ -29,7 +26,5 @@ double time_average(std::span<const double> t, std::span<const double> y, double
 /// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
 ///         early
 double value_of(const std::filesystem::path& run, const Quantity& quantity);
-
-/// @}
 
 }  // namespace stokesbook

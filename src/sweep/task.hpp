@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// A key of the scene and the value that a task sets.
 struct Setting {
   std::string key;   ///< path in the scene
@@ -48,7 +45,5 @@ Task task_of(const Sweep& sweep, std::size_t number);
 /// @throws SceneError at the first error; for a value of the sweep, the message names its place in
 ///         the sweep file
 SceneFile scene_of(const Sweep& sweep, const Task& task);
-
-/// @}
 
 }  // namespace stokesbook

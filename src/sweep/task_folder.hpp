@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup sweep
-/// @{
-
 /// The state of a task.
 enum class TaskState {
   unfinished,  ///< not begun, under way, or killed
@@ -60,7 +57,5 @@ class TaskFolder {
 
   std::filesystem::path path_;
 };
-
-/// @}
 
 }  // namespace stokesbook

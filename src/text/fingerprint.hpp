@@ -5,15 +5,10 @@
 
 namespace stokesbook {
 
-/// @addtogroup text
-/// @{
-
 /// Returns the 64-bit FNV-1a hash of a text as 16 hexadecimal digits.
 ///
 /// Two different texts have the same hash with a probability of about 2^-64. The hash detects
 /// accidental changes, but not forgeries.
 std::string fingerprint(std::string_view text);
-
-/// @}
 
 }  // namespace stokesbook

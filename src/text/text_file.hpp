@@ -6,12 +6,7 @@
 
 namespace stokesbook {
 
-/// @addtogroup text
-/// @{
-
 /// Reads a whole file. Returns its bytes; none if the file cannot be read.
 std::optional<std::string> read_text_file(const std::filesystem::path& path);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup text
-/// @{
-
 /// Joins a range of words into one text, "euler, heun".
 std::string joined(const auto& words, std::string_view separator = ", ") {
   std::string text;
@@ -33,7 +30,5 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// a third of the word's letters.
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> candidates);
-
-/// @}
 
 }  // namespace stokesbook

@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// The previous step, from which the formulas of Adams extrapolate.
 struct PreviousStep {
   double dt = 0.0;       ///< length of the previous step, > 0
@@ -42,7 +39,5 @@ Eigen::VectorXd adams_bashforth2_step(const TimePoint& start, double dt,
 /// @par Not for   the step after a jump of f, together with the previous step
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, III.1 and III.5
 Eigen::VectorXd adams_moulton_error(const Step& step, const std::optional<PreviousStep>& previous);
-
-/// @}
 
 }  // namespace stokesbook

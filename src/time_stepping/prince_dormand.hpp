@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// The end of a step, and an estimate of its error.
 struct EstimatedEnd {
   Eigen::VectorXd end;    ///< state at t + h
@@ -27,7 +24,5 @@ struct EstimatedEnd {
 /// @par Cost      12 evaluations of f
 /// @sa source: Prince, Dormand, J. Comput. Appl. Math. 7 (1981), 67
 EstimatedEnd prince_dormand87_step(const Rate& f, const TimePoint& start, double dt);
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// Coefficients of an explicit Runge-Kutta scheme of s stages,
 /// \f$ k_i = f\left(t + c_i h, q + h\sum_{j<i}a_{ij}k_j\right),\ c_i = \sum_ja_{ij} \f$, whose step
 /// ends at \f$ q_1 = q + h\sum_jb_jk_j \f$ (09.6).
@@ -54,7 +51,5 @@ const Tableau& dormand_prince54();
 /// @par Cost      s - 1 evaluations of f
 Eigen::MatrixXd runge_kutta_stages(const Tableau& tableau, const Rate& f, const TimePoint& start,
                                    double dt);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// Right-hand side of \f$ \dot q = f(t, q) \f$ (09.1): the rate of change, ordered as q.
 using Rate = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& q)>;
 
@@ -49,7 +46,5 @@ struct Step {
 /// @par Not for   steps by prince_dormand87_step(), which are far more accurate
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.6
 Eigen::VectorXd interpolate(const Step& step, double t);
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// The largest error that is allowed for each number of a state.
 struct ErrorBound {
   double tolerance = 0.0;  ///< error allowed, in units of the scale, > 0
@@ -46,7 +43,5 @@ double step_factor(double error, double previous, int order);
 /// @par Cost      one evaluation of f
 /// @sa source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.4
 double first_step(const Rate& f, const TimePoint& start, const ErrorBound& bound, int order);
-
-/// @}
 
 }  // namespace stokesbook

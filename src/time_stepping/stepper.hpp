@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// Parameters of a Stepper.
 struct SteppingSettings {
   SteppingMethod method = SteppingMethod::euler;  ///< method that advances the state
@@ -110,7 +107,5 @@ class Stepper {
   SteppingSettings settings_;
   Rates rates_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -2,9 +2,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup time_stepping
-/// @{
-
 /// Method that advances a state.
 enum class SteppingMethod {
   euler,               ///< order 1, see euler()
@@ -27,7 +24,5 @@ constexpr bool is_embedded(SteppingMethod method) {
 constexpr bool has_dense_output(SteppingMethod method) {
   return method == SteppingMethod::bogacki_shampine32 || method == SteppingMethod::dormand_prince54;
 }
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// The side of a curve on which the fluid lies. The value is the sign s of (01.3).
 enum class Side : int {
   fluid_outside = -1,  ///< bodies and inner walls
@@ -109,7 +106,5 @@ double bounding_radius(const Curve& curve, Complex centre);
 /// @return         radius, length: the distance of the farthest node if no point of the curve is
 ///                 farther, otherwise a little more than necessary
 double outer_radius(const Curve& curve, Complex centre);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// Computes the Fourier coefficients \f$ c_k = \frac1N \sum_j f(t_j) e^{-i k t_j} \f$,
 /// \f$ t_j = 2\pi j/N \f$.
 ///
@@ -109,7 +106,5 @@ class TrigonometricPolynomial {
  private:
   ComplexVector coefficients_;  // k ascending from -m to m, m = N/2 rounded down
 };
-
-/// @}
 
 }  // namespace stokesbook

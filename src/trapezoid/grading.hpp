@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// A place on a curve where nodes crowd.
 struct Cluster {
   double parameter = 0.0;  ///< t_c, radians
@@ -97,7 +94,5 @@ double graded_depth(const Grading& grading, double parameter, double depth);
 std::vector<double> graded_depths(const std::vector<Cluster>& clusters,
                                   const std::vector<double>& strengths, double parameter,
                                   double depth);
-
-/// @}
 
 }  // namespace stokesbook

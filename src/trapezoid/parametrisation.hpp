@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// A closed curve as a function of its parameter t, of period \f$ 2\pi \f$. The function returns
 /// x(t), x'(t) and x''(t), length.
 using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
@@ -23,7 +20,5 @@ Parametrisation parametrisation(const Shape& shape);
 
 /// Returns the points of a NodalCurve in counter-clockwise order.
 ComplexVector counter_clockwise(const NodalCurve& shape);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 /// The libraries of the book.
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// A point or vector of the plane, \f$ v = v_1 + i v_2 \f$. Multiplication by
 /// \f$ e^{i\theta} \f$ turns the vector counter-clockwise by \f$ \theta \f$.
 using Complex = std::complex<double>;
@@ -41,7 +38,5 @@ struct Pose {
   Complex position;          ///< of the frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise
 };
-
-/// @}
 
 }  // namespace stokesbook

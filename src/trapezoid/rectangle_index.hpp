@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// A rectangle with sides along the axes.
 struct Rectangle {
   Complex lower;  ///< corner with the smallest x and y, length
@@ -60,7 +57,5 @@ class RectangleIndex {
   /// @endcond
   std::unique_ptr<Tree> tree_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup trapezoid
-/// @{
-
 /// Circle about the origin.
 struct Circle {
   double radius = 1.0;                             ///< length, > 0
@@ -54,7 +51,5 @@ struct NodalCurve {
 
 /// A closed smooth curve in its own frame.
 using Shape = std::variant<Circle, Ellipse, Star, Superellipse, NodalCurve>;
-
-/// @}
 
 }  // namespace stokesbook

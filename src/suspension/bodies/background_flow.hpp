@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Evaluates the velocity of an undisturbed flow at m points.
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
 
@@ -33,7 +30,5 @@ RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre);
 /// computed from the offsets d from the centre c alone. The accuracy of the solution therefore does
 /// not depend on how fast the flow carries the body.
 ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body);
-
-/// @}
 
 }  // namespace stokesbook

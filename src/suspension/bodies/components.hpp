@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The properties that bodies and walls of a scene have in common. The view refers to the scene,
 /// which must outlive the view.
 struct ComponentView {
@@ -50,7 +47,5 @@ ComponentView component_of(const Scene& scene, std::size_t k);
 /// Returns the side of a component's curve on which the fluid lies: inside an enclosing wall,
 /// outside all other components.
 Side side_of(ComponentKind kind);
-
-/// @}
 
 }  // namespace stokesbook

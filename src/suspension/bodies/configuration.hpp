@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Poses of all components: bodies in the scene's order, then walls in the scene's order.
 using Configuration = std::vector<Pose>;
 
@@ -27,7 +24,5 @@ Eigen::VectorXd to_state(const Configuration& configuration);
 
 /// Unpacks a state that to_state() packed.
 Configuration to_configuration(const Eigen::VectorXd& state);
-
-/// @}
 
 }  // namespace stokesbook

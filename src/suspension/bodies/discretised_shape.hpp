@@ -17,9 +17,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The number of nodes of a component, and their grading.
 struct Resolution {
   int n_nodes = 0;    ///< collocation nodes, even
@@ -125,7 +122,5 @@ class DiscretisationCache {
   Discretisation kept_;  // in the order of their latest use
   mutable std::mutex mutex_;
 };
-
-/// @}
 
 }  // namespace stokesbook

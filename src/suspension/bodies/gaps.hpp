@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Two components, and the points at which they are closest to each other.
 struct Gap {
   std::size_t a = 0,     ///< one component
@@ -27,7 +24,5 @@ struct Gap {
 /// @par Cost          a search in a RectangleIndex per component, N_a N_b distances per close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Thrown when the solver cannot compute a solution with the accuracy that the scene requires. The
 /// message names bodies and values, and recommends a change.
 class SolverError : public std::runtime_error {
@@ -43,7 +40,5 @@ auto with_time_in_errors(double t, const Work& work) {
     throw SolverError(at_time(t) + error.what());
   }
 }
-
-/// @}
 
 }  // namespace stokesbook

@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The net force and torque of the forces that components exert on each other.
 struct Imbalance {
   double force,  ///< net force over the largest force
@@ -110,7 +107,5 @@ class SuspensionContact {
   double polygon_separation_;  // with the sags of both
   ContactShapes shapes_;
 };
-
-/// @}
 
 }  // namespace stokesbook

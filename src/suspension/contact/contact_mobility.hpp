@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Columns of the contact mobility in earlier configurations, from which solves for similar loads
 /// begin. The latest come first. As many older ones are kept, since a contact that is lost for some
 /// steps may come back. Loads and densities are stored in the frames of their components, in which
@@ -167,7 +164,5 @@ class ContactMobility {
   SolveCost cost_;
   int solves_ = 0;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Computes the least change of motions that makes a computed mobility positive definite.
 ///
 /// Loads do positive work on the motions that they cause: the matrix \f$ F^TV \f$ is symmetric and
@@ -22,7 +19,5 @@ namespace stokesbook {
 ///                entry is not positive, which no small change repairs
 /// @par Cost      a Cholesky factorisation of an m x m matrix; eigenvectors if it fails
 Eigen::MatrixXd definite_correction(const Eigen::MatrixXd& loads, const Eigen::MatrixXd& works);
-
-/// @}
 
 }  // namespace stokesbook

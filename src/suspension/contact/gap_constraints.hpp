@@ -13,9 +13,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Makes the polygons of components, whose distance from their curves is at most the sag.
 /// Components of one shape and side share a polygon.
 ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
@@ -113,7 +110,5 @@ class GapConstraints {
   std::map<ComponentPair, std::vector<RowKey>> keys_;  // of the pairs' constraints so far
   std::map<ContactKey, GapConstraint> constraints_;    // returned so far
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Finds steps that take bodies through each other or through walls, in scenes without contact.
 ///
 /// Neither end of such a step has an overlap: the bodies have changed sides.
@@ -36,7 +33,5 @@ class PassingTest {
   double sag_;  // of polygons, at most
   ContactShapes shapes_;
 };
-
-/// @}
 
 }  // namespace stokesbook

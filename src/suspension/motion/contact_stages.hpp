@@ -5,9 +5,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The contact of a stage, resolved or not.
 struct StageContact {
   ContactOutcome outcome{};  ///< forces, and how their iteration ended
@@ -54,7 +51,5 @@ class ContactStages {
   InstantSolver& instants_;
   RunStatistics& statistics_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Takes the steps of a scene with contact, by Euler's or Heun's method.
 ///
 /// The velocity of a step is the one that keeps the separation at the step's end; the forces of
@@ -66,7 +63,5 @@ class ContactSteps : public Steps {
   SuspensionContact contact_;
   ContactStages stages_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Describes the decisions of a plan with their reasons, the time steps, and the nodes and gaps of
 /// the initial configuration, as lines of text.
 ///
@@ -19,7 +16,5 @@ std::vector<std::string> describe(const SuspensionSolver& solver);
 /// Describes how well the solution at the start is resolved, as a line with error estimate,
 /// tolerance, nodes and GMRES iterations.
 std::string describe(const SuspensionSolver& solver, const Solution& solution);
-
-/// @}
 
 }  // namespace stokesbook

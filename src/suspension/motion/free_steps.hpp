@@ -5,9 +5,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Takes the steps of a scene without contact, by the Stepper of chapter 09.
 ///
 /// A step that leads to an overlap, or closer than the nodes resolve, is halved; so is a step that
@@ -37,7 +34,5 @@ class FreeSteps : public Steps {
   SteppingSettings settings_;
   PassingTest passing_;
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// A solution at a time of a run.
 struct TimedSolution {
   Solution solution;       ///< at that time
@@ -63,7 +60,5 @@ class InstantSolver {
   RunStatistics& statistics_;
   SolveMemory memory_;
 };
-
-/// @}
 
 }  // namespace stokesbook

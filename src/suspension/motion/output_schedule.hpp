@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The times at which a run writes, reverses its flow, and ends.
 ///
 /// Steps end at reversals and at the end of the run. They also end at written times, unless the
@@ -46,7 +43,5 @@ class OutputSchedule {
   bool interpolates_;
   double rounding_;  // of written times
 };
-
-/// @}
 
 }  // namespace stokesbook

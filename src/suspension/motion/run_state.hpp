@@ -12,9 +12,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// What a solve takes from the solves before it.
 struct SolveMemory {
   DensityHistory densities;   ///< from which GMRES begins
@@ -51,7 +48,5 @@ Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics)
 /// @throws std::out_of_range when the checkpoint lacks something
 std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint, RunState state,
                                                    RunStatistics statistics);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The receivers of what a run computes; every member may be empty.
 struct Observer {
   std::function<void(const Frame&)> frame;            ///< called at every written time
@@ -91,7 +88,5 @@ class Simulation {
   std::unique_ptr<Steps> steps_;
   std::optional<Rheometer> rheometer_;  // made for the first frame
 };
-
-/// @}
 
 }  // namespace stokesbook

@@ -15,9 +15,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// What a run has cost, how finely it was resolved, and how wrong it may be.
 struct RunStatistics {
   RunTotals totals{};          ///< counts of work
@@ -74,7 +71,5 @@ StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double durati
 /// Lists the pairs with a contact force between them, each once.
 std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
     const std::vector<ContactForce>& forces);
-
-/// @}
 
 }  // namespace stokesbook

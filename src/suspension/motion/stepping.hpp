@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Packs the motions of a solution as the rate of a state: 3K numbers, the velocity and the angular
 /// velocity of each of K components.
 Eigen::VectorXd to_rate(const Solution& solution);
@@ -71,7 +68,5 @@ class Steps {
   /// @par Cost      a solve at the end, and one for each stage beyond the first
   virtual TakenStep advance(const RunState& state, StepStart start) = 0;
 };
-
-/// @}
 
 }  // namespace stokesbook

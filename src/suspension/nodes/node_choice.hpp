@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Largest number of nodes that is chosen for one component: the matrices of its shape take 0.4 GB.
 inline constexpr int most_nodes_of_a_component = 2048;
 
@@ -139,7 +136,5 @@ std::vector<int> recommended_nodes(const Discretisation& discretisation, double 
 /// @param  gaps            of the configuration, from find_gaps()
 Resolutions first_resolutions(const Scene& scene, const Discretisation& discretisation,
                               const Configuration& configuration, const std::vector<Gap>& gaps);
-
-/// @}
 
 }  // namespace stokesbook

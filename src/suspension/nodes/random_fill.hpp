@@ -4,9 +4,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Places the bodies of [[fill]] one after another at random, where they keep their clearance.
 ///
 /// The placement is reproducible: the same seed gives the same bodies on every machine.
@@ -17,7 +14,5 @@ namespace stokesbook {
 /// @par Cost  per attempt, a search in a RectangleIndex, and closest_points() for every
 ///            component whose bounding circle is within the clearance
 Scene place_fills(const SceneFile& file);
-
-/// @}
 
 }  // namespace stokesbook

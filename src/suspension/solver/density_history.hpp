@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Densities of earlier solutions, in the frames of their components, from which the next density
 /// is guessed. Several densities may belong to one time, as columns of a matrix.
 ///
@@ -72,7 +69,5 @@ class DensityHistory {
   std::size_t most_;
   std::deque<Entry> entries_;
 };
-
-/// @}
 
 }  // namespace stokesbook

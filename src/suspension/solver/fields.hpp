@@ -11,9 +11,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Places the points of a grid in its box.
 ///
 /// The longer side of the box has `resolution` points, the first and the last of them at its ends.
@@ -74,7 +71,5 @@ struct EstimatedField {
 /// @par Accuracy  errors are at most twice their estimates, @ref claim_12_60
 /// @par Cost      that of solve_refined() and evaluate_field() per estimate
 EstimatedField estimated_field(const SuspensionSolver& solver, const Solution& solution);
-
-/// @}
 
 }  // namespace stokesbook

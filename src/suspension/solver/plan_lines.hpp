@@ -7,9 +7,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// One decision of a Plan with its reason, as text for the user.
 struct PlanLine {
   std::string topic,  ///< subject of the decision
@@ -19,7 +16,5 @@ struct PlanLine {
 
 /// Explains all decisions of the plan of a scene, in the order in which a run prints them.
 std::vector<PlanLine> plan_lines(const Plan& plan, const Scene& scene);
-
-/// @}
 
 }  // namespace stokesbook

@@ -8,9 +8,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Finds the direction of the long axis of a curve, which is the principal axis of the enclosed
 /// area: \f$ \frac12\arg\int z^2\,dA \f$ about the area's centroid.
 ///
@@ -57,7 +54,5 @@ class Rheometer {
   std::vector<std::optional<double>> long_axes_;  // of the bodies, in their own frames
   std::optional<double> empty_torque_;            // of a Couette cell's inner wall
 };
-
-/// @}
 
 }  // namespace stokesbook

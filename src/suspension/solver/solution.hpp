@@ -11,9 +11,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The work for a solution, including attempts with fewer nodes.
 struct SolveCost {
   int gmres_iterations = 0;  ///< of all solves for motions and loads
@@ -69,7 +66,5 @@ StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
 /// of this system: motions of free bodies and loads of all other components, by the functionals of
 /// chapter 03.
 Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres);
-
-/// @}
 
 }  // namespace stokesbook

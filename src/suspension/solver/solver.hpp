@@ -14,9 +14,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Guesses the density on the nodes of a discretisation; empty: no guess, GMRES starts from zero.
 using DensityGuess = std::function<ComplexVector(const Discretisation&)>;
 
@@ -203,7 +200,5 @@ class SuspensionSolver {
   Discretisation discretisation_;
   Resolutions least_;  // that resolve the softest mode of each component, for estimates
 };
-
-/// @}
 
 }  // namespace stokesbook

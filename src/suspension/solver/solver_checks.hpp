@@ -10,9 +10,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Throws an error of the given type unless its message is empty.
 template <class Error = SolverError>
 void throw_if(const std::string& message) {
@@ -84,7 +81,5 @@ std::string data_error(const Scene& scene, const StokesProblem& problem);
 std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
                            const Resolutions& least, const std::vector<TailEstimate>& tails,
                            double error, const std::vector<Gap>& gaps);
-
-/// @}
 
 }  // namespace stokesbook

@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Measures by how much two solutions of one problem differ, in the units in which errors are
 /// reported.
 ///
@@ -110,7 +107,5 @@ double extrapolated_nodes(int n_nodes, double decay, double excess);
 /// @param  error  error estimate of the solution, above the tolerance of the scene
 Resolutions refine_by_tails(const Scene& scene, Resolutions before,
                             const std::vector<TailEstimate>& tails, double error);
-
-/// @}
 
 }  // namespace stokesbook

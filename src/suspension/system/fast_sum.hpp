@@ -9,9 +9,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Evaluates the double layer and the singularities of a problem with n nodes by the fast multipole
 /// method.
 ///
@@ -65,7 +62,5 @@ class FastSum {
 /// Returns a sum that evaluates a SolvedFlow at targets by a FastSum or directly, whichever the
 /// plan expects to be faster for their number. Every call plans anew.
 FlowSum planned_sum(const Plan& plan);
-
-/// @}
 
 }  // namespace stokesbook

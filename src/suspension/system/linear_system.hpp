@@ -14,9 +14,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Places the Cauchy scheme of each component, as derivatives of the velocity require it.
 /// @par Cost  that of a CauchyCurve for each component that is prepared without one
 std::vector<PlacedCurve> placed_cauchy_schemes(const Configuration& configuration,
@@ -102,7 +99,5 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,
                                    const Discretisation& discretisation, double separation);
-
-/// @}
 
 }  // namespace stokesbook

@@ -6,9 +6,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// The parts and tolerances of the solver that a scene requires, decided from the scene alone. The
 /// solver builds nothing else. plan_lines() explains the decisions.
 struct Plan {
@@ -35,7 +32,5 @@ struct Plan {
 
 /// Decides which parts of the solver a scene requires.
 Plan make_plan(const Scene& scene);
-
-/// @}
 
 }  // namespace stokesbook

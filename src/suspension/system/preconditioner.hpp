@@ -12,9 +12,6 @@
 
 namespace stokesbook {
 
-/// @addtogroup suspension
-/// @{
-
 /// Returns whether a factorisation of the whole system takes less time than the iterations that it
 /// saves.
 ///
@@ -79,7 +76,5 @@ LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const S
                               const StokesProblem& problem, const Configuration& configuration,
                               const Discretisation& discretisation,
                               const std::vector<PlacedCurve>& placed);
-
-/// @}
 
 }  // namespace stokesbook

@@ -1,0 +1,12 @@
+#!/bin/sh
+# Prints a file as Doxygen reads it: what a header of src/fmm declares is in the group fmm, and the
+# text that follows @par Accuracy, @par Cost or @par Not for on the same line is not a title.
+folder=$(expr "$1" : '\(.*/src/[a-z_]*\)/.*[.]hpp$')
+room=${folder##*/}
+grouping=
+if [ -e "$folder/$room.dox" ]; then
+  grouping="s|^namespace stokesbook\(::study\)\? {\$|& /** @addtogroup $room */ /** @{ */|
+            s|^}  // namespace stokesbook\(::study\)\?\$|/** @} */ &|"
+fi
+exec sed "$grouping
+          s/@par Accuracy /@accuracy /; s/@par Cost /@cost /; s/@par Not for /@not_for /" "$1"
