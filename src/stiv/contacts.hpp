@@ -1,12 +1,61 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <vector>
 
-#include "stiv/contact_row.hpp"
+#include "stiv/rigid_path.hpp"
 #include "stiv/vertex_events.hpp"
 
 namespace stokesbook {
+
+/// A force and a torque about the component's centre, per unit of a multiplier, or the derivative
+/// of a length with respect to centre and orientation.
+struct Wrench {
+  Complex force;        ///< dimensionless
+  double torque = 0.0;  ///< length
+};
+
+/// Holds the entries of a row for the two components of its contact. The row is zero for all other
+/// components.
+struct PairWrench {
+  Wrench on_a;  ///< on the component a
+  Wrench on_b;  ///< on the component b
+};
+
+/// Identifies a row from one iteration to the next.
+struct RowKey {
+  std::size_t vertex_of = 0;   ///< component to whose polygon the vertex belongs
+  std::size_t polygon_of = 0;  ///< component whose polygon the vertex approaches
+  Eigen::Index vertex = 0;     ///< number of the vertex
+
+  /// Compares member by member.
+  auto operator<=>(const RowKey&) const = default;
+};
+
+/// One scalar constraint \f$ g \ge 0 \f$ between two components.
+///
+/// The wrenches on a and b balance: their forces are opposite, and so are their torques about any
+/// common point, because g does not change when both components move together. `force` balances
+/// with the centres at the start of the step, `derivative` with the centres at its end
+/// (10.10).
+struct ContactRow {
+  RowKey key;             ///< of the vertex, or of the deepest one if the row is a mean
+  double gap;             ///< g at the end of the step, length
+  double time;            ///< at which gap and normal were taken: see VertexEvent::time
+  Complex point;          ///< at which the contact force acts, in the plane, length
+  Complex normal;         ///< of the force on a, in the plane, unit
+  PairWrench force;       ///< of a unit multiplier, about the centres at the start of the step
+  PairWrench derivative;  ///< of g with respect to the poses at the end of the step (10.9)
+};
+
+/// The paths of the two components of a contact.
+struct PathPair {
+  std::size_t a;     ///< number of one component, less than b
+  std::size_t b;     ///< number of the other component
+  RigidPath path_a;  ///< of a
+  RigidPath path_b;  ///< of b
+};
 
 /// Selects the rows that a contact has. All choices admit the same poses.
 enum class RowChoice {
@@ -45,6 +94,20 @@ struct PairEvents {
 /// @param  paths      of two components, which do not overlap at the start of the step
 PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
                        const Clearance& clearance);
+
+/// Makes the row of a vertex event.
+///
+/// With the normal n = R(theta_B) n_I in the plane, the derivative is \f$ (n, a_A\times n) \f$ for
+/// the vertex's component and \f$ (-n, -a_B\times n) \f$ for the polygon's component (10.9), with
+/// the arms of the vertex at the end of the step. The force has the same form, with the
+/// orientations at VertexEvent::time, the centres at the start of the step, where the Stokes
+/// equations are solved, and the arms to the point half-way between the vertex and the point that
+/// it touches.
+/// @param  vertex     place of the vertex in its component's frame, length
+/// @param  of_a       whether the vertex belongs to component a
+/// @par Accuracy      the derivative is exact for the closest edge of the polygon,
+///                    @ref claim_10_10; forces balance to rounding, @ref claim_10_11
+ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);
 
 /// Groups the events of a pair into connected contacts, violated ones and near ones.
 ///

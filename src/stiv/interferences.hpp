@@ -4,7 +4,7 @@
 
 #include "stiv/contacts.hpp"
 #include "stiv/near_pairs.hpp"
-#include "stiv/separation.hpp"
+#include "stiv/near_pairs.hpp"
 
 namespace stokesbook {
 

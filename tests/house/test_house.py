@@ -106,7 +106,7 @@ class PlantedTree(unittest.TestCase):
     def test_folders_of_suspension(self):
         self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/random_fill.hpp"\n'
                                                     '#include "suspension/bodies/gaps.hpp"\n'
-                                                    '#include "stiv/separation.hpp"\n')
+                                                    '#include "stiv/near_pairs.hpp"\n')
         self.assertEqual(house.folder_violations(self.root), [])
         self.plant("src/suspension/nodes/random_fill.hpp", '#include "suspension/solver/solver.hpp"\n')
         self.plant("src/suspension/plan.hpp", "")

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "near_singular/near_field.hpp"
-#include "stiv/separation.hpp"
+#include "stiv/near_pairs.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "stiv/separation.hpp"
+#include "stiv/near_pairs.hpp"
 #include "suspension/system/linear_system.hpp"
 
 namespace stokesbook {
