@@ -49,6 +49,38 @@ Frame without_reaction(const Scene& scene, Frame frame) {
   return frame;
 }
 
+/// The gaps of one pair of polygons, and their derivatives.
+ContactRows rows_of_pair(const std::vector<stokesbook::Contact>& contacts,
+                         const ComponentPair& pair, Eigen::Index velocities) {
+  ContactRows rows;
+  std::vector<double> gaps;
+  std::vector<Eigen::Triplet<double>> derivatives, forces;
+  const auto add = [&](auto& entries, std::size_t component, const Wrench& wrench) {
+    const auto row = static_cast<int>(gaps.size()), first = static_cast<int>(3 * component);
+    entries.emplace_back(row, first, wrench.force.real());
+    entries.emplace_back(row, first + 1, wrench.force.imag());
+    entries.emplace_back(row, first + 2, wrench.torque);
+  };
+  for (const stokesbook::Contact& contact : contacts) {
+    if (ComponentPair{contact.a, contact.b} != pair) continue;
+    for (const ContactRow& row : contact.rows) {
+      add(derivatives, contact.a, row.derivative.on_a);
+      add(derivatives, contact.b, row.derivative.on_b);
+      add(forces, contact.a, row.force.on_a);
+      add(forces, contact.b, row.force.on_b);
+      rows.keys.push_back({static_cast<std::int64_t>(row.key.vertex_of), row.key.vertex});
+      gaps.push_back(row.gap);
+    }
+  }
+  const auto m = static_cast<Eigen::Index>(gaps.size());
+  rows.gap = Eigen::Map<const Eigen::VectorXd>(gaps.data(), m);
+  rows.gradient.resize(m, velocities);
+  rows.gradient.setFromTriplets(derivatives.begin(), derivatives.end());
+  rows.force_gradient.resize(m, velocities);
+  rows.force_gradient.setFromTriplets(forces.begin(), forces.end());
+  return rows;
+}
+
 /// A planted defect: resolves the contact of one Euler step pair by pair, until no pair is violated
 /// or each pair has been resolved four times.
 ///
@@ -69,26 +101,22 @@ int one_by_one(Scene scene, const Frame& frame) {
   const ContactShapes shapes = contact_shapes(solver.discretisation(), sag);
   const ContactRules polygons{{separation + 2.0 * sag}, 1e-5 * separation};
   Eigen::VectorXd velocity = to_rate(free);
+  const double dt = *scene.time->dt;
+  const auto contacts_at = [&](const Eigen::VectorXd& at) {
+    return interferences(shapes, straight_paths(start.configuration, at, dt), polygons).contacts;
+  };
   int linear_problems = 0;
   for (int sweep = 0; sweep < 4; ++sweep) {
-    const std::vector<RigidPath> paths =
-        straight_paths(start.configuration, velocity, *scene.time->dt);
-    const std::vector<stokesbook::Contact> contacts =
-        interferences(shapes, paths, polygons).contacts;
-    if (contacts.empty()) break;
-    for (const stokesbook::Contact& contact : contacts) {
-      const ContactStage stage{
-          start.configuration, velocity, *scene.time->dt, start.configuration, 1.0, {}, 9};
-      const ConstraintRules rules{polygons, {separation}, [&](std::size_t a, std::size_t b) {
-                                    return a == contact.a && b == contact.b;
-                                  }};
-      GapConstraints rows(stage, solver.discretisation(), shapes, rules);
-      const ContactResult result = rows.resolved(
+    for (const stokesbook::Contact& contact : contacts_at(velocity)) {
+      const ContactResult result = resolve_contact(
           {.free_velocity = velocity,
-           .dt = stage.dt,
+           .dt = dt,
            .separation = separation,
            .tolerance = polygons.tolerance,
-           .rows = {},
+           .rows =
+               [&](const Eigen::VectorXd& at) {
+                 return rows_of_pair(contacts_at(at), {contact.a, contact.b}, at.size());
+               },
            .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
              return mobility(forces);
            }});
