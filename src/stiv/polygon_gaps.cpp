@@ -49,12 +49,12 @@ struct NearestVertex {
 };
 
 NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
   const RelativeFrame frame = frame_in(of.pose, about.pose);
-  NearestVertex nearest{infinity, {}};
+  NearestVertex nearest{unlimited, {}};
   for (Index i : near_vertices(of.shape.polygon, about.shape.polygon, frame, reach)) {
     const Complex x = of.shape.polygon.vertex(i);
-    const double distance = about.shape.polygon.closest(frame(x), infinity).distance;
+    const double distance = about.shape.polygon.closest(frame(x), unlimited).distance;
     if (distance < nearest.distance) {
       nearest = {distance, of.pose.position + std::polar(1.0, of.pose.orientation) * x};
     }

@@ -19,13 +19,13 @@ namespace {
 
 // Gaps in node spacings, and the contact force by a prototype that uses plain rules with many
 // nodes.
-const std::array<std::pair<double, double>, 7> known{{{0.25, 9.4711},
-                                                      {0.5, 9.5176},
-                                                      {1.0, 9.6108},
-                                                      {1.5, 9.7043},
-                                                      {2.0, 9.7982},
-                                                      {3.0, 9.9867},
-                                                      {4.0, 10.1758}}};
+const std::array<std::pair<double, double>, 7> known_forces{{{0.25, 9.4711},
+                                                             {0.5, 9.5176},
+                                                             {1.0, 9.6108},
+                                                             {1.5, 9.7043},
+                                                             {2.0, 9.7982},
+                                                             {3.0, 9.9867},
+                                                             {4.0, 10.1758}}};
 
 struct Hold {
   double force, widest, narrowest;  // least and largest gap of all times, in separations
@@ -65,7 +65,7 @@ Hold hold(double gap, double dt, const HoldSettings& settings = {}) {
 Measure differences(int nodes) {
   return [=](Size) {
     std::vector<Measurement> measurements;
-    for (const auto& [gap, force] : known) {
+    for (const auto& [gap, force] : known_forces) {
       measurements.push_back(
           {.x = gap,
            .error = std::abs(hold(gap * node_spacing, 0.1, {.nodes = nodes}).force / force - 1.0)});
