@@ -20,7 +20,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(0, text.find_last_not_of(space) + 1);
 }
 
-double parse_number(std::string_view field, std::string_view column, const std::string& where) {
+double read_number(std::string_view field, std::string_view column, const std::string& where) {
   const bool has_plus = field.starts_with('+') && !field.starts_with("+-");
   const std::string_view digits = field.substr(has_plus ? 1 : 0);
   double value = 0.0;
@@ -46,7 +46,7 @@ CsvRow parse_row(std::string_view line, const std::string& header, const std::st
   }
   CsvRow row{where, {}};
   for (std::size_t k = 0; k < fields.size(); ++k) {
-    row.values.push_back(parse_number(trim(fields[k]), columns[k], where));
+    row.values.push_back(read_number(trim(fields[k]), columns[k], where));
   }
   return row;
 }

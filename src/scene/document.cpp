@@ -3,8 +3,8 @@
 #include "scene/document.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -12,6 +12,7 @@
 #include <toml++/toml.h>
 
 #include "scene/write.hpp"
+#include "text/number_text.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
@@ -44,11 +45,9 @@ Table convert_entries(const toml::table& source, const std::string& path, const 
 
 std::string shown(const Array& elements) {
   constexpr std::size_t longest = 60;  // longer values would hide the message
-  std::string text;
-  for (const Node& element : elements) {
-    if (!text.empty()) text += ", ";
-    text += element.text.empty() ? "{...}" : element.text;
-  }
+  const std::string text = joined(elements, ", ", [](const Node& element) {
+    return element.text.empty() ? "{...}" : element.text;
+  });
   return text.size() > longest ? "[...]" : "[" + text + "]";
 }
 
@@ -125,13 +124,12 @@ Node& child(Node& parent, std::string_view name, const std::string& where) {
     throw SceneError(where + ": " + parent.path + " = " + parent.text + ": has no '" +
                      std::string(name) + "' in it");
   }
-  std::size_t k = 0;
-  const auto [end, status] = std::from_chars(name.data(), name.data() + name.size(), k);
-  if (status != std::errc{} || end != name.data() + name.size() || k >= elements->size()) {
+  const std::optional<std::size_t> k = parse_number<std::size_t>(name);
+  if (!k || *k >= elements->size()) {
     throw SceneError(where + ": " + parent.path + " has " + std::to_string(elements->size()) +
                      " elements, numbered from 0; there is no element '" + std::string(name) + "'");
   }
-  return (*elements)[k];
+  return (*elements)[*k];
 }
 
 // Returns whether a value is a word that lacks quotation marks, such as fmm in

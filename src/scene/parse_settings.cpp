@@ -1,11 +1,12 @@
 // Reads the sections [solver], [time], [contact] and [output] of a scene file. [contact] is checked
 // against the bodies and time steps, which must allow contact.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "scene/sections.hpp"
+#include "text/number_text.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook::scene_text {
@@ -83,11 +84,9 @@ void check_order(const TableReader& table, const TimeSettings& time) {
 const std::string separation = "a number > 0: a length, or node spacings as in \"0.05h\"";
 
 // Returns the number of node spacings in a text such as "0.05h"; not a number for other texts.
-double spacings_in(const std::string& text) {
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && std::string_view(rest, end) == "h" ? number : std::nan("");
+double spacings_in(std::string_view text) {
+  if (!text.ends_with('h')) return std::nan("");
+  return parse_number<double>(text.substr(0, text.size() - 1)).value_or(std::nan(""));
 }
 
 ContactSettings read_separation(const Node& node) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "scene/scene.hpp"
 #include "text/word_list.hpp"
@@ -32,9 +31,7 @@ std::string_view name_of(T meaning, const Words<T, N>& words) {
 /// Lists the names of words in order, "outer, inner".
 template <class T, std::size_t N>
 std::string list_of(const Words<T, N>& words) {
-  std::vector<std::string_view> names;
-  for (const Word<T>& word : words) names.push_back(word.name);
-  return joined(names);
+  return joined(words, ", ", &Word<T>::name);
 }
 
 /// The word for automatic_nodes in `n_nodes`.

@@ -60,9 +60,8 @@ std::string text_of(const auto& value) {
     return text_of(
         std::array{Complex{value(0, 0), value(0, 1)}, Complex{value(1, 0), value(1, 1)}});
   } else {
-    std::vector<std::string> texts;
-    for (const auto& element : value) texts.push_back(text_of(element));
-    return std::string("[").append(joined(texts)) + "]";
+    const auto to_text = [](const auto& element) { return text_of(element); };
+    return std::string("[").append(joined(value, ", ", to_text)) + "]";
   }
 }
 
@@ -88,86 +87,70 @@ struct Entry {
 };
 
 Entry::Entry(std::string_view key, const Entries& table) {
-  std::vector<std::string_view> texts;
-  for (const Entry& entry : table) texts.push_back(entry.text);
-  text = std::string(key).append(" = { ") + joined(texts) + " }";
+  text = std::string(key).append(" = { ") + joined(table, ", ", &Entry::text) + " }";
 }
 
 Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
-Entries entries_of(const Circle& circle) {
-  return {{"kind", "circle"}, {"radius", circle.radius}};
-}
+// Returns the entries of a shape, the motion of a wall, or a flow.
+struct EntriesOfKind {
+  Entries operator()(const Circle& circle) const {
+    return {{"kind", "circle"}, {"radius", circle.radius}};
+  }
+  Entries operator()(const Ellipse& ellipse) const {
+    return {{"kind", "ellipse"}, {"semi_axes", Complex{ellipse.a, ellipse.b}}};
+  }
+  Entries operator()(const Star& star) const {
+    return {{"kind", "star"},
+            {"radius", star.radius},
+            {"amplitude", star.amplitude},
+            {"arms", star.arms}};
+  }
+  Entries operator()(const Superellipse& curve) const {
+    return {
+        {"kind", "superellipse"}, {"semi_axes", Complex{curve.a, curve.b}}, {"power", curve.power}};
+  }
+  Entries operator()(const NodalCurve& curve) const {
+    return {{"kind", "nodes"}, {"points", curve.points}};
+  }
 
-Entries entries_of(const Ellipse& ellipse) {
-  return {{"kind", "ellipse"}, {"semi_axes", Complex{ellipse.a, ellipse.b}}};
-}
+  Entries operator()(const FixedWall&) const { return {{"kind", "fixed"}}; }
+  Entries operator()(const RotatingWall& wall) const {
+    return {{"kind", "rotating"}, {"omega", wall.omega}};
+  }
+  Entries operator()(const TranslatingWall& wall) const {
+    return {{"kind", "translating"}, {"velocity", wall.velocity}};
+  }
+  Entries operator()(const LinearWall& wall) const {
+    return {{"kind", "linear"}, {"gradient", wall.gradient}};
+  }
+  Entries operator()(const RadialWall& wall) const {
+    return {{"kind", "radial"}, {"speed", wall.speed}};
+  }
 
-Entries entries_of(const Star& star) {
-  return {{"kind", "star"},
-          {"radius", star.radius},
-          {"amplitude", star.amplitude},
-          {"arms", star.arms}};
-}
-
-Entries entries_of(const Superellipse& curve) {
-  return {
-      {"kind", "superellipse"}, {"semi_axes", Complex{curve.a, curve.b}}, {"power", curve.power}};
-}
-
-Entries entries_of(const NodalCurve& curve) {
-  return {{"kind", "nodes"}, {"points", curve.points}};
-}
-
-Entries entries_of(const FixedWall&) {
-  return {{"kind", "fixed"}};
-}
-
-Entries entries_of(const RotatingWall& wall) {
-  return {{"kind", "rotating"}, {"omega", wall.omega}};
-}
-
-Entries entries_of(const TranslatingWall& wall) {
-  return {{"kind", "translating"}, {"velocity", wall.velocity}};
-}
-
-Entries entries_of(const LinearWall& wall) {
-  return {{"kind", "linear"}, {"gradient", wall.gradient}};
-}
-
-Entries entries_of(const RadialWall& wall) {
-  return {{"kind", "radial"}, {"speed", wall.speed}};
-}
-
-Entries entries_of(const QuiescentFlow&) {
-  return {{"kind", "quiescent"}};
-}
-
-Entries entries_of(const UniformFlow& flow) {
-  return {{"kind", "uniform"}, {"velocity", flow.velocity}};
-}
-
-Entries entries_of(const ShearFlow& flow) {
-  return {{"kind", "shear"}, {"rate", flow.rate}};
-}
-
-Entries entries_of(const ExtensionalFlow& flow) {
-  return {{"kind", "extensional"}, {"rate", flow.rate}};
-}
-
-Entries entries_of(const TaylorGreenFlow& flow) {
-  return {{"kind", "taylor_green"}, {"rate", flow.rate}};
-}
-
-Entries entries_of(const LinearFlow& flow) {
-  return {{"kind", "linear"}, {"gradient", flow.gradient}};
-}
+  Entries operator()(const QuiescentFlow&) const { return {{"kind", "quiescent"}}; }
+  Entries operator()(const UniformFlow& flow) const {
+    return {{"kind", "uniform"}, {"velocity", flow.velocity}};
+  }
+  Entries operator()(const ShearFlow& flow) const {
+    return {{"kind", "shear"}, {"rate", flow.rate}};
+  }
+  Entries operator()(const ExtensionalFlow& flow) const {
+    return {{"kind", "extensional"}, {"rate", flow.rate}};
+  }
+  Entries operator()(const TaylorGreenFlow& flow) const {
+    return {{"kind", "taylor_green"}, {"rate", flow.rate}};
+  }
+  Entries operator()(const LinearFlow& flow) const {
+    return {{"kind", "linear"}, {"gradient", flow.gradient}};
+  }
+};
 
 template <class... Kinds>
 Entries entries_of(const std::variant<Kinds...>& variant) {
-  return std::visit([](const auto& kind) { return entries_of(kind); }, variant);
+  return std::visit(EntriesOfKind{}, variant);
 }
 
 std::string lines(const Entries& entries) {

@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <concepts>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace stokesbook {
 
@@ -15,8 +17,18 @@ void append_number(std::string& text, std::integral auto n) {
   text += std::to_string(n);
 }
 
-/// Writes a rounded number for messages and pictures.
-/// The text has at most so many significant digits, and no trailing zeros: `0.0125`, `1.25e-10`.
+/// Writes a number for messages and pictures, rounded to a number of significant digits and without
+/// trailing zeros: `0.0125`, `1.25e-10`.
 std::string short_number(double x, int digits = 3);
+
+/// Reads a number from a text that contains nothing else; none for other texts.
+/// @param  format  std::chars_format of a floating-point number, general by default
+template <class Number>
+std::optional<Number> parse_number(std::string_view text, auto... format) {
+  Number number{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number, format...);
+  return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
+}
 
 }  // namespace stokesbook

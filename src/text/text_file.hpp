@@ -6,7 +6,7 @@
 
 namespace stokesbook {
 
-/// Reads a whole file. Returns its bytes; none if the file cannot be read.
+/// Returns the bytes of a file; none if the file cannot be read.
 std::optional<std::string> read_text_file(const std::filesystem::path& path);
 
 }  // namespace stokesbook

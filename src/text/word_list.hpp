@@ -1,21 +1,23 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace stokesbook {
 
 /// Joins a range of words into one text, "euler, heun".
-std::string joined(const auto& words, std::string_view separator = ", ") {
+/// @param  to_word  function, or pointer to a member, that returns the word of an item
+template <class ToWord = std::identity>
+std::string joined(const auto& items, std::string_view separator = ", ", ToWord to_word = {}) {
   std::string text;
-  bool first = true;
-  for (const std::string_view word : words) {
-    if (!first) text += separator;
-    text += word;
-    first = false;
+  for (bool first = true; const auto& item : items) {
+    if (!std::exchange(first, false)) text += separator;
+    text += std::invoke(to_word, item);
   }
   return text;
 }
