@@ -2,6 +2,7 @@
 // [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
 // place_fills() places later.
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string>
 
@@ -13,40 +14,32 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-using MotionReader = WallMotion (*)(const Node&);
+using MotionReader = std::function<WallMotion(const Node&)>;
 
 WallMotion read_fixed(const Node& node) {
   const TableReader table(node, {"kind"});
   return FixedWall{};
 }
 
-WallMotion read_rotating(const Node& node) {
-  return RotatingWall{TableReader(node, {"kind", "omega"}).require("omega", any_number)};
+/// Returns a reader for motions with one key besides their kind.
+template <class Motion>
+MotionReader reader_of(std::string_view key, const auto& rule) {
+  return [=](const Node& node) {
+    return Motion{TableReader(node, {"kind", key}).require(key, rule)};
+  };
 }
 
-WallMotion read_translating(const Node& node) {
-  return TranslatingWall{TableReader(node, {"kind", "velocity"}).require("velocity", any_vector)};
-}
-
-WallMotion read_linear_motion(const Node& node) {
-  return LinearWall{TableReader(node, {"kind", "gradient"}).require("gradient", any_gradient)};
-}
-
-WallMotion read_radial(const Node& node) {
-  return RadialWall{TableReader(node, {"kind", "speed"}).require("speed", any_number)};
-}
-
-constexpr Words<MotionReader, 5> motion_kinds{{{"fixed", read_fixed},
-                                               {"rotating", read_rotating},
-                                               {"translating", read_translating},
-                                               {"linear", read_linear_motion},
-                                               {"radial", read_radial}}};
+const Words<MotionReader, 5> motion_kinds{
+    {{"fixed", read_fixed},
+     {"rotating", reader_of<RotatingWall>("omega", any_number)},
+     {"translating", reader_of<TranslatingWall>("velocity", any_vector)},
+     {"linear", reader_of<LinearWall>("gradient", any_gradient)},
+     {"radial", reader_of<RadialWall>("speed", any_number)}}};
 
 WallMotion read_motion(const TableReader& wall, const Shape& shape) {
   const Node* node = wall.find("motion");
   if (node == nullptr) return FixedWall{};
-  const MotionReader read_kind = TableReader(*node).require("kind", motion_kinds);
-  const WallMotion motion = read_kind(*node);
+  const WallMotion motion = TableReader(*node).require("kind", motion_kinds)(*node);
   if (std::holds_alternative<RadialWall>(motion) && !std::holds_alternative<Circle>(shape)) {
     fail(*node, "radial motion requires a wall whose shape is a circle");
   }

@@ -94,8 +94,7 @@ constexpr Words<ShapeReader, 5> shape_kinds{{{"circle", read_circle},
 
 Shape read_shape(const TableReader& owner, const std::filesystem::path& directory) {
   const Node& node = owner.at("shape", "a table, such as { kind = \"circle\", radius = 1.0 }");
-  const ShapeReader read_kind = TableReader(node).require("kind", shape_kinds);
-  return read_kind(node, directory);
+  return TableReader(node).require("kind", shape_kinds)(node, directory);
 }
 
 }  // namespace stokesbook::scene_text
