@@ -54,7 +54,7 @@ std::vector<GrowingFile> growing_files(const RunContents& contents) {
 /// Returns the frame number in a file name, and no value for files that belong to no single frame.
 std::optional<std::size_t> frame_of(const std::string& name) {
   for (const FrameFiles& files : frame_files) {
-    if (const std::optional<std::size_t> frame = files.frame_of(name)) return frame;
+    if (const auto frame = files.frame_of(name)) return frame;
   }
   return {};
 }
@@ -82,8 +82,7 @@ std::vector<fs::path> file_names(const fs::path& directory) {
 }
 
 /// Removes the files whose names `pick` accepts, and their partial versions that a kill has left.
-template <class Pick>
-void remove_files(const fs::path& directory, Pick pick) {
+void remove_files(const fs::path& directory, auto pick) {
   for (const fs::path& name : file_names(directory)) {
     if (!pick(without_partial(name).string())) continue;
     std::error_code error;
@@ -106,24 +105,20 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
 /// be opened and cut back, and a wrong name may be the path of a foreign file.
 void require_own_tables(const fs::path& directory, const SavedRun& saved,
                         const RunContents& contents) {
-  const std::vector<GrowingFile> own = growing_files(contents);
-  const auto is_saved = [&](const GrowingFile& file) {
-    return saved.table_sizes.contains(file.name);
-  };
-  if (own.size() == saved.table_sizes.size() && std::ranges::all_of(own, is_saved)) return;
-  throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
+  const auto name_of = [](const auto& entry) { return entry.first; };
+  if (!std::ranges::is_permutation(growing_files(contents), saved.table_sizes, {},
+                                   &GrowingFile::name, name_of)) {
+    throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
+  }
 }
 
 /// Removes the files of a run, the checkpoint first and steps.csv last. After a kill in between, no
 /// checkpoint refers to missing files, and steps.csv still marks the directory as that of a run.
 void remove_run(const fs::path& directory) {
-  const auto is = [](const char* other) {
-    return [=](const std::string& name) { return name == other; };
-  };
-  remove_files(directory, is(checkpoint_name));
+  remove_files(directory, [](const std::string& name) { return name == checkpoint_name; });
   remove_files(directory,
                [](const std::string& name) { return belongs_to_run(name) && name != steps_name; });
-  remove_files(directory, is(steps_name));
+  remove_files(directory, [](const std::string& name) { return name == steps_name; });
 }
 
 }  // namespace
@@ -196,7 +191,14 @@ void RunDirectory::write_frame(const Frame& frame) {
   if (contents_.fields) replace(field_files.name(frame_count()), field_vti(*frame.field));
   frame_times_.push_back(frame.t);
   write_collections();
-  if (contents_.svg) write_pictures(frame);
+  if (contents_.svg) {
+    replace(picture_name, draw_configuration(frame, contents_.outlines, contents_.title));
+  }
+  if (contents_.svg && contents_.fields) {
+    for (const auto& [name, text] : draw_fields(frame, contents_.outlines, contents_.title)) {
+      replace(name, text);
+    }
+  }
 }
 
 void RunDirectory::write_collections() {
@@ -206,14 +208,6 @@ void RunDirectory::write_collections() {
   if (contents_.vtk) write(body_files);
   if (contents_.vtk && contents_.contacts) write(contact_files);
   if (contents_.fields) write(field_files);
-}
-
-void RunDirectory::write_pictures(const Frame& frame) {
-  replace(picture_name, draw_configuration(frame, contents_.outlines, contents_.title));
-  if (!contents_.fields) return;
-  for (const auto& [name, text] : draw_fields(frame, contents_.outlines, contents_.title)) {
-    replace(name, text);
-  }
 }
 
 void RunDirectory::write_step(const StepInfo& step) {

@@ -96,9 +96,6 @@ class RunDirectory {
   /// Updates the collections, which list the files of all frames.
   void write_collections();
 
-  /// Draws the latest frame.
-  void write_pictures(const Frame& frame);
-
   /// Replaces a file of a frame; the file is safe from a power cut only after the next save().
   void replace(const std::string& name, std::string_view text);
 
