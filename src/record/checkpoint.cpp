@@ -11,6 +11,7 @@
 #include "record/atomic_file.hpp"
 #include "record/record_error.hpp"
 #include "text/fingerprint.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook {
 
@@ -43,6 +44,7 @@ class WordReader {
  public:
   explicit WordReader(std::string_view text) : rest_(text) {}
 
+  /// Reads a word, which may be empty, up to a blank or the end of the line.
   std::string word() {
     const std::string_view found = rest_.substr(0, rest_.find_first_of(" \n"));
     rest_.remove_prefix(std::min(found.size() + 1, rest_.size()));
@@ -56,14 +58,11 @@ class WordReader {
     throw std::invalid_argument("'" + expected + "' expected, '" + found + "' found");
   }
 
-  /// Reads a number; the format is that of std::from_chars(), which integers do not have.
+  /// Reads a number; floating-point numbers have a format.
   template <class Number>
   Number number(auto... format) {
-    Number value{};
     const std::string text = word();
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value, format...);
-    if (error == std::errc{} && rest == end) return value;
+    if (const auto value = parse_number<Number>(text, format...)) return *value;
     throw std::invalid_argument("'" + text + "' is not a number");
   }
 
@@ -80,7 +79,7 @@ class WordReader {
 
   Eigen::VectorXd vector() {
     const std::vector<double> values = reals();
-    return Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+    return Eigen::VectorXd::Map(values.data(), std::ssize(values));
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "text/number_text.hpp"
@@ -24,23 +25,32 @@ struct Cell {
   bool is_line() const { return joined != in_polygon; }
 };
 
-/// The data of a wall or body.
-struct Component : BodyState {
+/// A wall or body.
+struct Component : BodyState, Cell {
   long id;
 };
 
-/// Writes a file with one set of data; attributes begin with a blank.
-std::string vtk_file(const std::string& type, const std::string& file_attributes,
-                     const std::string& attributes, const std::string& data) {
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\"" +
-         file_attributes + ">\n<" + type + attributes + ">\n" + data + "</" + type +
-         ">\n</VTKFile>\n";
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+std::string element(const std::string& name, const Attributes& attributes,
+                    const std::string& contents) {
+  std::string text = '<' + name;
+  for (const auto& [key, value] : attributes) text += ' ' + key + "=\"" + value + '"';
+  return text + ">\n" + contents + "</" + name + ">\n";
+}
+
+std::string vtk_file(const Attributes& attributes, const std::string& contents) {
+  return "<?xml version=\"1.0\"?>\n" + element("VTKFile", attributes, contents);
 }
 
 std::string data_array(const std::string& type, const std::string& name, int components,
                        const std::string& format, const std::string& values) {
-  return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-         std::to_string(components) + "\" format=\"" + format + "\">\n" + values + "</DataArray>\n";
+  return element("DataArray",
+                 {{"type", type},
+                  {"Name", name},
+                  {"NumberOfComponents", std::to_string(components)},
+                  {"format", format}},
+                 values);
 }
 
 /// Writes numbers with blanks between them.
@@ -70,7 +80,7 @@ std::string cell_data(const std::string& name, const auto& items, auto member) {
 }
 
 /// Writes the point numbers of all lines, or of all polygons, as VTK's connectivity and offsets.
-std::string topology(const std::vector<Cell>& cells, bool lines) {
+std::string topology(const auto& cells, bool lines) {
   std::string connectivity;
   std::string offsets;
   Eigen::Index first = 0;
@@ -90,8 +100,10 @@ std::string topology(const std::vector<Cell>& cells, bool lines) {
          data_array("Int64", "offsets", 1, "ascii", offsets);
 }
 
-/// Writes cells, lines before polygons, with their data.
-std::string poly_data(const std::vector<Cell>& cells, const std::string& data) {
+/// Writes cells, lines before polygons, with their data, of which a viewer first shows the named
+/// scalars and vectors.
+std::string poly_data(const auto& cells, const std::string& scalars, const std::string& vectors,
+                      const std::string& data) {
   std::string points;
   Eigen::Index n_points = 0;
   for (const Cell& cell : cells) {
@@ -99,14 +111,17 @@ std::string poly_data(const std::vector<Cell>& cells, const std::string& data) {
     n_points += cell.points.size();
   }
   const auto n_lines = std::ranges::count_if(cells, &Cell::is_line);
-  return vtk_file("PolyData", "", "",
-                  "<Piece NumberOfPoints=\"" + std::to_string(n_points) +
-                      "\" NumberOfVerts=\"0\" NumberOfLines=\"" + std::to_string(n_lines) +
-                      "\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
-                      std::to_string(std::ssize(cells) - n_lines) + "\">\n" + data + "<Points>\n" +
-                      data_array("Float64", "points", 3, "ascii", points) + "</Points>\n<Lines>\n" +
-                      topology(cells, true) + "</Lines>\n<Polys>\n" + topology(cells, false) +
-                      "</Polys>\n</Piece>\n");
+  const Attributes counts{{"NumberOfPoints", std::to_string(n_points)},
+                          {"NumberOfVerts", "0"},
+                          {"NumberOfLines", std::to_string(n_lines)},
+                          {"NumberOfStrips", "0"},
+                          {"NumberOfPolys", std::to_string(std::ssize(cells) - n_lines)}};
+  const std::string piece =
+      element("CellData", {{"Scalars", scalars}, {"Vectors", vectors}}, data) +
+      element("Points", {}, data_array("Float64", "points", 3, "ascii", points)) +
+      element("Lines", {}, topology(cells, true)) + element("Polys", {}, topology(cells, false));
+  return vtk_file({{"type", "PolyData"}, {"version", "1.0"}},
+                  element("PolyData", {}, element("Piece", counts, piece)));
 }
 
 /// Encodes bytes in base64: a letter for every 6 bits, filled up to a multiple of 4 letters.
@@ -139,32 +154,26 @@ std::string binary_array(const std::string& type, std::string_view name, int com
 
 std::string configuration_vtp(const Frame& frame, const Outlines& outlines) {
   require_outlines(frame, outlines);
-  const auto& [bodies, walls] = outlines;
-  std::vector<Cell> cells;
   std::vector<Component> components;
-  const auto add = [&](const Outline& outline, const BodyState& state, long id) {
-    cells.push_back({placed(outline, state), outline.encloses ? Cell::in_loop : Cell::in_polygon});
-    components.push_back({state, id});
+  const auto add = [&](const Outline& outline, const BodyState& state, const ContactParty& party) {
+    const Cell cell{placed(outline, state), outline.encloses ? Cell::in_loop : Cell::in_polygon};
+    components.push_back({state, cell, party.id()});
   };
-  for (const bool lines : {true, false}) {
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-      if (bodies[k].encloses == lines) add(bodies[k], frame.bodies[k], ContactParty{false, k}.id());
-    }
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-      const auto& [position, orientation, force, torque] = frame.walls[k];
-      if (walls[k].encloses == lines) {
-        add(walls[k], {position, orientation, {}, 0.0, force, torque}, ContactParty{true, k}.id());
-      }
-    }
+  for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
+    add(outlines.bodies[k], frame.bodies[k], {false, k});
   }
-  return poly_data(cells, "<CellData Scalars=\"id\" Vectors=\"velocity\">\n" +
-                              cell_data("id", components, &Component::id) +
-                              cell_data("velocity", components, &Component::velocity) +
-                              cell_data("omega", components, &Component::omega) +
-                              cell_data("theta", components, &Component::orientation) +
-                              cell_data("force", components, &Component::force) +
-                              cell_data("torque", components, &Component::torque) +
-                              "</CellData>\n");
+  for (std::size_t k = 0; k < frame.walls.size(); ++k) {
+    const auto& [position, orientation, force, torque] = frame.walls[k];
+    add(outlines.walls[k], {position, orientation, {}, 0.0, force, torque}, {true, k});
+  }
+  std::stable_partition(components.begin(), components.end(), std::mem_fn(&Cell::is_line));
+  const std::string data = cell_data("id", components, &Component::id) +
+                           cell_data("velocity", components, &Component::velocity) +
+                           cell_data("omega", components, &Component::omega) +
+                           cell_data("theta", components, &Component::orientation) +
+                           cell_data("force", components, &Component::force) +
+                           cell_data("torque", components, &Component::torque);
+  return poly_data(components, "id", "velocity", data);
 }
 
 std::string contacts_vtp(const Frame& frame) {
@@ -180,19 +189,19 @@ std::string contacts_vtp(const Frame& frame) {
   }
   const auto id_a = [](const ContactForce& contact) { return contact.a.id(); };
   const auto id_b = [](const ContactForce& contact) { return contact.b.id(); };
-  return poly_data(cells, "<CellData Scalars=\"force\" Vectors=\"normal\">\n" +
-                              cell_data("a", contacts, id_a) + cell_data("b", contacts, id_b) +
-                              cell_data("normal", contacts, &ContactForce::normal) +
-                              cell_data("force", contacts, &ContactForce::force) +
-                              cell_data("gap", contacts, &ContactForce::gap) + "</CellData>\n");
+  const std::string data = cell_data("a", contacts, id_a) + cell_data("b", contacts, id_b) +
+                           cell_data("normal", contacts, &ContactForce::normal) +
+                           cell_data("force", contacts, &ContactForce::force) +
+                           cell_data("gap", contacts, &ContactForce::gap);
+  return poly_data(cells, "force", "normal", data);
 }
 
 std::string field_vti(const Field& field) {
   const auto& [corner, spacing, columns, rows] = field.grid;
-  const std::string extent = "Extent=\"" + words(0, columns - 1, 0, rows - 1, 0, 0) + '"';
-  const std::string grid = " Whole" + extent + " Origin=\"" +
-                           words(corner.real(), corner.imag(), 0) + "\" Spacing=\"" +
-                           words(spacing, spacing, 1) + '"';
+  const std::string extent = words(0, columns - 1, 0, rows - 1, 0, 0);
+  const Attributes grid{{"WholeExtent", extent},
+                        {"Origin", words(corner.real(), corner.imag(), 0)},
+                        {"Spacing", words(spacing, spacing, 1)}};
   std::string arrays = binary_array("UInt8", "in_fluid", 1, field.in_fluid);
   if (field.velocity.size() > 0) {
     Eigen::Matrix3Xd spatial = Eigen::Matrix3Xd::Zero(3, field.velocity.size());
@@ -204,18 +213,19 @@ std::string field_vti(const Field& field) {
     if ((field.*values).size() > 0) arrays += binary_array("Float64", name, 1, field.*values);
   }
   constexpr bool little = std::endian::native == std::endian::little;
-  return vtk_file("ImageData",
-                  std::string(" byte_order=\"") + (little ? "Little" : "Big") +
-                      "Endian\" header_type=\"UInt64\"",
-                  grid,
-                  "<Piece " + extent + ">\n<PointData>\n" + arrays + "</PointData>\n</Piece>\n");
+  const std::string piece =
+      element("Piece", {{"Extent", extent}}, element("PointData", {}, arrays));
+  return vtk_file({{"type", "ImageData"},
+                   {"version", "1.0"},
+                   {"byte_order", little ? "LittleEndian" : "BigEndian"},
+                   {"header_type", "UInt64"}},
+                  element("ImageData", grid, piece));
 }
 
 std::string FrameFiles::name(std::size_t frame) const {
   const std::string digits = std::to_string(frame);
-  std::string text(stem);
-  text += '_' + std::string(6 - std::min<std::size_t>(6, digits.size()), '0') + digits;
-  return text += extension;
+  const std::string zeros(6 - std::min<std::size_t>(6, digits.size()), '0');
+  return std::string(stem) + '_' + zeros + digits + std::string(extension);
 }
 
 std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {
@@ -232,7 +242,7 @@ std::string FrameFiles::collection_text(std::span<const double> frame_times) con
   for (std::size_t k = 0; k < frame_times.size(); ++k) {
     entries += "<DataSet timestep=\"" + words(frame_times[k]) + "\" file=\"" + name(k) + "\"/>\n";
   }
-  return vtk_file("Collection", "", "", entries);
+  return vtk_file({{"type", "Collection"}, {"version", "1.0"}}, element("Collection", {}, entries));
 }
 
 }  // namespace stokesbook
