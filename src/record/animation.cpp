@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -39,12 +40,7 @@ std::string array(const auto&... entries) {
 
 /// Returns a JSON array of the texts that a function makes of the items.
 std::string list(const auto& items, auto to_text) {
-  std::string text = "[";
-  for (const auto& item : items) {
-    if (text.size() > 1) text += ',';
-    text += to_text(item);
-  }
-  return text + ']';
+  return '[' + joined(items, ",", to_text) + ']';
 }
 
 /// Returns a block of data in a page. Each < is replaced by its JSON escape, so that no text can

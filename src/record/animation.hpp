@@ -7,18 +7,15 @@
 
 namespace stokesbook {
 
-/// The page that plays a run, without data. The build joins the files of `src/record/player` into
-/// this text.
+/// The page that plays a run, without data; the build makes it from the files in the folder `player`.
 extern const std::string_view player_page;
 
-/// Writes the head of an animation, a page that plays in a browser, from a file and without a
-/// network.
+/// Writes the head of an animation, a page of HTML that plays in a browser, from a file and without
+/// a network.
 ///
-/// The page consists of this text and one animation_frame() for each written time. The page may end
-/// after any byte: the player ignores an incomplete frame.
-/// @param  title  title of the page, any text
-/// @return        HTML: the player, then title and outlines as JSON; equal outlines are written
-///                once
+/// The head contains the player, then title and outlines as JSON; equal outlines are written once.
+/// One animation_frame() follows for each written time. The page may end after any byte: the player
+/// ignores an incomplete frame.
 std::string animation_head(const std::string& title, const Outlines& outlines);
 
 /// Writes a frame of an animation; the frame's field is not written.

@@ -16,13 +16,12 @@ enum class SafeFrom {
 /// Replaces a file, which need not exist, by a new one with the given text. At every moment the
 /// path names the complete old file or the complete new one.
 ///
-/// The text is written to `<path>.partial` first; a killed program may leave this file behind.
-/// @param  danger  event that the new file survives as soon as the function has returned
+/// The text is written to `<path>.partial` first; a killed program may leave this file behind. The
+/// new file survives the `danger` from the moment when the function returns.
 /// @throws RecordError when the new file cannot be written; the old file then stays
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger);
 
-/// Returns the path that a file would have without `.partial` at its end, even if the ending is
-/// repeated.
+/// Removes the ending `.partial` from a path, even if the ending is repeated.
 std::filesystem::path without_partial(std::filesystem::path path);
 
 /// Makes a written file safe from a power cut.
@@ -55,7 +54,7 @@ class AppendFile {
   /// Writes the remaining records, unless the disk refuses them, and closes the file.
   ~AppendFile();
 
-  /// Appends a record, which the file contains after flush().
+  /// Adds a record, which the file contains after flush().
   void append(std::string_view record) { waiting_ += record; }
 
   /// Writes all records to the file.

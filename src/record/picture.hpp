@@ -14,9 +14,8 @@ namespace stokesbook {
 /// the first axis of its frame, and an arrow shows its velocity. Contact forces are lines from the
 /// bodies to the points where the forces act; the width grows with the force. Walls are outlines; y
 /// points upwards.
-/// @param  title  shown above the picture, read by screen readers; may be empty
-/// @throws std::invalid_argument when the numbers of outlines and states differ, or there is
-///                               nothing to draw
+/// @param  title  shown above the picture; may be empty
+/// @throws std::invalid_argument when outlines and frame do not match, or have no component
 std::string draw_configuration(const Frame& frame, const Outlines& outlines,
                                const std::string& title);
 
@@ -28,10 +27,8 @@ std::string draw_configuration(const Frame& frame, const Outlines& outlines,
 /// The colours do not resolve the smallest and the largest hundredth of the values, since values
 /// may peak next to bodies and between them. For quantities with a sign the range of the colours is
 /// symmetric: blue below zero, red above, and grey at zero.
-/// @param  title  shown above each picture
-/// @return        SVG documents by file name, such as `fields_pressure.svg`
-/// @throws std::invalid_argument when the numbers of outlines and states differ, or there is no
-///                               field
+/// @return  SVG documents by file name, such as `fields_pressure.svg`
+/// @throws std::invalid_argument when outlines and frame do not match, or there is no field
 std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
                                                const std::string& title);
 

@@ -47,8 +47,7 @@ struct ContactParty {
   /// Compares kinds, then numbers.
   friend auto operator<=>(const ContactParty&, const ContactParty&) = default;
 
-  /// Returns the number that identifies the component in files: 0, 1, ... for bodies, and -1, -2,
-  /// ... for walls.
+  /// Returns the component's number in files: 0, 1, ... for bodies, and -1, -2, ... for walls.
   long id() const { return is_wall ? -1 - static_cast<long>(number) : static_cast<long>(number); }
 };
 
@@ -90,13 +89,12 @@ ComplexVector placed(const Outline& outline, const auto& state) {
   return (outline.points.array() * std::polar(1.0, state.orientation) + state.position).matrix();
 }
 
-/// Checks that every body and wall of a frame has its outline, and that the components of every
+/// Requires that every body and wall of a frame has its outline, and that the components of every
 /// contact exist.
-/// @throws std::invalid_argument when the numbers differ, or a contact names a body or wall that is
-///         not in the frame
+/// @throws std::invalid_argument otherwise
 void require_outlines(const Frame& frame, const Outlines& outlines);
 
-/// Results and cost of one time step.
+/// Results and cost of one time step; @ref record defines the errors and the numbers on contact.
 struct StepInfo {
   double t = 0.0;                 ///< time at the end of the step
   double dt = 0.0;                ///< length of the step, time
@@ -106,17 +104,13 @@ struct StepInfo {
   int contacts = 0;               ///< number of pairs in contact
   double min_gap = 0.0;           ///< least distance of two curves, length; infinite for one curve
   double residual = 0.0;          ///< largest relative residual of the linear solves
-  double velocity_error = 0.0;    ///< estimated error of velocities, relative to their scale; from
-                                  ///< the beginning of the step, or the latest one before
-  double step_error = 0.0;        ///< estimated error of this step: of positions in units of the
-                                  ///< largest body's radius, and of angles in radians
+  double velocity_error = 0.0;    ///< estimated error of velocities, relative to their scale
+  double step_error = 0.0;        ///< estimated error of this step, in radii and radians
   double seconds = 0.0;           ///< wall time of the solves
-  double kkt_residual = 0.0;      ///< error of complementarity, in minimum separations: the largest
-                                  ///< violation -g of a gap g, or min(g, opening by its force)
+  double kkt_residual = 0.0;      ///< error of complementarity, in minimum separations
   double force_imbalance = 0.0;   ///< net contact force over the largest force on a component
   double torque_imbalance = 0.0;  ///< net torque over this force and a lever, see imbalance()
-  double contact_power = 0.0;     ///< power of the contact forces in the last stage of the step,
-                                  ///< force / time; negative if they resist the motion
+  double contact_power = 0.0;     ///< power of the contact forces, force / time
   double energy_injected = 0.0;   ///< work of contact forces, positive part only, force
 };
 

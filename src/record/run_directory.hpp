@@ -52,21 +52,19 @@ class RunDirectory {
   /// Only files with names of a run's files are removed. An old scene.toml stays until write_text()
   /// replaces it, because the new run may have been started from it.
   /// @throws RecordError when the directory cannot be written, when another run is writing it, or
-  ///         when it has files of an earlier run that must not be removed
+  ///         when files of an earlier run must stay
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
   /// Opens a run at its last checkpoint, and removes rows and frames that were written later.
   /// @param  contents  the same as for create()
-  /// @throws RecordError when there is no complete checkpoint, when the checkpoint is of another
-  ///         scene or lists other files, when a table is missing or shorter than in the checkpoint,
-  ///         or when another run is writing the directory
+  /// @throws RecordError when another run is writing the directory, or when checkpoint, contents
+  ///         and files do not match
   static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
 
   /// Adds a frame to all files of the run. Tables and the animation contain the frame after save().
-  /// @throws std::invalid_argument when the numbers of bodies or walls differ from the contents,
-  ///         when a contact names a component that does not exist, when the frame has contacts or a
-  ///         field that the run does not write, or when it lacks a field that the run writes
+  /// @throws std::invalid_argument when the frame does not match the outlines, has contacts or a
+  ///         field that the run does not write, or lacks a field that the run writes
   /// @throws RecordError when a file cannot be written; earlier data stay valid
   void write_frame(const Frame& frame);
 
@@ -96,7 +94,7 @@ class RunDirectory {
   /// Updates the collections, which list the files of all frames.
   void write_collections();
 
-  /// Replaces a file of a frame; the file is safe from a power cut only after the next save().
+  /// Replaces a file, which is safe from a power cut only after the next save().
   void replace(const std::string& name, std::string_view text);
 
   FileLock lock_;

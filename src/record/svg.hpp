@@ -25,19 +25,16 @@ std::string polyline(const ComplexVector& points);
 /// Returns the path data of a closed polygon.
 std::string polygon(const ComplexVector& corners);
 
-/// Makes a path element; empty if there are no data.
-/// @param  style  the other attributes
+/// Makes a path element; empty if there are no data. The style contains the other attributes.
 std::string path(const std::string& data, const std::string& style);
 
-/// Makes a text element.
+/// Makes an element of any text, which is escaped. The style contains the other attributes.
 /// @param  start  start of the text, or another anchor that the style sets
-/// @param  text   any text, which is escaped
-/// @param  style  the other attributes
 std::string label(Complex start, const std::string& text, const std::string& style = {});
 
 /// Opens a picture whose `currentColor` suits light and dark backgrounds; `</svg>` closes it.
 /// @param  size   width and height
-/// @param  title  title for screen readers, which is escaped
+/// @param  title  any text for screen readers, which is escaped
 std::string open(Complex size, const std::string& title);
 
 }  // namespace svg

@@ -15,7 +15,7 @@ namespace stokesbook {
 /// Each body and inner wall is a polygon, which may be concave. Cell data: `id` as in
 /// ContactParty::id(), `velocity` and `omega` (0 for walls), `theta`, `force` and `torque` (by the
 /// body or wall on the fluid).
-/// @throws std::invalid_argument when the numbers of outlines and states differ
+/// @throws std::invalid_argument when outlines and frame do not match
 std::string configuration_vtp(const Frame& frame, const Outlines& outlines);
 
 /// Writes the network of contacts as VTK PolyData (XML, ASCII), with one polyline for each contact.
@@ -31,11 +31,10 @@ std::string contacts_vtp(const Frame& frame);
 /// their names in field_scalars. All arrays but the first hold the exact doubles.
 std::string field_vti(const Field& field);
 
-/// A kind of file that a run writes for each frame, and the ParaView collection that lists files
-/// and times.
+/// A kind of file that a run writes for each frame, and the ParaView collection of these files.
 struct FrameFiles {
-  std::string_view stem;       ///< start of their names
-  std::string_view extension;  ///< end of their names
+  std::string_view stem;       ///< start of the files' names
+  std::string_view extension;  ///< end of the files' names
 
   /// Returns the file name of a frame, `bodies_000042.vtp`; more digits if six do not suffice.
   std::string name(std::size_t frame) const;
