@@ -9,8 +9,8 @@ namespace stokesbook {
 /// lock when the process ends, even if it is killed.
 class FileLock {
  public:
-  /// Waits until no other process has the lock of a file, and takes it.
-  /// @param  file  path of the lock file, which is made if necessary and stays empty
+  /// Waits until no other process has the lock of a file, and takes it. Makes the file, which stays
+  /// empty, if necessary.
   /// @throws RecordError when the file cannot be made or locked
   static FileLock wait_for(const std::filesystem::path& file);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -252,9 +253,7 @@ struct GridLayout {
 /// smallest and the largest hundredth, made symmetric for values with a sign.
 ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
   std::vector<double> sorted;
-  for (const double value : values) {
-    if (!std::isnan(value)) sorted.push_back(value);
-  }
+  std::ranges::copy_if(values, std::back_inserter(sorted), [](double x) { return !std::isnan(x); });
   if (sorted.empty()) return {0.0, 0.0};
   std::ranges::sort(sorted);
   const std::size_t hundredth = sorted.size() / 100;

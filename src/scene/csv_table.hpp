@@ -22,11 +22,8 @@ struct CsvTable {
   std::vector<CsvRow> rows;  ///< at least one, in file order
 };
 
-/// Parses comma-separated numbers below a header line. Blank lines and comments (`#` to the end of
-/// the line) are skipped; lines end in LF or CRLF.
-///
-/// @param  file_name  name of the file in messages
-/// @param  headers    accepted header lines
+/// Parses comma-separated numbers below one of the accepted header lines. Blank lines and comments
+/// (`#` to the end of the line) are skipped; lines end in LF or CRLF.
 /// @throws SceneError that names the file, the line, and the column and value if these are wrong
 CsvTable parse_csv(std::string_view text, const std::string& file_name,
                    std::initializer_list<std::string_view> headers);

@@ -33,16 +33,13 @@ struct Node {
   std::variant<bool, std::int64_t, double, std::string, DateTime, Array, Table> value;
 };
 
-/// Parses a TOML document; returns a Table.
-/// @param  file_name  name of the file in messages
+/// Parses a TOML document; returns a Table. Messages contain the name of the file.
 /// @throws SceneError when the text is not valid TOML
 Node parse_document(std::string_view text, std::string_view file_name);
 
-/// Returns the document with one value set from the command line.
-///
+/// Returns the document with one value set from the command line. Missing tables are added.
 /// @param  setting  `time.dt=0.01`, `bodies.0.n_nodes=64` or `bodies[0].n_nodes=64`: path, `=`,
-///                  value in TOML's syntax, or a word without quotation marks; missing tables of
-///                  the path are added
+///                  value in TOML's syntax, or a word without quotation marks
 /// @throws SceneError when the setting has another form, or its path does not fit the document
 Node with_override(Node document, std::string_view setting);
 

@@ -11,7 +11,6 @@ namespace stokesbook {
 
 /// Reads a scene file and the files that it names, checks everything that can be checked without a
 /// solve, and fills in the defaults. Names of files are relative to the folder of the scene file.
-///
 /// @param  overrides  values from the command line, in order, which replace values of the file or
 ///                    add to them: `time.dt=0.01`, `bodies.0.n_nodes=64`; path, `=`, value in
 ///                    TOML's syntax

@@ -10,7 +10,7 @@ namespace stokesbook::scene_text {
 /// The reason why points do not form the closed curve of a body.
 struct PolygonFault {
   std::optional<Eigen::Index> point;  ///< index of the wrong point, if there is one
-  std::string problem;                ///< description of the fault, for messages
+  std::string problem;                ///< text for messages
 };
 
 /// Finds the first fault of points that should form the closed curve of a body: at least 8 points,

@@ -30,10 +30,9 @@ const Array& elements_of(const Node& node, std::string_view expected);
 /// Converts a value to bool, int, std::int64_t, double, std::string, Complex, given as [x, y],
 /// Eigen::Matrix2d, given as the list of its rows, or a list of four or any number of doubles.
 /// An integer is accepted as a double.
-///
 /// @param  expected  completes "must be ..."
-/// @throws SceneError when the value has another type, which the message names, or a number is not
-///         finite or too small or large
+/// @throws SceneError when the value has another type, or is a number that is not finite or is too
+///         small or large
 template <class T>
 T value_as(const Node& node, std::string_view expected);
 
