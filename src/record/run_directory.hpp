@@ -38,13 +38,10 @@ enum class ExistingRun {
 struct ResumedRun;
 
 /// The files of one run, written so that a kill at any moment leaves files that can be read and a
-/// run that can be resumed.
+/// run that can be resumed; @ref record lists the files, and the rules that ensure this.
 ///
 /// Tables and the animation grow when save() is called and when the run is closed; all other files
-/// are replaced as a whole. save() waits until all files are on the disk, and then replaces the
-/// checkpoint, which contains the lengths of the growing files and the times of the frames.
-/// resume() cuts files and frames back to the checkpoint, so that the continued run writes the same
-/// files as a run without interruption. Only one object at a time can write a directory.
+/// are replaced as a whole. Only one object at a time can write a directory.
 class RunDirectory {
  public:
   /// Makes the directory, if necessary, and the growing files with their headers.

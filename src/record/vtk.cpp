@@ -166,6 +166,7 @@ std::string configuration_vtp(const Frame& frame, const Outlines& outlines) {
     const auto& [position, orientation, force, torque] = frame.walls[k];
     add(outlines.walls[k], {position, orientation, {}, 0.0, force, torque}, {true, k});
   }
+  // VTK requires lines before polygons.
   std::stable_partition(components.begin(), components.end(), std::mem_fn(&Cell::is_line));
   const std::string data = cell_data("id", components, &Component::id) +
                            cell_data("velocity", components, &Component::velocity) +

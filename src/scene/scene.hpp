@@ -218,10 +218,8 @@ struct TimeSettings {
   /// Longest step, > 0; the first step if steps are adapted; none: chosen by the method
   std::optional<double> dt{};
   SteppingMethod method = SteppingMethod::dormand_prince54;  ///< method that advances the bodies
-  /// Error to which steps are adapted: the error of positions, in units of the largest body's
-  /// radius, and of angles, in radians. If none is given, embedded methods use
-  /// default_step_tolerance, and Heun's method, which adapts steps in scenes with contact only,
-  /// takes fixed steps.
+  /// Error of positions, in units of the largest body's radius, and of angles, in radians, to which
+  /// steps are adapted; none: default_step_tolerance for embedded methods, else fixed steps
   std::optional<double> tolerance{};
   /// Shortest step, > 0; none: a millionth of the smallest of t_final, dt and dt_max
   std::optional<double> dt_min{};
