@@ -7,7 +7,7 @@
 
 namespace stokesbook {
 
-/// The page that plays a run, without data; the build makes it from the files in the folder `player`.
+/// The page that plays a run, without data; the build makes it from the files of the folder player.
 extern const std::string_view player_page;
 
 /// Writes the head of an animation, a page of HTML that plays in a browser, from a file and without

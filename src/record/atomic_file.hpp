@@ -25,7 +25,6 @@ void write_atomically(const std::filesystem::path& path, std::string_view text, 
 std::filesystem::path without_partial(std::filesystem::path path);
 
 /// Makes a written file safe from a power cut.
-/// @throws RecordError when the disk refuses the data
 void sync_file(const std::filesystem::path& path);
 
 /// Makes the names of a directory's files safe from a power cut, if the directory can be opened and
@@ -63,7 +62,6 @@ class AppendFile {
   void flush();
 
   /// Writes all records to the file, and waits until they are on the disk.
-  /// @throws RecordError when the disk refuses the data
   void sync();
 
   /// Returns the bytes of all records, including those that are not in the file yet.
@@ -82,7 +80,6 @@ class AppendFile {
 };
 
 /// Returns the bytes of a file.
-/// @throws RecordError when the file cannot be read
 std::string read_text(const std::filesystem::path& path);
 
 }  // namespace stokesbook

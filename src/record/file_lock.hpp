@@ -11,7 +11,6 @@ class FileLock {
  public:
   /// Waits until no other process has the lock of a file, and takes it. Makes the file, which stays
   /// empty, if necessary.
-  /// @throws RecordError when the file cannot be made or locked
   static FileLock wait_for(const std::filesystem::path& file);
 
   /// Takes the lock of a folder. The lock has no effect if the folder cannot be opened, or is on a
@@ -20,7 +19,6 @@ class FileLock {
   static FileLock of_folder(const std::filesystem::path& folder);
 
   /// Returns whether a process has the lock of a file at this moment. Makes the file if necessary.
-  /// @throws RecordError when the file cannot be made or locked
   static bool is_taken(const std::filesystem::path& file);
 
   /// Takes over the lock of another object, which is left without a lock.

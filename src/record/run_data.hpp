@@ -89,9 +89,8 @@ ComplexVector placed(const Outline& outline, const auto& state) {
   return (outline.points.array() * std::polar(1.0, state.orientation) + state.position).matrix();
 }
 
-/// Requires that every body and wall of a frame has its outline, and that the components of every
-/// contact exist.
-/// @throws std::invalid_argument otherwise
+/// Throws std::invalid_argument unless every body and wall of a frame has its outline, and the
+/// components of every contact exist.
 void require_outlines(const Frame& frame, const Outlines& outlines);
 
 /// Results and cost of one time step; @ref record defines the errors and the numbers on contact.

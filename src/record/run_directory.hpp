@@ -76,7 +76,6 @@ class RunDirectory {
   void save(const Checkpoint& checkpoint);
 
   /// Replaces a file in the directory by a text, atomically and safe from a power cut.
-  /// @throws RecordError when the file cannot be written
   void write_text(const std::string& name, std::string_view text) const;
 
   /// Returns the number of frames written so far, including the frames before a resume.

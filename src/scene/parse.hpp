@@ -12,8 +12,7 @@ namespace stokesbook {
 /// Reads a scene file and the files that it names, checks everything that can be checked without a
 /// solve, and fills in the defaults. Names of files are relative to the folder of the scene file.
 /// @param  overrides  values from the command line, in order, which replace values of the file or
-///                    add to them: `time.dt=0.01`, `bodies.0.n_nodes=64`; path, `=`, value in
-///                    TOML's syntax
+///                    add to them, such as `time.dt=0.01`; see scene_text::with_override()
 /// @throws SceneError at the first error, with its place, the wrong value and a right one
 SceneFile read_scene(const std::filesystem::path& path,
                      std::span<const std::string> overrides = {});

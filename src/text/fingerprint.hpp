@@ -5,10 +5,8 @@
 
 namespace stokesbook {
 
-/// Returns the 64-bit FNV-1a hash of a text as 16 hexadecimal digits.
-///
-/// Two different texts have the same hash with a probability of about 2^-64. The hash detects
-/// accidental changes, but not forgeries.
+/// Returns the 64-bit FNV-1a hash of a text as 16 hexadecimal digits. The hash detects accidental
+/// changes, but not forgeries.
 std::string fingerprint(std::string_view text);
 
 }  // namespace stokesbook

@@ -25,11 +25,8 @@ std::string joined(const auto& items, std::string_view separator = ", ", ToWord 
 /// Splits a text at every separator. The parts are views of the text.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// Returns the candidate that is nearest to a misspelt word; none if all are too far.
-///
-/// The distance of two words is the least number of single-letter insertions, deletions and
-/// replacements that turn one into the other. A candidate is too far if its distance exceeds about
-/// a third of the word's letters.
+/// Returns the candidate that is nearest to a misspelt word by single-letter insertions, deletions
+/// and replacements; none if it requires more of them than a third of the word's letters.
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> candidates);
 
