@@ -145,22 +145,22 @@ Layout lay_out(const Frame& frame, const Outlines& outlines) {
 
 std::string draw_walls(const Layout& layout, const Frame& frame,
                        const std::vector<Outline>& walls) {
-  std::string text = "<g stroke=\"currentColor\" stroke-width=\"1.5\" fill=\"currentColor\">\n";
+  std::string curves;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    text += svg::path(path_data(layout, walls[k], frame.walls[k]),
-                      walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
+    curves += svg::path(path_data(layout, walls[k], frame.walls[k]),
+                        walls[k].encloses ? "fill=\"none\"" : "fill-opacity=\"0.08\"");
   }
-  return text + "</g>\n";
+  return svg::group(curves, R"(stroke="currentColor" stroke-width="1.5" fill="currentColor")");
 }
 
 std::string draw_bodies(const Layout& layout, const Frame& frame,
                         const std::vector<Outline>& bodies) {
-  std::string text = "<g stroke=\"currentColor\" stroke-width=\"0.5\" " + veil + ">\n";
+  std::string curves;
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    text += svg::path(path_data(layout, bodies[k], frame.bodies[k]),
-                      "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
+    curves += svg::path(path_data(layout, bodies[k], frame.bodies[k]),
+                        "fill=\"" + colour(viridis, layout.brightness(frame.bodies[k])) + '"');
   }
-  return text + "</g>\n";
+  return svg::group(curves, R"(stroke="currentColor" stroke-width="0.5" )" + veil);
 }
 
 /// Returns the distance from the centre to the curve along the first axis, taken at the point that
@@ -207,8 +207,7 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
   if (frame.contacts.empty()) return "";
   constexpr double widest = 5.0;
   const double largest = std::ranges::max(frame.contacts, {}, &ContactForce::force).force;
-  std::string text =
-      "<g fill=\"none\" stroke=\"#e8710a\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+  std::string lines;
   for (const ContactForce& contact : frame.contacts) {
     const Complex point = layout.to_drawing(contact.point);
     std::string data;
@@ -217,9 +216,10 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
       data += svg::line(layout.to_drawing(frame.bodies[party.number].position), point);
     }
     const double width = std::max(0.5, widest * contact.force / largest);
-    text += svg::path(data, svg::attribute("stroke-width", width));
+    lines += svg::path(data, svg::attribute("stroke-width", width));
   }
-  return text + "</g>\n";
+  return svg::group(
+      lines, R"(fill="none" stroke="#e8710a" stroke-linecap="round" stroke-linejoin="round")");
 }
 
 // Pictures of fields
@@ -313,13 +313,13 @@ std::string draw_map(const FieldGrid& grid, const Eigen::VectorXd& values, const
           'M' + std::to_string(first) + ' ' + y + 'h' + std::to_string(last - first);
     }
   }
-  std::string text =
-      "<g fill=\"none\" transform=\"translate(0 0.5)\" shape-rendering=\"crispEdges\">\n";
+  std::string lines;
   for (std::size_t level = 0; level < levels; ++level) {
     const double fraction = static_cast<double>(level) / (levels - 1);
-    text += svg::path(dashes[level], "stroke=\"" + colour(map, fraction) + '"');
+    lines += svg::path(dashes[level], "stroke=\"" + colour(map, fraction) + '"');
   }
-  return text + "</g>\n";
+  return svg::group(lines,
+                    "fill=\"none\" transform=\"translate(0 0.5)\" shape-rendering=\"crispEdges\"");
 }
 
 /// Draws streamlines with an arrowhead in the middle of each.
@@ -341,9 +341,9 @@ std::string draw_streamlines(const GridLayout& layout, const std::vector<Streaml
         {tip + barb * std::polar(1.0, 0.5), tip, tip + barb * std::polar(1.0, -0.5)}});
   }
   if (lines.empty()) return {};
-  return "<g fill=\"none\" stroke=\"" + colour + "\" stroke-opacity=\"0.7\">\n" +
-         svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
-         svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"') + "</g>\n";
+  return svg::group(svg::path(curves, "stroke-width=\"" + svg::number(0.8 / layout.scale) + '"') +
+                        svg::path(heads, "stroke-width=\"" + svg::number(1.2 / layout.scale) + '"'),
+                    "fill=\"none\" stroke=\"" + colour + "\" stroke-opacity=\"0.7\"");
 }
 
 /// Draws enclosing walls as lines, and bodies and inner walls opaque, since colours extend below
@@ -354,11 +354,11 @@ std::string draw_curves(const GridLayout& layout, const Frame& frame, const Outl
                      outline.encloses ? "fill=\"none\"" : "fill=\"#aab0b6\"");
   };
   const auto& [bodies, walls] = outlines;
-  std::string text =
-      "<g stroke=\"currentColor\" stroke-width=\"" + svg::number(1.2 / layout.scale) + "\">\n";
-  for (std::size_t k = 0; k < walls.size(); ++k) text += draw(walls[k], frame.walls[k]);
-  for (std::size_t k = 0; k < bodies.size(); ++k) text += draw(bodies[k], frame.bodies[k]);
-  return text + "</g>\n";
+  std::string curves;
+  for (std::size_t k = 0; k < walls.size(); ++k) curves += draw(walls[k], frame.walls[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k) curves += draw(bodies[k], frame.bodies[k]);
+  return svg::group(
+      curves, R"(stroke="currentColor")" + svg::attribute("stroke-width", 1.2 / layout.scale));
 }
 
 /// Clips a drawing at the enclosing walls.
@@ -369,8 +369,8 @@ std::string clip(std::string drawing, const GridLayout& layout, const Frame& fra
     const std::string data = path_data(layout, walls[k], frame.walls[k]);
     // All pictures of a page share their names, so each name is made from the curve itself.
     const std::string name = "stokesbook-" + fingerprint(data);
-    drawing = "<clipPath id=\"" + name + "\"><path d=\"" + data +
-              "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" + drawing + "</g>\n";
+    drawing = "<clipPath id=\"" + name + "\"><path d=\"" + data + "\"/></clipPath>\n" +
+              svg::group(drawing, "clip-path=\"url(#" + name + ")\"");
   }
   return drawing;
 }

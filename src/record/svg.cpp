@@ -70,6 +70,10 @@ std::string path(const std::string& data, const std::string& style) {
   return data.empty() ? "" : "<path " + style + " d=\"" + data + "\"/>\n";
 }
 
+std::string group(const std::string& elements, const std::string& style) {
+  return "<g " + style + ">\n" + elements + "</g>\n";
+}
+
 std::string label(Complex start, const std::string& text, const std::string& style) {
   return "<text" + attribute("x", start.real()) + attribute("y", start.imag()) +
          " fill=\"currentColor\" " + style + '>' + escaped(text) + "</text>\n";

@@ -28,6 +28,9 @@ std::string polygon(const ComplexVector& corners);
 /// Makes a path element; empty if there are no data. The style contains the other attributes.
 std::string path(const std::string& data, const std::string& style);
 
+/// Makes a group of elements, which inherit the attributes of the style.
+std::string group(const std::string& elements, const std::string& style);
+
 /// Makes an element of any text, which is escaped. The style contains the other attributes.
 /// @param  start  start of the text, or another anchor that the style sets
 std::string label(Complex start, const std::string& text, const std::string& style = {});
