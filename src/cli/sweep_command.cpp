@@ -15,11 +15,10 @@
 #include "record/file_lock.hpp"
 #include "scene/scene.hpp"
 #include "sweep/batch.hpp"
-#include "sweep/manifest.hpp"
 #include "sweep/results.hpp"
 #include "sweep/sweep.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep/task.hpp"
-#include "sweep/task_folder.hpp"
 
 namespace stokesbook {
 

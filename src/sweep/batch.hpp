@@ -29,11 +29,9 @@ std::string shell_quoted(std::string_view word);
 /// of Slurm jobs, or by GNU parallel, and collect the results.
 std::string batch_commands(const Batch& batch);
 
-/// Runs tasks side by side by GNU parallel, with the command of batch_commands().
+/// Runs tasks, which must have their folders, by GNU parallel with the command of batch_commands().
 ///
 /// If this process is killed, GNU parallel ends the processes of its tasks.
-/// @param  batch   a sweep whose tasks have their folders
-/// @param  tasks   numbers of the tasks to run
 /// @param  jobs    number of tasks that run at a time
 /// @param  report  called at the end of each task with its number, and with the signal that killed
 ///                 the last of its tries, or 0

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -9,6 +8,23 @@
 #include "sweep/sweep.hpp"
 
 namespace stokesbook {
+
+/// Averages a function of time over an interval: the integral of its piecewise linear interpolant
+/// (the trapezoid rule), divided by the length of the interval.
+///
+/// Before the first time the function is taken to have its first value, since `steps.csv` has no
+/// row at t = 0.
+/// @param  t  times, ascending, at least one
+/// @throws std::invalid_argument when the interval ends after the last time
+/// @par Accuracy  exact if the function is linear between the times
+double time_average(std::span<const double> t, std::span<const double> y, double from, double to);
+
+/// Reads a quantity from the tables in the folder of a run that is done; nan if the scene does not
+/// define the quantity.
+///
+/// @throws RecordError when the table cannot be read, has no row of the body or wall, or ends too
+///         early
+double value_of(const std::filesystem::path& run, const Quantity& quantity);
 
 /// The mean of independent runs and its uncertainty.
 struct MeanEstimate {
@@ -34,9 +50,6 @@ struct ResultRow {
   int unfinished = 0;                   ///< number of runs not begun, under way, or killed
   std::vector<MeanEstimate> estimates;  ///< one for each quantity, from the runs that are done
 };
-
-/// Returns the names of the columns for a quantity, in the order of MeanEstimate.
-std::array<std::string, 3> columns_of(const Quantity& quantity);
 
 /// Collects the quantities of all runs that are done from the folder of a sweep.
 ///

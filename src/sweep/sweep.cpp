@@ -11,8 +11,6 @@
 #include "record/csv.hpp"
 #include "scene/table_reader.hpp"
 #include "scene/write.hpp"
-#include "sweep/results.hpp"
-#include "sweep/task.hpp"
 #include "text/number_text.hpp"
 #include "text/text_file.hpp"
 #include "text/word_list.hpp"
@@ -206,6 +204,14 @@ void require_few_tasks(const Node& document, const Sweep& sweep) {
 }
 
 }  // namespace
+
+std::array<std::string, 3> columns_of(const Quantity& quantity) {
+  return {quantity.name, quantity.name + "_standard_error", quantity.name + "_interval"};
+}
+
+std::size_t runs_per_combination(const Sweep& sweep) {
+  return std::max<std::size_t>(1, sweep.seeds.values.size());
+}
 
 Sweep read_sweep(const std::filesystem::path& path) {
   const std::optional<std::string> text = read_text_file(path);

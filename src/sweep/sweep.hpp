@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -48,6 +50,12 @@ struct Sweep {
   Axis seeds{"seed", "seed", {}};    ///< of each combination; empty: the seed of the scene
   std::vector<Quantity> quantities;  ///< quantities to collect
 };
+
+/// Returns the names of a quantity's columns in the results: mean, standard error and interval.
+std::array<std::string, 3> columns_of(const Quantity& quantity);
+
+/// Counts the runs for each combination of the axes' values, which differ only in their seeds.
+std::size_t runs_per_combination(const Sweep& sweep);
 
 /// Reads a sweep file and checks everything that can be checked without its scene.
 ///

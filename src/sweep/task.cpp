@@ -74,10 +74,6 @@ std::string Task::description() const {
   return "task " + std::to_string(number) + ": " + joined(parts);
 }
 
-std::size_t runs_per_combination(const Sweep& sweep) {
-  return std::max<std::size_t>(1, sweep.seeds.values.size());
-}
-
 std::size_t task_count(const Sweep& sweep) {
   std::size_t count = runs_per_combination(sweep);
   for (const Axis& axis : sweep.axes) count *= axis.values.size();

@@ -27,15 +27,11 @@ struct Task {
   std::string description() const;
 };
 
-/// Counts the runs for each combination of the axes' values, which differ only in their seeds.
-std::size_t runs_per_combination(const Sweep& sweep);
-
 /// Counts the tasks: the number of combinations times runs_per_combination().
 std::size_t task_count(const Sweep& sweep);
 
-/// Returns a task. Tasks that differ only in their seeds have consecutive numbers.
-///
-/// @param  number  from 0 to task_count() - 1
+/// Returns the task with a number below task_count(). Tasks that differ only in their seeds have
+/// consecutive numbers.
 Task task_of(const Sweep& sweep, std::size_t number);
 
 /// Reads the scene of a task, and checks it as far as is possible without a solve. The function

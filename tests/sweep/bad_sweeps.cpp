@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "sweep/manifest.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;

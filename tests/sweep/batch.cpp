@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "record/record_error.hpp"
-#include "sweep/task_folder.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;

@@ -2,8 +2,7 @@
 
 #include "record/file_lock.hpp"
 #include "record/record_error.hpp"
-#include "sweep/manifest.hpp"
-#include "sweep/task_folder.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;

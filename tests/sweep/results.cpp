@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sweep/task_folder.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;

@@ -1,6 +1,6 @@
 // Tests quantities of a run's tables against exact values.
 
-#include "sweep/table_column.hpp"
+#include "sweep/results.hpp"
 
 #include <array>
 #include <cmath>

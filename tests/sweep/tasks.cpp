@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "sweep/manifest.hpp"
+#include "sweep/sweep_folder.hpp"
 #include "sweep/task.hpp"
 #include "sweep_files.hpp"
 

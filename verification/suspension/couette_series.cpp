@@ -9,7 +9,7 @@
 
 #include "support/exact_gaps.hpp"
 #include "support/recorded_run.hpp"
-#include "sweep/table_column.hpp"
+#include "sweep/results.hpp"
 
 namespace stokesbook::verification::suspension {
 

@@ -1,5 +1,6 @@
-// Writes and checks `tasks.csv`: the tasks of a sweep, with fingerprints of their scenes.
-#include "sweep/manifest.hpp"
+// Writes and checks `tasks.csv`, which lists the tasks of a sweep with fingerprints of their scenes,
+// and reads the state of a task from the files in its folder.
+#include "sweep/sweep_folder.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,15 +9,22 @@
 #include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
 #include "record/record_error.hpp"
+#include "record/run_info.hpp"
 #include "scene/scene.hpp"
 #include "scene/write.hpp"
 #include "sweep/task.hpp"
-#include "sweep/task_folder.hpp"
 #include "text/fingerprint.hpp"
+#include "text/text_file.hpp"
 
 namespace stokesbook {
 
 namespace {
+
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw RecordError(path, "making the directory", error);
+}
 
 std::filesystem::path manifest_file(const std::filesystem::path& out) {
   return out / "tasks.csv";
@@ -64,10 +72,6 @@ std::string row(const Task& task, const std::string& scene) {
 
 }  // namespace
 
-std::filesystem::path sweep_lock(const std::filesystem::path& out) {
-  return out / "lock";
-}
-
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -90,11 +94,10 @@ std::string manifest(const Sweep& sweep) {
 
 void open_sweep(const std::filesystem::path& out, const Sweep& sweep) {
   const std::string text = manifest(sweep);
-  std::error_code error;
-  std::filesystem::create_directories(out / "runs", error);
-  if (error) throw RecordError(out / "runs", "making the directory", error);
+  make_folder(out / "runs");
   // If two sweeps begin at once, one of them writes the manifest.
   const FileLock lock = FileLock::wait_for(sweep_lock(out));
+  std::error_code error;
   if (!std::filesystem::exists(manifest_file(out), error)) {
     write_atomically(manifest_file(out), text, SafeFrom::power_cut);
   }
@@ -112,6 +115,38 @@ void require_task(const std::filesystem::path& out, const Sweep& sweep, std::siz
   const Task asked = task_of(sweep, task);
   const std::string line = "\n" + row(asked, scene_fingerprint(sweep, asked));
   require_same(out, text.starts_with(header(sweep)) && text.find(line) != std::string::npos);
+}
+
+std::filesystem::path sweep_lock(const std::filesystem::path& out) {
+  return out / "lock";
+}
+
+std::string TaskFolder::name(std::size_t task) {
+  const std::string digits = std::to_string(task);
+  return "runs/" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
+}
+
+void TaskFolder::make() const {
+  make_folder(path_);
+}
+
+TaskState TaskFolder::state() const {
+  if (exit_status_of(path_) == 0) return TaskState::done;
+  std::error_code error;
+  return std::filesystem::exists(failure_file(), error) ? TaskState::failed : TaskState::unfinished;
+}
+
+std::string TaskFolder::failure() const {
+  return read_text_file(failure_file()).value_or("");
+}
+
+void TaskFolder::write_failure(std::string_view message) const {
+  write_atomically(failure_file(), message, SafeFrom::kill);
+}
+
+void TaskFolder::remove_failure() const {
+  std::error_code error;
+  std::filesystem::remove(failure_file(), error);
 }
 
 }  // namespace stokesbook
