@@ -23,61 +23,59 @@ double fitted_slope(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
   return (from_mean * (y - y.mean())).sum() / from_mean.square().sum();
 }
 
-/// Checks one law against the selected points, and completes the verdict.
+/// Checks one law against the selected points. The verdict lacks the list of used measurements.
 struct LawCheck {
   const std::vector<Measurement>& points;
-  Verdict& verdict;
+  Eigen::ArrayXd x = all(&Measurement::x);
+  Eigen::ArrayXd error = all(&Measurement::error);
 
-  void operator()(const Algebraic& law) const {
+  Verdict operator()(const Algebraic& law) const {
     // log e = log C - p log x
-    const double slope = fitted_slope(all(&Measurement::x).log(), all(&Measurement::error).log());
-    band("order ", -slope, law.order, law.band);
+    return band("order ", -fitted_slope(x.log(), error.log()), law.order, law.band);
   }
 
-  void operator()(const Geometric& law) const {
+  Verdict operator()(const Geometric& law) const {
     // log e - q log x = log C - alpha x
-    const Eigen::ArrayXd x = all(&Measurement::x);
-    const double slope = fitted_slope(x, all(&Measurement::error).log() - law.power * x.log());
-    band("rate ", -slope, law.rate, law.band * law.rate);
+    const double slope = fitted_slope(x, error.log() - law.power * x.log());
+    return band("rate ", -slope, law.rate, law.band * law.rate);
   }
 
-  void operator()(const Cost& law) const {
-    const double slope =
-        fitted_slope(all(&Measurement::x).log(), all(&Measurement::operations).log());
-    band("order of the operations ", slope, law.order, law.band);
+  Verdict operator()(const Cost& law) const {
+    const double slope = fitted_slope(x.log(), all(&Measurement::operations).log());
+    return band("order of the operations ", slope, law.order, law.band);
   }
 
-  void operator()(const Superalgebraic& law) const {
+  Verdict operator()(const Superalgebraic& law) const {
     std::vector<double> orders = local_orders(points);
     orders.erase(orders.begin());
     const auto is_finite = [](double order) { return std::isfinite(order); };
     const bool grows = std::ranges::all_of(orders, is_finite) && std::ranges::is_sorted(orders);
-    decide(grows && orders.back() >= law.order, orders.back(),
-           "orders from " + short_number(orders.front()) + " to " + short_number(orders.back()) +
-               (grows ? ", growing" : ", not growing") + "; beyond " + short_number(law.order) +
-               " claimed");
+    return verdict(grows && orders.back() >= law.order, orders.back(),
+                   "orders from " + short_number(orders.front()) + " to " +
+                       short_number(orders.back()) + (grows ? ", growing" : ", not growing") +
+                       "; beyond " + short_number(law.order) + " claimed");
   }
 
-  void operator()(const Floor& law) const {
-    Eigen::ArrayXd errors = all(&Measurement::error);
-    std::ranges::sort(errors);
-    const double median = errors[errors.size() / 2];
-    decide(median >= law.level / law.factor && median <= law.level * law.factor, median,
-           "median " + short_number(median) + " measured, " + short_number(law.level) +
-               " within a factor " + short_number(law.factor) + " claimed");
+  Verdict operator()(const Floor& law) const {
+    Eigen::ArrayXd sorted = error;
+    std::ranges::sort(sorted);
+    const double median = sorted[sorted.size() / 2];
+    return verdict(median >= law.level / law.factor && median <= law.level * law.factor, median,
+                   "median " + short_number(median) + " measured, " + short_number(law.level) +
+                       " within a factor " + short_number(law.factor) + " claimed");
   }
 
-  void operator()(const Identity& law) const { at_most(law.tolerance); }
+  Verdict operator()(const Identity& law) const { return at_most(law.tolerance); }
 
-  void operator()(const AtMost& law) const { at_most(law.bound); }
+  Verdict operator()(const AtMost& law) const { return at_most(law.bound); }
 
-  void operator()(const ErrorBelowTolerance& law) const {
-    const Eigen::ArrayXd ratios = all(&Measurement::error) / all(&Measurement::x);
+  Verdict operator()(const ErrorBelowTolerance& law) const {
+    const Eigen::ArrayXd ratios = error / x;
     const double least = ratios.minCoeff(), most = ratios.maxCoeff();
-    decide(most <= law.most && least >= law.least, most,
-           "error / tolerance from " + short_number(least) + " to " + short_number(most) +
-               " measured, " + short_number(law.least) + " to " + short_number(law.most) +
-               " claimed");
+    return verdict(most <= law.most && least >= law.least, most,
+                   "error / tolerance from " + short_number(least) + " to " + short_number(most) +
+                       " measured, " + short_number(law.least) + " to " + short_number(law.most) +
+                       " claimed");
   }
 
  private:
@@ -88,22 +86,21 @@ struct LawCheck {
     });
   }
 
-  void at_most(double bound) const {
-    const double largest = all(&Measurement::error).maxCoeff();
-    decide(largest <= bound, largest,
-           "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
+  Verdict at_most(double bound) const {
+    const double largest = error.maxCoeff();
+    return verdict(
+        largest <= bound, largest,
+        "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
   }
 
-  void band(const char* name, double measured, double claimed, double width) const {
-    decide(std::abs(measured - claimed) <= width, measured,
-           name + short_number(measured, 4) + " measured, " + short_number(claimed, 4) + " +- " +
-               short_number(width) + " claimed");
+  static Verdict band(const char* name, double measured, double claimed, double width) {
+    return verdict(std::abs(measured - claimed) <= width, measured,
+                   name + short_number(measured, 4) + " measured, " + short_number(claimed, 4) +
+                       " +- " + short_number(width) + " claimed");
   }
 
-  void decide(bool holds, double measured, const std::string& explanation) const {
-    verdict.outcome = holds ? Outcome::holds : Outcome::fails;
-    verdict.measured = measured;
-    verdict.explanation = explanation;
+  static Verdict verdict(bool holds, double measured, const std::string& explanation) {
+    return {holds ? Outcome::holds : Outcome::fails, measured, explanation, {}};
   }
 };
 
@@ -133,29 +130,27 @@ std::string to_string(Outcome outcome) {
 }
 
 Verdict check(const Claim& claim, std::span<const Measurement> measurements) {
-  Verdict verdict;
-  verdict.used.assign(measurements.size(), false);
+  std::vector<bool> used(measurements.size(), false);
   std::vector<Measurement> points;
   const bool has_floor = claim.window.floor > 0.0 && fits_errors(claim.law);
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     const Measurement& point = measurements[i];
     if (point.x < claim.window.from || point.x > claim.window.to) continue;
     if (!std::isfinite(point.error)) {
-      verdict.outcome = Outcome::fails;
-      verdict.measured = point.error;
-      verdict.explanation = "an error that is not finite";
-      return verdict;
+      return {Outcome::fails, point.error, "an error that is not finite", used};
     }
     if (has_floor && point.error < above_floor * claim.window.floor) continue;
-    verdict.used[i] = true;
+    used[i] = true;
     points.push_back(point);
   }
   if (points.size() < fewest_points) {
-    verdict.explanation = std::to_string(points.size()) + " points in the window, " +
-                          std::to_string(fewest_points) + " needed";
-    return verdict;
+    return {Outcome::inconclusive, unmeasured,
+            std::to_string(points.size()) + " points in the window, " +
+                std::to_string(fewest_points) + " needed",
+            used};
   }
-  std::visit(LawCheck{points, verdict}, claim.law);
+  Verdict verdict = std::visit(LawCheck{points}, claim.law);
+  verdict.used = used;
   return verdict;
 }
 

@@ -47,10 +47,8 @@ std::string convergence_figure(const Experiment& experiment, const std::vector<L
             .x_label = experiment.x,
             .y_label = experiment.error,
             .log_x = experiment.axes == Axes::log_log};
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const std::vector<Measurement>& measurements = lines[k].measurements;
-    const std::optional<Verdict>& verdict = lines[k].verdict;
-    PlotLine& drawn = plot.lines.emplace_back(PlotLine{experiment.lines[k].label, {}});
+  for (const auto& [line, measurements, verdict, _] : lines) {
+    PlotLine& drawn = plot.lines.emplace_back(PlotLine{line.label});
     std::vector<Measurement> used;
     for (std::size_t i = 0; i < measurements.size(); ++i) {
       const bool left_out = verdict && !verdict->used[i];
@@ -58,10 +56,10 @@ std::string convergence_figure(const Experiment& experiment, const std::vector<L
       if (!left_out) used.push_back(measurements[i]);
     }
     if (!verdict) continue;
-    const Claim& claim = *experiment.lines[k].claim;
-    if (claim.window.floor > 0.0) plot.floors.push_back(claim.window.floor);
+    if (line.claim->window.floor > 0.0) plot.floors.push_back(line.claim->window.floor);
     if (verdict->outcome == Outcome::inconclusive || used.empty()) continue;
-    const auto guide = std::visit(GuideOfLaw{k, used.front(), used.back()}, claim.law);
+    const GuideOfLaw guide_of_law{plot.lines.size() - 1, used.front(), used.back()};
+    const std::optional<Guide> guide = std::visit(guide_of_law, line.claim->law);
     if (guide) plot.guides.push_back(*guide);
   }
   return draw_plot(plot);
@@ -74,9 +72,9 @@ std::string work_precision_figures(const Experiment& experiment,
     Plot plot{.title = experiment.title + ": error against " + cost.name,
               .x_label = cost.name,
               .y_label = experiment.error};
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      PlotLine& drawn = plot.lines.emplace_back(PlotLine{experiment.lines[k].label, {}});
-      for (const Measurement& point : lines[k].measurements) {
+    for (const LineResult& result : lines) {
+      PlotLine& drawn = plot.lines.emplace_back(PlotLine{result.line.label});
+      for (const Measurement& point : result.measurements) {
         drawn.points.push_back({point.*cost.value, point.error});
       }
     }

@@ -7,8 +7,7 @@
 
 namespace stokesbook::study {
 
-/// Draws an experiment's errors against the varied quantity, as SVG. The results of its lines are in
-/// order.
+/// Draws an experiment's errors against the varied quantity, as SVG.
 ///
 /// Laws are drawn as slope triangles on logarithmic axes and as dashed lines of the claimed rate on
 /// semi-logarithmic axes. Floors are dotted. Points that a check left out are hollow.

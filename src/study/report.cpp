@@ -6,7 +6,6 @@
 
 #include "record/atomic_file.hpp"
 #include "study/figures.hpp"
-#include "study/html.hpp"
 #include "study/tables.hpp"
 #include "text/number_text.hpp"
 
@@ -44,13 +43,10 @@ struct Part {
   std::string html;
 };
 
-std::vector<Part> parts_of(Experiment experiment, std::vector<LineResult> lines) {
+std::vector<Part> parts_of(const Experiment& experiment, std::vector<LineResult> lines) {
   // A line that this size leaves out appears neither in tables nor in legends.
-  for (std::size_t k = lines.size(); k-- > 0;) {
-    if (lines[k].verdict || !lines[k].measurements.empty()) continue;
-    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
-    experiment.lines.erase(experiment.lines.begin() + static_cast<std::ptrdiff_t>(k));
-  }
+  std::erase_if(lines,
+                [](const LineResult& line) { return !line.verdict && line.measurements.empty(); });
   if (lines.empty()) return {{"_table.html", "<p>" + std::string(full_size_measures) + "</p>\n"}};
   std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
                           {"_table.html", convergence_table(experiment, lines)}};
@@ -66,12 +62,12 @@ std::string anchor(const StudyResult& result, const Experiment& experiment) {
 }
 
 /// Returns the entry of a claim in the index of claims, as Markdown.
-std::string claim_entry(const StudyResult& result, const Experiment& experiment, const Line& line,
+std::string claim_entry(const StudyResult& result, const Experiment& experiment,
                         const LineResult& found) {
-  const Claim& claim = *line.claim;
+  const Claim& claim = *found.line.claim;
   const std::string entry = "@anchor claim_" + claim.id + "\n**" + claim.id + "**, " +
-                            escaped(line.label) + ": " + escaped(claim.statement) + " \n<small>" +
-                            escaped(claim.reason) + "</small>\n\n";
+                            escaped(found.line.label) + ": " + escaped(claim.statement) +
+                            " \n<small>" + escaped(claim.reason) + "</small>\n\n";
   if (!found.verdict) {
     return entry + full_size_measures + " See @ref " + anchor(result, experiment) + ".\n\n";
   }
@@ -81,7 +77,7 @@ std::string claim_entry(const StudyResult& result, const Experiment& experiment,
          "| claimed | measured | control | verdict | study | about |\n|---|---|---|---|---|---|\n"
          "| " +
          escaped(law_text(claim.law, experiment.x)) + " | " + escaped(found.verdict->explanation) +
-         " | " + control_html(line, found) + " | " + verdict_html(found) + " | @ref " +
+         " | " + control_html(found) + " | " + verdict_html(found) + " | @ref " +
          anchor(result, experiment) + " |" + about + " |\n\n";
 }
 
@@ -96,25 +92,24 @@ constexpr const char* index_style =
 
 std::string to_csv(const StudyResult& result) {
   std::string csv = "experiment,line,x,error,unknowns,operations,seconds,role\n";
-  for_each_line(result,
-                [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-                  const std::string name = experiment.key + ',' + line.key;
-                  for (std::size_t i = 0; i < found.measurements.size(); ++i) {
-                    const bool used = !found.verdict || found.verdict->used[i];
-                    append_row(csv, name, found.measurements[i], used ? "used" : "left out");
-                  }
-                  if (!found.control) return;
-                  for (const Measurement& point : found.control->measurements) {
-                    append_row(csv, name, point, "control");
-                  }
-                });
+  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
+    const std::string name = experiment.key + ',' + found.line.key;
+    for (std::size_t i = 0; i < found.measurements.size(); ++i) {
+      const bool used = !found.verdict || found.verdict->used[i];
+      append_row(csv, name, found.measurements[i], used ? "used" : "left out");
+    }
+    if (!found.control) return;
+    for (const Measurement& point : found.control->measurements) {
+      append_row(csv, name, point, "control");
+    }
+  });
   return csv;
 }
 
 std::string to_aliases(const StudyResult& result) {
   std::string text;
-  for_each_line(result, [&](const Experiment& experiment, const Line& line,
-                            const LineResult& found) {
+  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
+    const Line& line = found.line;
     const std::string name = "val_" + result.study.number + '_' + experiment.key + '_' + line.key;
     for (const Measurement& point : found.measurements) {
       text += alias(name + '_' + key_of(point.x), point.error);
@@ -152,10 +147,9 @@ std::string claims_page(const std::vector<StudyResult>& results) {
             result.study.name + "}\n\nChapter: @ref chapter_" + result.study.number +
             ". Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
             result.study.name + ".\n\n";
-    for_each_line(result,
-                  [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-                    if (line.claim) page += claim_entry(result, experiment, line, found);
-                  });
+    for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
+      if (found.line.claim) page += claim_entry(result, experiment, found);
+    });
   }
   return page;
 }

@@ -44,7 +44,7 @@ void validate(const Study& study) {
 }
 
 LineResult measure(const Line& line, Size size) {
-  LineResult result;
+  LineResult result{line};
   if (size < line.least) return result;
   result.measurements = line.measure(size);
   if (!line.claim) return result;
@@ -59,11 +59,12 @@ bool has_measured(const LineResult& line, double Measurement::*quantity) {
       line.measurements, [=](const Measurement& point) { return std::isfinite(point.*quantity); });
 }
 
-void report(std::ostream& progress, const Line& line, const LineResult& result) {
+void report(std::ostream& progress, const LineResult& result) {
   if (!result.verdict) return;
+  const Line& line = result.line;
   progress << "  " << line.claim->id << "  " << to_string(result.verdict->outcome) << "  "
            << line.label << ": " << result.verdict->explanation << '\n';
-  if (!result.control->rejected()) {
+  if (!result.control->is_rejected()) {
     progress << "  " << line.claim->id << "  fails  not rejected, with the defect "
              << line.control->defect << ": " << result.control->verdict.explanation << '\n';
   }
@@ -90,7 +91,7 @@ std::vector<CostMeasure> measured_costs(const Experiment& experiment,
 }
 
 bool LineResult::holds() const {
-  return !verdict || (verdict->outcome == Outcome::holds && control->rejected());
+  return !verdict || (verdict->outcome == Outcome::holds && control->is_rejected());
 }
 
 bool StudyResult::holds() const {
@@ -110,7 +111,7 @@ StudyResult run(const Study& study, Size size, std::ostream& progress) {
       require(
           !experiment.operation.empty() || !has_measured(lines.back(), &Measurement::operations),
           experiment.key + '.' + line.key + " counts operations; set Experiment::operation");
-      report(progress, line, lines.back());
+      report(progress, lines.back());
     }
   }
   return result;

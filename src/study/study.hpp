@@ -71,14 +71,15 @@ struct ControlResult {
   Verdict verdict;                        ///< of the same check
 
   /// Returns whether the check has found the defect; false also if the control was inconclusive.
-  bool rejected() const { return verdict.outcome == Outcome::fails; }
+  bool is_rejected() const { return verdict.outcome == Outcome::fails; }
 };
 
 /// Results of a line.
 struct LineResult {
-  std::vector<Measurement> measurements;  ///< ascending in x
-  std::optional<Verdict> verdict;         ///< of the line's claim; none if the line is left out
-  std::optional<ControlResult> control;   ///< of the line's control
+  Line line;                                   ///< the line
+  std::vector<Measurement> measurements = {};  ///< ascending in x
+  std::optional<Verdict> verdict = {};         ///< of its claim; none if the line is left out
+  std::optional<ControlResult> control = {};   ///< of its control
 
   /// Returns whether the claim holds and its control was rejected; true also if the line has no
   /// claim, or if this size leaves the line out.
@@ -93,9 +94,6 @@ struct CostMeasure {
 
 /// Lists the costs that at least one line of an experiment has measured: unknowns, operations (named
 /// Experiment::operation), seconds.
-///
-/// @param  experiment  the experiment
-/// @param  lines       results of its lines, in order
 std::vector<CostMeasure> measured_costs(const Experiment& experiment,
                                         const std::vector<LineResult>& lines);
 
@@ -109,21 +107,15 @@ struct StudyResult {
   bool holds() const;
 };
 
-/// Calls visit(experiment, line, result) for all lines of a study, in order.
+/// Calls visit(experiment, line_result) for all lines of a study, in order.
 void for_each_line(const StudyResult& result, const auto& visit) {
   for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
-    for (std::size_t k = 0; k < experiment.lines.size(); ++k) {
-      visit(experiment, experiment.lines[k], result.experiments[e][k]);
-    }
+    for (const LineResult& found : result.experiments[e]) visit(result.study.experiments[e], found);
   }
 }
 
-/// Runs a study and checks its claims.
+/// Runs a study and checks its claims. The stream shows the verdicts, one line for each claim.
 ///
-/// @param  study     claims and measurements
-/// @param  size      the lines that run, and how many points they measure
-/// @param  progress  stream for the verdicts, one line for each claim
 /// @throws std::logic_error before any measurement, when a claim lacks its control, or when keys or
 ///                          ids are not unique or not fit for file names; later, when a line counts
 ///                          operations and Experiment::operation is empty

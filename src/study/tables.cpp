@@ -1,10 +1,11 @@
-// Writes the tables of a study as HTML: convergence and claims.
+// Writes the tables of a study as HTML, convergence and claims, and the numbers in them.
 #include "study/tables.hpp"
 
+#include <cmath>
 #include <map>
 #include <optional>
 
-#include "study/html.hpp"
+#include "text/number_text.hpp"
 
 namespace stokesbook::study {
 
@@ -30,10 +31,6 @@ std::string span(std::size_t columns) {
 std::string table(const std::string& caption, const std::string& body) {
   return "<div class=\"study-table\"><table>\n<caption>" + caption + "</caption>\n" + body +
          "</table></div>\n";
-}
-
-std::string caption(const Experiment& experiment) {
-  return escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.';
 }
 
 std::string claim_link(const Claim& claim) {
@@ -71,6 +68,28 @@ std::map<double, std::string> cells_of(const LineResult& line, Axes axes,
 
 }  // namespace
 
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '&'   ? "&amp;"
+              : c == '<' ? "&lt;"
+              : c == '>' ? "&gt;"
+              : c == '"' ? "&quot;"
+                         : std::string(1, c);
+  }
+  return result;
+}
+
+std::string html_number(double x) {
+  if (std::isnan(x)) return "&ndash;";
+  const bool is_count = x == std::floor(x) && std::abs(x) < 1e6;
+  const std::string text = short_number(x, is_count ? 6 : 3);
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  return text.substr(0, e) + "&middot;10<sup>" + std::to_string(std::stoi(text.substr(e + 1))) +
+         "</sup>";
+}
+
 std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
   const std::optional<CostMeasure> cost = shown_cost(experiment, lines);
   std::string each = head("error");
@@ -86,38 +105,39 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   for (const LineResult& result : lines) {
     for (const Measurement& point : result.measurements) rows[point.x] = head(html_number(point.x));
   }
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const Line& line = experiment.lines[k];
-    names += head(escaped(line.label), spanned);
+  for (const LineResult& result : lines) {
+    names += head(escaped(result.line.label), spanned);
     columns += each;
-    const auto cells = cells_of(lines[k], experiment.axes, cost);
+    const auto cells = cells_of(result, experiment.axes, cost);
     for (auto& [x, text] : rows) text += cells.contains(x) ? cells.at(x) : cell("", spanned);
-    claimed += cell(line.claim ? claim_link(*line.claim) + ": " +
-                                     escaped(law_text(line.claim->law, experiment.x))
-                               : "",
-                    spanned);
-    measured += cell(lines[k].verdict ? html_number(lines[k].verdict->measured) : "", spanned);
-    verdict += cell(verdict_html(lines[k]), spanned);
+    const std::optional<Claim>& claim = result.line.claim;
+    claimed +=
+        cell(claim ? claim_link(*claim) + ": " + escaped(law_text(claim->law, experiment.x)) : "",
+             spanned);
+    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", spanned);
+    verdict += cell(verdict_html(result), spanned);
   }
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
   for (const auto& [x, text] : rows) body += row(text);
   body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
-  return table(caption(experiment) + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
+  const std::string caption =
+      escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.';
+  return table(caption + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
 }
 
 std::string claims_table(const StudyResult& result) {
   std::string body;
-  for_each_line(
-      result, [&](const Experiment& experiment, const Line& line, const LineResult& found) {
-        if (!line.claim) return;
-        body += row(head("<a id=\"claim_" + line.claim->id + "\"></a>" + line.claim->id) +
-                    cell(escaped(line.claim->statement) + "<br><small>" +
-                         escaped(line.claim->reason) + "</small>") +
-                    cell(escaped(law_text(line.claim->law, experiment.x))) +
-                    (found.verdict ? cell(escaped(found.verdict->explanation)) +
-                                         cell(control_html(line, found)) + cell(verdict_html(found))
-                                   : cell(full_size_measures, span(3))));
-      });
+  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
+    if (!found.line.claim) return;
+    const Claim& claim = *found.line.claim;
+    body +=
+        row(head("<a id=\"claim_" + claim.id + "\"></a>" + claim.id) +
+            cell(escaped(claim.statement) + "<br><small>" + escaped(claim.reason) + "</small>") +
+            cell(escaped(law_text(claim.law, experiment.x))) +
+            (found.verdict ? cell(escaped(found.verdict->explanation)) + cell(control_html(found)) +
+                                 cell(verdict_html(found))
+                           : cell(full_size_measures, span(3))));
+  });
   return table(escaped(result.study.title),
                "<thead><tr><th>claim</th><th>statement, reason</th><th>law</th><th>measured</th>"
                "<th>control</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
@@ -132,9 +152,9 @@ std::string verdict_html(const LineResult& result) {
   return "<b>" + text + (only_control ? ", but its control is not rejected" : "") + "</b>";
 }
 
-std::string control_html(const Line& line, const LineResult& result) {
-  return escaped(line.control->defect) +
-         (result.control->rejected() ? ": rejected" : ": <b>not rejected</b>");
+std::string control_html(const LineResult& result) {
+  return escaped(result.line.control->defect) +
+         (result.control->is_rejected() ? ": rejected" : ": <b>not rejected</b>");
 }
 
 }  // namespace stokesbook::study

@@ -6,7 +6,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "study/html.hpp"
 #include "study/report.hpp"
 #include "study/tables.hpp"
 #include "synthetic.hpp"

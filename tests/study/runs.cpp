@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_SUITE(runs)
 BOOST_AUTO_TEST_CASE(claim_holds_and_control_is_rejected) {
   const StudyResult result = run_quietly(sample_study());
   BOOST_TEST(result.holds());
-  BOOST_TEST(result.experiments[0][0].control->rejected());
+  BOOST_TEST(result.experiments[0][0].control->is_rejected());
   BOOST_TEST(!result.experiments[0][1].verdict);
 }
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <ostream>
 
-#include "study/html.hpp"
 #include "study/plot.hpp"
+#include "study/tables.hpp"
 
 namespace stokesbook {
 

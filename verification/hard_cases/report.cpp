@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <ostream>
 
-#include "study/html.hpp"
+#include "study/tables.hpp"
 
 namespace stokesbook::verification::hard_cases {
 
