@@ -1,5 +1,5 @@
 # cmake -D SOURCE=<root of the project> -D OUTPUT=<file> -P git_hash.cmake
-# writes a header that says the commit of the sources; "unknown" in a tree without git.
+# writes a header with the commit of the sources; "unknown" in a tree without git.
 set(hash unknown)
 # Without the check, git would answer for a repository that merely contains this tree.
 if(EXISTS ${SOURCE}/.git)
@@ -8,7 +8,7 @@ if(EXISTS ${SOURCE}/.git)
                   ERROR_QUIET RESULT_VARIABLE failed)
   if(failed EQUAL 0)
     set(hash ${commit})
-    # Only what the program is built from: an edited chapter does not make a result doubtful.
+    # Only the sources of the program count: an edited chapter does not make a result doubtful.
     execute_process(COMMAND git -C ${SOURCE} --no-optional-locks status --porcelain -- src CMakeLists.txt
                             CMakePresets.json
                     OUTPUT_VARIABLE changes)

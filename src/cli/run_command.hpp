@@ -29,7 +29,6 @@ struct RunOptions {
 };
 
 /// Runs a scene, writes its files, and returns the exit code.
-///
 /// @throws SceneError, SolverError, RecordError
 int run_scene(const RunOptions& options);
 

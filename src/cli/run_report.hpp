@@ -15,8 +15,6 @@ namespace stokesbook {
 class Progress {
  public:
   /// @param  t_start  time at which this process starts or resumes the run
-  /// @param  t_final  end of the run
-  /// @param  quiet    true: nothing is printed
   Progress(double t_start, double t_final, bool quiet);
 
   /// Shows a step, unless the last output is too recent.

@@ -20,7 +20,6 @@ struct SweepOptions {
 
 /// Runs the tasks of a sweep that are not done and collects their results, or does only the part of
 /// this that an option selects. Returns the exit code, which is exit_refused if a task failed.
-///
 /// @throws SceneError, SolverError, RecordError
 int run_sweep(SweepOptions options);
 

@@ -43,12 +43,11 @@ struct Verdict {
 ///
 /// Orders and rates are slopes of the least-squares line through the logarithms of the errors. The
 /// fit uses only points in the window whose errors are at least ten times the floor of the window.
-/// @return  the verdict; its outcome is never Outcome::holds with fewer than three points, or with
-///          an error that is not finite
+/// The outcome is never Outcome::holds with fewer than three points, or with an error that is not
+/// finite.
 Verdict check(const Claim& claim, std::span<const Measurement> measurements);
 
 /// Computes the order between successive points, \f$ -\log(e_i/e_{i-1})/\log(x_i/x_{i-1}) \f$.
-///
 /// @return  one order for each measurement; not a number for the first, and where one of the two
 ///          errors is zero
 std::vector<double> local_orders(std::span<const Measurement> measurements);

@@ -84,8 +84,6 @@ struct Claim {
 };
 
 /// Returns a law as text, such as "error = C N^-2".
-///
-/// @param  law   the law
 /// @param  axis  name of the varied quantity, with its letter last: "nodes N"
 std::string law_text(const Law& law, const std::string& axis);
 

@@ -17,9 +17,7 @@ namespace {
 /// @name Layout, pixels
 /// @{
 constexpr double width = 520.0;
-constexpr double left = 62.0, right = 16.0, top = 34.0, bottom = 44.0;
-constexpr double drawn_width = width - left - right;
-constexpr double drawn_height = 280.0;
+constexpr double left = 62.0, right = 504.0, top = 34.0, bottom = 314.0;  ///< edges of the frame
 constexpr double legend_row = 19.0;
 constexpr double marker = 3.6;         ///< half the size of a point
 constexpr std::size_t label_row = 60;  ///< letters that fit into one row above the plot
@@ -121,10 +119,10 @@ std::vector<Tick> ticks(const Axis& axis) {
 struct Layout {
   Axis x, y;
 
-  double across(double px) const { return left + drawn_width * x.fraction(px); }
+  double across(double px) const { return left + (right - left) * x.fraction(px); }
   double down(double py) const {
     const double up = y.shows(py) ? std::clamp(y.fraction(py), 0.0, 1.0) : 0.0;
-    return top + drawn_height * (1.0 - up);
+    return top + (bottom - top) * (1.0 - up);
   }
   Complex pixel(const PlotPoint& point) const { return {across(point.x), down(point.y)}; }
 };
@@ -161,26 +159,24 @@ std::string y_label(const std::string& text) {
 
 std::string frame(const Plot& plot, const Layout& layout) {
   std::string svg, grid;
-  const double low = top + drawn_height;
   for (const Tick& tick : ticks(layout.x)) {
     const double x = layout.across(tick.value);
-    grid += svg::line({x, top}, {x, low});
-    svg += svg::label({x, low + 17.0}, tick.text, "text-anchor=\"middle\"");
+    grid += svg::line({x, top}, {x, bottom});
+    svg += svg::label({x, bottom + 17.0}, tick.text, "text-anchor=\"middle\"");
   }
   for (const Tick& tick : ticks(layout.y)) {
     const double y = layout.down(tick.value);
-    grid += svg::line({left, y}, {left + drawn_width, y});
+    grid += svg::line({left, y}, {right, y});
     svg += svg::label({left - 6.0, y + 4.0}, tick.text, "text-anchor=\"end\"");
   }
-  const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
   svg += y_label(plot.y_label);
-  svg += svg::label({left + 0.5 * drawn_width, low + 37.0}, plot.x_label,
+  svg += svg::label({0.5 * (left + right), bottom + 37.0}, plot.x_label,
                     "text-anchor=\"middle\" font-weight=\"600\"");
+  const std::string axes =
+      svg::line({left, top}, {left, bottom}) + svg::line({left, bottom}, {right, bottom});
+  const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
   return svg::path(grid, thin + "stroke-opacity=\"0.13\"") +
-         svg::path(svg::line({left, top}, {left, low}) +
-                       svg::line({left, low}, {left + drawn_width, low}),
-                   thin + "stroke-opacity=\"0.6\"") +
-         svg;
+         svg::path(axes, thin + "stroke-opacity=\"0.6\"") + svg;
 }
 
 /// Returns the path data of a marker around a point: circle, square, triangle or diamond.
@@ -232,7 +228,7 @@ std::string draw_guide(const Guide& guide, const Layout& layout) {
 
 std::string legend(const Plot& plot) {
   std::string svg;
-  double y = top + drawn_height + bottom + 12.0;
+  double y = bottom + 56.0;  // below the label of the x axis
   for (std::size_t k = 0; k < plot.lines.size(); ++k, y += legend_row) {
     svg += "<g " + class_of(k) + " stroke=\"currentColor\">" +
            svg::path(marker_path(k, {left + 6.0, y - 4.0}), "fill=\"currentColor\"") + "</g>\n" +
@@ -246,13 +242,12 @@ std::string legend(const Plot& plot) {
 std::string draw_plot(const Plot& plot) {
   const std::optional<Layout> layout = lay_out(plot);
   if (!layout) return "<p>Nothing to plot: all errors are zero.</p>\n";
-  const double height =
-      top + drawn_height + bottom + 4.0 + legend_row * static_cast<double>(plot.lines.size());
+  const double height = bottom + 48.0 + legend_row * static_cast<double>(plot.lines.size());
   std::string svg = svg::open({width, height}, plot.title) + style_element() + frame(plot, *layout);
   std::string floors;
   for (const double level : plot.floors) {
     const double y = layout->down(level);
-    floors += svg::line({left, y}, {left + drawn_width, y});
+    floors += svg::line({left, y}, {right, y});
   }
   svg += svg::path(floors, "fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"1.5 4\"");
   for (const Guide& guide : plot.guides) svg += draw_guide(guide, *layout);

@@ -43,9 +43,7 @@ struct Plot {
 /// The function does not use gnuplot or Matplotlib, because the colours in their SVG cannot follow
 /// the page, and because they have no slope triangles; the rest of a plot is a scale and some
 /// paths. Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower
-/// edge.
-/// @param  plot  lines and labels
-/// @return       an svg element; a sentence if no point can be shown
+/// edge. A plot without any point that can be shown becomes a sentence.
 std::string draw_plot(const Plot& plot);
 
 }  // namespace stokesbook::study
