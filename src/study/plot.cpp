@@ -215,14 +215,14 @@ std::string draw_guide(const Guide& guide, const Layout& layout) {
   const Complex from = layout.pixel(guide.from), to = layout.pixel(guide.to);
   const std::string group =
       "<g " + class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\">\n";
-  if (!guide.triangle) {
+  if (guide.slope.empty()) {
     return group + svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"") +
            "</g>\n";
   }
   const Complex below{0.0, 16.0}, corner{from.real(), to.imag()};
   const ComplexVector points{{from + below, to + below, corner + below}};
   return group + svg::path(svg::polygon(points), "stroke-width=\"1\"") + "</g>\n" +
-         svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.label,
+         svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.slope,
                     "text-anchor=\"end\"");
 }
 

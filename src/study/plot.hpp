@@ -23,8 +23,7 @@ struct Guide {
   std::size_t line;        ///< index of the line whose colour the guide has
   PlotPoint from;          ///< one end
   PlotPoint to;            ///< the other
-  bool triangle = false;   ///< true: drawn as a slope triangle below, with the label
-  std::string label = {};  ///< label of the triangle
+  std::string slope = {};  ///< label of a slope triangle below; empty: a dashed line
 };
 
 /// A plot of positive numbers over a logarithmic y axis.

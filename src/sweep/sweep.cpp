@@ -32,9 +32,8 @@ constexpr Words<Reduction, 4> reductions{{{"last", Reduction::last},
                                           {"largest", Reduction::largest},
                                           {"sum", Reduction::sum}}};
 
-enum class Spacing { linear, logarithmic };
-constexpr Words<Spacing, 2> spacings{
-    {{"linear", Spacing::linear}, {"logarithmic", Spacing::logarithmic}}};
+/// Words for the spacing of a range, with whether it is logarithmic.
+constexpr Words<bool, 2> spacings{{{"linear", false}, {"logarithmic", true}}};
 
 constexpr Requirement<std::string> file_name{"the name of a scene file, relative to this file"};
 constexpr Requirement<std::string> scene_key{
@@ -97,17 +96,16 @@ std::vector<AxisValue> read_range(const Node& node) {
   const double from = table.require("from", any_number);
   const double to = table.require("to", any_number);
   const int count = table.require("count", several);
-  const Spacing spacing = table.get("spacing", spacings).value_or(Spacing::linear);
+  const bool is_logarithmic = table.get("spacing", spacings, false);
   if (from == to) fail(*table.find("to"), "must differ from where the range begins");
-  const bool logarithmic = spacing == Spacing::logarithmic;
-  if (logarithmic && (from <= 0.0 || to <= 0.0)) {
+  if (is_logarithmic && (from <= 0.0 || to <= 0.0)) {
     fail(*table.find(from <= 0.0 ? "from" : "to"), "must be > 0 where the spacing is logarithmic");
   }
   // With s_k = k / (count - 1): x_k = from + s_k (to - from), or from (to / from)^{s_k}.
   std::vector<AxisValue> values;
   for (int k = 0; k < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
-    const double between = logarithmic ? from * std::pow(to / from, s) : from + s * (to - from);
+    const double between = is_logarithmic ? from * std::pow(to / from, s) : from + s * (to - from);
     values.push_back({toml_value(k == count - 1 ? to : between), node.where});
   }
   return values;
