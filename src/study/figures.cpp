@@ -41,7 +41,8 @@ struct GuideOfLaw {
 
 }  // namespace
 
-std::string convergence_figure(const Experiment& experiment, const std::vector<LineResult>& lines) {
+std::string convergence_figure(const ExperimentResult& result) {
+  const auto& [experiment, lines] = result;
   Plot plot{.title = experiment.title,
             .x_label = experiment.x,
             .y_label = experiment.error,
@@ -64,16 +65,16 @@ std::string convergence_figure(const Experiment& experiment, const std::vector<L
   return draw_plot(plot);
 }
 
-std::string work_precision_figures(const Experiment& experiment,
-                                   const std::vector<LineResult>& lines) {
+std::string work_precision_figures(const ExperimentResult& result) {
+  const auto& [experiment, lines] = result;
   std::string svg;
-  for (const CostMeasure& cost : measured_costs(experiment, lines)) {
+  for (const CostMeasure& cost : measured_costs(result)) {
     Plot plot{.title = experiment.title + ": error against " + cost.name,
               .x_label = cost.name,
               .y_label = experiment.error};
-    for (const LineResult& result : lines) {
-      PlotLine& drawn = plot.lines.emplace_back(PlotLine{result.line.label});
-      for (const Measurement& point : result.measurements) {
+    for (const LineResult& found : lines) {
+      PlotLine& drawn = plot.lines.emplace_back(PlotLine{found.line.label});
+      for (const Measurement& point : found.measurements) {
         drawn.points.push_back({point.*cost.value, point.error});
       }
     }

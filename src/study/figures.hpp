@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "study/study.hpp"
 
@@ -11,11 +10,10 @@ namespace stokesbook::study {
 ///
 /// Laws are drawn as slope triangles on logarithmic axes and as dashed lines of the claimed rate on
 /// semi-logarithmic axes. Floors are dotted. Points that a check left out are hollow.
-std::string convergence_figure(const Experiment& experiment, const std::vector<LineResult>& lines);
+std::string convergence_figure(const ExperimentResult& result);
 
 /// Draws an experiment's errors against each cost of measured_costs(), as SVG elements one after
 /// another.
-std::string work_precision_figures(const Experiment& experiment,
-                                   const std::vector<LineResult>& lines);
+std::string work_precision_figures(const ExperimentResult& result);
 
 }  // namespace stokesbook::study

@@ -43,22 +43,26 @@ struct Part {
   std::string html;
 };
 
-std::vector<Part> parts_of(const Experiment& experiment, std::vector<LineResult> lines) {
+std::vector<Part> parts_of(ExperimentResult result) {
   // A line that this size leaves out appears neither in tables nor in legends.
-  std::erase_if(lines,
-                [](const LineResult& line) { return !line.verdict && line.measurements.empty(); });
-  if (lines.empty()) return {{"_table.html", "<p>" + std::string(full_size_measures) + "</p>\n"}};
-  std::vector<Part> parts{{"_figure.html", convergence_figure(experiment, lines)},
-                          {"_table.html", convergence_table(experiment, lines)}};
-  if (experiment.work_precision) {
-    parts.push_back({"_work_figure.html", work_precision_figures(experiment, lines)});
+  const auto is_left_out = [](const LineResult& line) {
+    return !line.verdict && line.measurements.empty();
+  };
+  std::erase_if(result.lines, is_left_out);
+  if (result.lines.empty()) {
+    return {{"_table.html", "<p>" + std::string(full_size_measures) + "</p>\n"}};
+  }
+  std::vector<Part> parts{{"_figure.html", convergence_figure(result)},
+                          {"_table.html", convergence_table(result)}};
+  if (result.experiment.work_precision) {
+    parts.push_back({"_work_figure.html", work_precision_figures(result)});
   }
   return parts;
 }
 
 /// Returns the anchor of an experiment on the page of its study.
 std::string anchor(const StudyResult& result, const Experiment& experiment) {
-  return "study_" + result.study.name + '_' + experiment.key;
+  return "study_" + result.name + '_' + experiment.key;
 }
 
 /// Returns the entry of a claim in the index of claims, as Markdown.
@@ -92,44 +96,47 @@ constexpr const char* index_style =
 
 std::string to_csv(const StudyResult& result) {
   std::string csv = "experiment,line,x,error,unknowns,operations,seconds,role\n";
-  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
-    const std::string name = experiment.key + ',' + found.line.key;
-    for (std::size_t i = 0; i < found.measurements.size(); ++i) {
-      const bool used = !found.verdict || found.verdict->used[i];
-      append_row(csv, name, found.measurements[i], used ? "used" : "left out");
+  for (const auto& [experiment, lines] : result.experiments) {
+    for (const auto& [line, measurements, verdict, control] : lines) {
+      const std::string name = experiment.key + ',' + line.key;
+      for (std::size_t i = 0; i < measurements.size(); ++i) {
+        const bool used = !verdict || verdict->used[i];
+        append_row(csv, name, measurements[i], used ? "used" : "left out");
+      }
+      if (!control) continue;
+      for (const Measurement& point : control->measurements) {
+        append_row(csv, name, point, "control");
+      }
     }
-    if (!found.control) return;
-    for (const Measurement& point : found.control->measurements) {
-      append_row(csv, name, point, "control");
-    }
-  });
+  }
   return csv;
 }
 
 std::string to_aliases(const StudyResult& result) {
   std::string text;
-  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
-    const Line& line = found.line;
-    const std::string name = "val_" + result.study.number + '_' + experiment.key + '_' + line.key;
-    for (const Measurement& point : found.measurements) {
-      text += alias(name + '_' + key_of(point.x), point.error);
+  for (const auto& [experiment, lines] : result.experiments) {
+    for (const auto& [line, measurements, verdict, _] : lines) {
+      const std::string name = "val_" + result.number + '_' + experiment.key + '_' + line.key;
+      for (const Measurement& point : measurements) {
+        text += alias(name + '_' + key_of(point.x), point.error);
+      }
+      if (!line.claim) continue;
+      text += alias("val_claim_" + line.claim->id + "_claimed", claimed_number(line.claim->law));
+      if (verdict) text += alias("val_claim_" + line.claim->id, verdict->measured);
     }
-    if (!line.claim) return;
-    text += alias("val_claim_" + line.claim->id + "_claimed", claimed_number(line.claim->law));
-    if (found.verdict) text += alias("val_claim_" + line.claim->id, found.verdict->measured);
-  });
+  }
   return text;
 }
 
 std::string study_page(const StudyResult& result, const std::string& origin) {
-  std::string page = "# Study " + result.study.number + ": " + result.study.title + " {#study_" +
-                     result.study.name + "}\n\nAll that was measured for @ref chapter_" +
-                     result.study.number + " in this build: " + escaped(origin) + ".\n\n";
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    const Experiment& experiment = result.study.experiments[e];
+  std::string page = "# Study " + result.number + ": " + result.title + " {#study_" + result.name +
+                     "}\n\nAll that was measured for @ref chapter_" + result.number +
+                     " in this build: " + escaped(origin) + ".\n\n";
+  for (const ExperimentResult& found : result.experiments) {
+    const Experiment& experiment = found.experiment;
     page += "## " + experiment.title + " {#" + anchor(result, experiment) + "}\n\n";
-    for (const Part& part : parts_of(experiment, result.experiments[e])) {
-      page += "@htmlinclude " + result.study.name + '_' + experiment.key + part.suffix + "\n";
+    for (const Part& part : parts_of(found)) {
+      page += "@htmlinclude " + result.name + '_' + experiment.key + part.suffix + "\n";
     }
     page += '\n';
   }
@@ -143,13 +150,14 @@ std::string claims_page(const std::vector<StudyResult>& results) {
       "holds when the number measured lies in its band and the same check rejects the planted "
       "defect.\n\n";
   for (const StudyResult& result : results) {
-    page += "## " + result.study.number + " " + result.study.title + " {#claims_" +
-            result.study.name + "}\n\nChapter: @ref chapter_" + result.study.number +
-            ". Library: @ref " + result.study.name + ". All measurements: @subpage study_" +
-            result.study.name + ".\n\n";
-    for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
-      if (found.line.claim) page += claim_entry(result, experiment, found);
-    });
+    page += "## " + result.number + " " + result.title + " {#claims_" + result.name +
+            "}\n\nChapter: @ref chapter_" + result.number + ". Library: @ref " + result.name +
+            ". All measurements: @subpage study_" + result.name + ".\n\n";
+    for (const auto& [experiment, lines] : result.experiments) {
+      for (const LineResult& found : lines) {
+        if (found.line.claim) page += claim_entry(result, experiment, found);
+      }
+    }
   }
   return page;
 }
@@ -157,14 +165,14 @@ std::string claims_page(const std::vector<StudyResult>& results) {
 void write_report(const StudyResult& result, const std::string& origin,
                   const std::filesystem::path& directory) {
   const auto write = [&](const std::string& name, const std::string& text) {
-    write_atomically(directory / (result.study.name + name), text, SafeFrom::kill);
+    write_atomically(directory / (result.name + name), text, SafeFrom::kill);
   };
   write(".csv", to_csv(result));
   write(".aliases", to_aliases(result));
   write("_study.md", study_page(result, origin));
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    for (const Part& part : parts_of(result.study.experiments[e], result.experiments[e])) {
-      write('_' + result.study.experiments[e].key + part.suffix, part.html);
+  for (const ExperimentResult& found : result.experiments) {
+    for (const Part& part : parts_of(found)) {
+      write('_' + found.experiment.key + part.suffix, part.html);
     }
   }
 }
@@ -179,12 +187,10 @@ void write_index(const std::vector<StudyResult>& results, const std::string& ori
       std::string(index_style) + "</head><body>\n<h1>Studies</h1>\n<p>" + escaped(origin) +
       "</p>\n";
   for (const StudyResult& result : results) {
-    html += "<h2>" + result.study.number + ' ' + escaped(result.study.title) + "</h2>\n" +
-            claims_table(result);
-    for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-      const Experiment& experiment = result.study.experiments[e];
-      html += "<h3>" + escaped(experiment.title) + "</h3>\n";
-      for (const Part& part : parts_of(experiment, result.experiments[e])) html += part.html;
+    html += "<h2>" + result.number + ' ' + escaped(result.title) + "</h2>\n" + claims_table(result);
+    for (const ExperimentResult& found : result.experiments) {
+      html += "<h3>" + escaped(found.experiment.title) + "</h3>\n";
+      for (const Part& part : parts_of(found)) html += part.html;
     }
   }
   write_atomically(directory / "index.html", html + "</body></html>\n", SafeFrom::kill);

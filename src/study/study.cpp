@@ -78,14 +78,13 @@ Experiment left_to_full(Experiment experiment) {
   return experiment;
 }
 
-std::vector<CostMeasure> measured_costs(const Experiment& experiment,
-                                        const std::vector<LineResult>& lines) {
+std::vector<CostMeasure> measured_costs(const ExperimentResult& result) {
   std::vector<CostMeasure> costs{{"unknowns", &Measurement::unknowns},
-                                 {experiment.operation, &Measurement::operations},
+                                 {result.experiment.operation, &Measurement::operations},
                                  {"seconds on this machine", &Measurement::seconds}};
   std::erase_if(costs, [&](const CostMeasure& cost) {
     return std::ranges::none_of(
-        lines, [&](const LineResult& line) { return has_measured(line, cost.value); });
+        result.lines, [&](const LineResult& line) { return has_measured(line, cost.value); });
   });
   return costs;
 }
@@ -95,17 +94,17 @@ bool LineResult::holds() const {
 }
 
 bool StudyResult::holds() const {
-  return std::ranges::all_of(experiments, [](const std::vector<LineResult>& lines) {
-    return std::ranges::all_of(lines, &LineResult::holds);
+  return std::ranges::all_of(experiments, [](const ExperimentResult& result) {
+    return std::ranges::all_of(result.lines, &LineResult::holds);
   });
 }
 
 StudyResult run(const Study& study, Size size, std::ostream& progress) {
   validate(study);
   progress << study.number << ' ' << study.title << '\n';
-  StudyResult result{.study = study, .experiments = {}};
+  StudyResult result{study.number, study.name, study.title, {}};
   for (const Experiment& experiment : study.experiments) {
-    std::vector<LineResult>& lines = result.experiments.emplace_back();
+    std::vector<LineResult> lines;
     for (const Line& line : experiment.lines) {
       lines.push_back(measure(line, size));
       require(
@@ -113,6 +112,7 @@ StudyResult run(const Study& study, Size size, std::ostream& progress) {
           experiment.key + '.' + line.key + " counts operations; set Experiment::operation");
       report(progress, lines.back());
     }
+    result.experiments.push_back({experiment, lines});
   }
   return result;
 }

@@ -86,6 +86,12 @@ struct LineResult {
   bool holds() const;
 };
 
+/// Results of an experiment.
+struct ExperimentResult {
+  Experiment experiment;          ///< the experiment
+  std::vector<LineResult> lines;  ///< in its order
+};
+
 /// A kind of cost, with its name on axes and in tables.
 struct CostMeasure {
   std::string name;            ///< name with its unit
@@ -94,25 +100,19 @@ struct CostMeasure {
 
 /// Lists the costs that at least one line of an experiment has measured: unknowns, operations (named
 /// Experiment::operation), seconds.
-std::vector<CostMeasure> measured_costs(const Experiment& experiment,
-                                        const std::vector<LineResult>& lines);
+std::vector<CostMeasure> measured_costs(const ExperimentResult& result);
 
-/// Results of a study, in the order of its experiments and lines.
+/// Results of a study.
 struct StudyResult {
-  Study study;                                       ///< the study
-  std::vector<std::vector<LineResult>> experiments;  ///< results of the lines of each experiment
+  std::string number;                         ///< of the chapter, "02"
+  std::string name;                           ///< of the method, "double_layer"
+  std::string title;                          ///< of the page
+  std::vector<ExperimentResult> experiments;  ///< in the order of the page
 
   /// Returns whether all claims hold and all controls were rejected; false also if a check was
   /// inconclusive.
   bool holds() const;
 };
-
-/// Calls visit(experiment, line_result) for all lines of a study, in order.
-void for_each_line(const StudyResult& result, const auto& visit) {
-  for (std::size_t e = 0; e < result.experiments.size(); ++e) {
-    for (const LineResult& found : result.experiments[e]) visit(result.study.experiments[e], found);
-  }
-}
 
 /// Runs a study and checks its claims. The stream shows the verdicts, one line for each claim.
 ///

@@ -39,9 +39,8 @@ std::string claim_link(const Claim& claim) {
 
 /// Returns the cost that a convergence table shows beside the errors: the counted operations, else
 /// the unknowns, else no value. Work-precision figures show all costs, including seconds.
-std::optional<CostMeasure> shown_cost(const Experiment& experiment,
-                                      const std::vector<LineResult>& lines) {
-  std::vector<CostMeasure> costs = measured_costs(experiment, lines);
+std::optional<CostMeasure> shown_cost(const ExperimentResult& result) {
+  std::vector<CostMeasure> costs = measured_costs(result);
   std::erase_if(costs, [](const CostMeasure& cost) { return cost.value == &Measurement::seconds; });
   if (costs.empty()) return std::nullopt;
   return costs.back();
@@ -90,8 +89,9 @@ std::string html_number(double x) {
          "</sup>";
 }
 
-std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines) {
-  const std::optional<CostMeasure> cost = shown_cost(experiment, lines);
+std::string convergence_table(const ExperimentResult& result) {
+  const auto& [experiment, lines] = result;
+  const std::optional<CostMeasure> cost = shown_cost(result);
   std::string each = head("error");
   if (experiment.axes != Axes::nominal) {
     each += head(experiment.axes == Axes::log_log ? "order" : "rate");
@@ -102,20 +102,20 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
   std::map<double, std::string> rows;
-  for (const LineResult& result : lines) {
-    for (const Measurement& point : result.measurements) rows[point.x] = head(html_number(point.x));
+  for (const LineResult& found : lines) {
+    for (const Measurement& point : found.measurements) rows[point.x] = head(html_number(point.x));
   }
-  for (const LineResult& result : lines) {
-    names += head(escaped(result.line.label), spanned);
+  for (const LineResult& found : lines) {
+    names += head(escaped(found.line.label), spanned);
     columns += each;
-    const auto cells = cells_of(result, experiment.axes, cost);
+    const auto cells = cells_of(found, experiment.axes, cost);
     for (auto& [x, text] : rows) text += cells.contains(x) ? cells.at(x) : cell("", spanned);
-    const std::optional<Claim>& claim = result.line.claim;
+    const std::optional<Claim>& claim = found.line.claim;
     claimed +=
         cell(claim ? claim_link(*claim) + ": " + escaped(law_text(claim->law, experiment.x)) : "",
              spanned);
-    measured += cell(result.verdict ? html_number(result.verdict->measured) : "", spanned);
-    verdict += cell(verdict_html(result), spanned);
+    measured += cell(found.verdict ? html_number(found.verdict->measured) : "", spanned);
+    verdict += cell(verdict_html(found), spanned);
   }
   std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
   for (const auto& [x, text] : rows) body += row(text);
@@ -127,18 +127,20 @@ std::string convergence_table(const Experiment& experiment, const std::vector<Li
 
 std::string claims_table(const StudyResult& result) {
   std::string body;
-  for_each_line(result, [&](const Experiment& experiment, const LineResult& found) {
-    if (!found.line.claim) return;
-    const Claim& claim = *found.line.claim;
-    body +=
-        row(head("<a id=\"claim_" + claim.id + "\"></a>" + claim.id) +
-            cell(escaped(claim.statement) + "<br><small>" + escaped(claim.reason) + "</small>") +
-            cell(escaped(law_text(claim.law, experiment.x))) +
-            (found.verdict ? cell(escaped(found.verdict->explanation)) + cell(control_html(found)) +
-                                 cell(verdict_html(found))
-                           : cell(full_size_measures, span(3))));
-  });
-  return table(escaped(result.study.title),
+  for (const auto& [experiment, lines] : result.experiments) {
+    for (const LineResult& found : lines) {
+      if (!found.line.claim) continue;
+      const Claim& claim = *found.line.claim;
+      body +=
+          row(head("<a id=\"claim_" + claim.id + "\"></a>" + claim.id) +
+              cell(escaped(claim.statement) + "<br><small>" + escaped(claim.reason) + "</small>") +
+              cell(escaped(law_text(claim.law, experiment.x))) +
+              (found.verdict ? cell(escaped(found.verdict->explanation)) +
+                                   cell(control_html(found)) + cell(verdict_html(found))
+                             : cell(full_size_measures, span(3))));
+    }
+  }
+  return table(escaped(result.title),
                "<thead><tr><th>claim</th><th>statement, reason</th><th>law</th><th>measured</th>"
                "<th>control</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
                    body + "</tbody>");

@@ -19,7 +19,7 @@ std::string html_number(double x);
 /// The table has a row for each x, with the error of each line and the order (on logarithmic axes)
 /// or rate between rows. The last rows list the law, the measured number and the verdict of each
 /// line. Numbers that a check left out are grey.
-std::string convergence_table(const Experiment& experiment, const std::vector<LineResult>& lines);
+std::string convergence_table(const ExperimentResult& result);
 
 /// Writes the claims of a study as an HTML table: statement, reason and law, the measurement, the
 /// control with its defect, and the verdict.

@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   Study study = sample_study();
   std::ostringstream progress;
   const StudyResult algebraic = run(study, Size::quick, progress);
-  const std::string triangle = convergence_figure(study.experiments[0], algebraic.experiments[0]);
+  const std::string triangle = convergence_figure(algebraic.experiments[0]);
   BOOST_TEST(count(triangle, ">2</text>") == 1);
   for (const Line& line : study.experiments[0].lines) {
     BOOST_TEST(count(triangle, ">" + line.label + "<") == 1);
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   Line& line = study.experiments[0].lines[0];
   line.claim->law = Algebraic{0.0};
   const StudyResult steep = run(study, Size::quick, progress);
-  const std::string level = convergence_figure(study.experiments[0], steep.experiments[0]);
+  const std::string level = convergence_figure(steep.experiments[0]);
   BOOST_TEST(count(level, ">0</text>") == 0);
   BOOST_TEST(count(level, "stroke-dasharray=\"6 4\"") == 1);
   const std::regex guide("<path[^>]*stroke-dasharray=\"6 4\"[^>]*>");
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   line.claim->window.floor = 1e-9;
   study.experiments[0].axes = Axes::semi_log;
   const StudyResult geometric = run(study, Size::quick, progress);
-  const std::string dashed = convergence_figure(study.experiments[0], geometric.experiments[0]);
+  const std::string dashed = convergence_figure(geometric.experiments[0]);
   BOOST_TEST(count(dashed, "stroke-dasharray=\"6 4\"") == 1);
   BOOST_TEST(count(dashed, "stroke-dasharray=\"1.5 4\"") == 1);
 }

@@ -28,8 +28,8 @@ BOOST_AUTO_TEST_SUITE(runs)
 BOOST_AUTO_TEST_CASE(claim_holds_and_control_is_rejected) {
   const StudyResult result = run_quietly(sample_study());
   BOOST_TEST(result.holds());
-  BOOST_TEST(result.experiments[0][0].control->is_rejected());
-  BOOST_TEST(!result.experiments[0][1].verdict);
+  BOOST_TEST(result.experiments[0].lines[0].control->is_rejected());
+  BOOST_TEST(!result.experiments[0].lines[1].verdict);
 }
 
 BOOST_AUTO_TEST_CASE(defective_method_fails) {
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(control_that_passes_fails_the_study) {
   Study study = sample_study();
   first_line(study).control->measure = first_line(study).measure;
   const StudyResult result = run_quietly(study);
-  BOOST_TEST((result.experiments[0][0].verdict->outcome == Outcome::holds));
+  BOOST_TEST((result.experiments[0].lines[0].verdict->outcome == Outcome::holds));
   BOOST_TEST(!result.holds());
 }
 
@@ -89,10 +89,9 @@ BOOST_AUTO_TEST_CASE(operations_that_are_counted_have_a_name) {
 
 BOOST_AUTO_TEST_CASE(costs_that_were_measured) {
   StudyResult result = run_quietly(sample_study());
-  const Experiment& experiment = result.study.experiments[0];
-  BOOST_TEST(measured_costs(experiment, result.experiments[0]).empty());
-  result.experiments[0][1].measurements[2].seconds = 0.1;
-  const auto costs = measured_costs(experiment, result.experiments[0]);
+  BOOST_TEST(measured_costs(result.experiments[0]).empty());
+  result.experiments[0].lines[1].measurements[2].seconds = 0.1;
+  const auto costs = measured_costs(result.experiments[0]);
   BOOST_TEST_REQUIRE(costs.size() == 1u);
   BOOST_TEST(costs[0].name == "seconds on this machine");
 }
