@@ -68,16 +68,16 @@ std::string fingerprint_of_program() {
 }
 
 RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
-  const auto asks_for = [&](OutputFormat format) {
+  const auto is_requested = [&](OutputFormat format) {
     return std::ranges::count(scene.output.formats, format) > 0;
   };
   RunContents contents{.title = scene.title,
                        .scene = to_toml({scene}),
                        .outlines = {},
-                       .csv = asks_for(OutputFormat::csv),
-                       .vtk = asks_for(OutputFormat::vtk),
-                       .svg = asks_for(OutputFormat::svg),
-                       .html = asks_for(OutputFormat::html),
+                       .csv = is_requested(OutputFormat::csv),
+                       .vtk = is_requested(OutputFormat::vtk),
+                       .svg = is_requested(OutputFormat::svg),
+                       .html = is_requested(OutputFormat::html),
                        .fields = scene.output.fields.has_value(),
                        .contacts = scene.contact.has_value(),
                        .program = fingerprint_of_program()};

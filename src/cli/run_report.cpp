@@ -16,12 +16,7 @@ using std::chrono::duration;
 using std::chrono::steady_clock;
 
 Progress::Progress(double t_start, double t_final, bool quiet)
-    : t_start_(t_start),
-      t_final_(t_final),
-      quiet_(quiet),
-      terminal_(isatty(STDOUT_FILENO) != 0),
-      start_(steady_clock::now()),
-      last_print_(start_) {}
+    : t_start_(t_start), t_final_(t_final), quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0) {}
 
 void Progress::step(const StepInfo& info) {
   const auto now = steady_clock::now();

@@ -27,7 +27,8 @@ class Progress {
   double t_start_, t_final_;
   bool quiet_, terminal_;
   bool open_line_ = false;
-  std::chrono::steady_clock::time_point start_, last_print_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_print_ = start_;
 };
 
 /// Prints the title of a scene and the lines of its plan.
