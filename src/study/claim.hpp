@@ -42,7 +42,8 @@ struct Identity {
   double tolerance;  ///< largest error anywhere
 };
 
-/// The value is at most a bound, such as a number of iterations or a share of another method's work.
+/// The value is at most a bound, such as a number of iterations or the share of another method's
+/// work.
 struct AtMost {
   double bound;  ///< largest value anywhere
 };

@@ -98,8 +98,8 @@ struct CostMeasure {
   double Measurement::*value;  ///< member of Measurement with this cost
 };
 
-/// Lists the costs that at least one line of an experiment has measured: unknowns, operations (named
-/// Experiment::operation), seconds.
+/// Lists the costs that at least one line of an experiment has measured: unknowns, operations,
+/// whose name is Experiment::operation, and seconds.
 std::vector<CostMeasure> measured_costs(const ExperimentResult& result);
 
 /// Results of a study.

@@ -46,8 +46,8 @@ std::optional<CostMeasure> shown_cost(const ExperimentResult& result) {
   return costs.back();
 }
 
-/// Returns error, slope and cost of each measurement of a line: the cells of a convergence table, by
-/// their x. The slope is the order or rate since the measurement before, on the axes that have one.
+/// Returns the cells of a line in a convergence table by their x: error, slope and cost of each
+/// measurement. The slope is the order or rate since the measurement before, on axes that have one.
 std::map<double, std::string> cells_of(const LineResult& line, Axes axes,
                                        const std::optional<CostMeasure>& cost) {
   const std::vector<double> slopes =

@@ -1,4 +1,4 @@
-// Writes shell commands that run the tasks of a sweep by Slurm or GNU parallel, and runs the latter.
+// Writes the shell commands of a sweep for Slurm and GNU parallel, and runs tasks by the latter.
 #include "sweep/batch.hpp"
 
 #include <cerrno>

@@ -1,5 +1,5 @@
-// Collects quantities from the finished runs of a sweep, each a column of a table that is reduced to
-// one number, and writes their means over the seeds with error bars.
+// Collects quantities from the finished runs of a sweep, each a column of a table reduced to one
+// number, averages by the trapezoid rule, and writes their means over the seeds with error bars.
 #include "sweep/results.hpp"
 
 #include <algorithm>

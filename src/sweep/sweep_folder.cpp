@@ -1,5 +1,5 @@
-// Writes and checks `tasks.csv`, which lists the tasks of a sweep with fingerprints of their scenes,
-// and reads the state of a task from the files in its folder.
+// Writes and checks `tasks.csv`, the list of a sweep's tasks with fingerprints of their scenes, and
+// reads the state of a task from the files in its folder.
 #include "sweep/sweep_folder.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 // Tests quantities of a run's tables against exact values.
 
-#include "sweep/results.hpp"
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "record/record_error.hpp"
+#include "sweep/results.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;
