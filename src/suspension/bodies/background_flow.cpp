@@ -55,33 +55,23 @@ ComplexVector velocity_relative_to(const BackgroundFlow& flow, Complex centre,
                                    const ComplexVector& offsets) {
   if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
   if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
-  const Complex at_centre = background_velocity(flow, ComplexVector::Constant(1, centre))[0];
+  const Complex at_centre = std::visit(VelocityAt{centre}, flow);
   return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
 }
 
 }  // namespace
 
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points) {
-  ComplexVector velocity(points.size());
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    velocity[i] = std::visit(VelocityAt{points[i]}, flow);
-  }
-  return velocity;
+  return points.unaryExpr([&](Complex point) { return std::visit(VelocityAt{point}, flow); });
 }
 
-std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
-                                                    const ComplexVector& points) {
-  std::vector<FlowDerivatives> derivatives;
-  for (const Complex point : points) {
-    derivatives.push_back(std::visit(DerivativesAt{point}, flow));
-  }
-  return derivatives;
+FlowDerivatives background_derivatives(const BackgroundFlow& flow, Complex point) {
+  return std::visit(DerivativesAt{point}, flow);
 }
 
 RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre) {
-  const ComplexVector point = ComplexVector::Constant(1, centre);
-  return {background_velocity(flow, point)[0],
-          0.5 * background_derivatives(flow, point)[0].vorticity};
+  return {std::visit(VelocityAt{centre}, flow),
+          0.5 * background_derivatives(flow, centre).vorticity};
 }
 
 ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "closure/problem.hpp"
 #include "closure/rigid_modes.hpp"
 #include "double_layer/flow_derivatives.hpp"
@@ -12,12 +10,11 @@ namespace stokesbook {
 /// Evaluates the velocity of an undisturbed flow at m points.
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
 
-/// Evaluates vorticity and strain of an undisturbed flow at m points, 1 / time.
+/// Evaluates vorticity and strain of an undisturbed flow at a point, 1 / time.
 ///
 /// The pressure of an undisturbed flow is zero: linear flows have no pressure gradient, and the
 /// Taylor-Green flow is driven by the body force 2 mu u per unit of area.
-std::vector<FlowDerivatives> background_derivatives(const BackgroundFlow& flow,
-                                                    const ComplexVector& points);
+FlowDerivatives background_derivatives(const BackgroundFlow& flow, Complex point);
 
 /// Returns the rigid motion with which an undisturbed flow carries a body: the velocity and half
 /// the vorticity of the flow at the centre of the body.
@@ -26,9 +23,9 @@ RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre);
 /// Evaluates the straining part of an undisturbed flow at the nodes of a free body: the velocity
 /// \f$ u_\infty(c+d) - u_\infty(c) - \Omega_\infty d^\perp \f$ without background_rigid_motion().
 ///
-/// The solver solves for the disturbance by this remainder. For linear flows the remainder is
-/// computed from the offsets d from the centre c alone. The accuracy of the solution therefore does
-/// not depend on how fast the flow carries the body.
+/// The solver solves for the disturbance by this remainder. For linear flows the remainder depends
+/// on the offsets d from the centre c alone, so that the accuracy of the solution does not depend on
+/// how fast the flow carries the body.
 ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body);
 
 }  // namespace stokesbook

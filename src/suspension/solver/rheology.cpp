@@ -125,8 +125,7 @@ double Rheometer::excess_dissipation(const Solution& solution,
   for (std::size_t k = 0; k < stresslets.size(); ++k) {
     const Complex centre = configuration[k].position;
     const auto [stream, rotation] = background_rigid_motion(scene.flow, centre);
-    const Complex strain =
-        background_derivatives(scene.flow, ComplexVector::Constant(1, centre))[0].strain;
+    const Complex strain = background_derivatives(scene.flow, centre).strain;
     const auto& [velocity, omega] = solution.motions[k];
     const auto& [force, torque] = solution.loads[k];
     power += dot(amplitude * strain, stresslets[k]) + dot(force, velocity - amplitude * stream) +

@@ -343,9 +343,9 @@ std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solut
   std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
   if (is_bounded(flow.problem())) return derivatives;
   const double amplitude = solution.instant.amplitude;
-  const std::vector<FlowDerivatives> background = background_derivatives(scene_.flow, points);
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
-    const auto& [pressure, vorticity, strain] = background[i];
+    const auto [pressure, vorticity, strain] =
+        background_derivatives(scene_.flow, points[static_cast<Eigen::Index>(i)]);
     derivatives[i] += {amplitude * pressure, amplitude * vorticity, amplitude * strain};
   }
   return derivatives;
