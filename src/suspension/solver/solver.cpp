@@ -28,10 +28,6 @@ double mean_spacing(const Scene& scene, const Discretisation& discretisation) {
   return length / nodes;
 }
 
-// At most this many times, nodes are increased because of the error estimate alone, although no
-// tail of a density is large.
-constexpr int most_increases_without_tail = 3;
-
 // Increases node numbers to at least those of `least`; empty: to none.
 Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
   for (std::size_t k = 0; k < least.size(); ++k) {
@@ -151,26 +147,18 @@ Solution SuspensionSolver::prepare(const Instant& instant, const std::vector<Gap
 }
 
 Solution SuspensionSolver::solve_system(Solution prepared, double gmres_tolerance,
-                                        const ComplexVector& guess) const {
+                                        const DensityGuess& guess) const {
   const LinearSystem& discrete = *prepared.system;
-  GmresResult gmres =
-      stokesbook::solve(discrete, discrete.system.right_hand_side(),
-                        {gmres_tolerance, scene_.solver.gmres_max_iterations}, guess);
+  GmresResult gmres = stokesbook::solve(discrete, discrete.system.right_hand_side(),
+                                        {gmres_tolerance, scene_.solver.gmres_max_iterations},
+                                        guess ? guess(prepared.discretisation) : ComplexVector{});
   if (!gmres.converged) {
     throw SolverError(
         "GMRES stopped at a relative residual of " + short_number(gmres.history.back()) +
-        " after " + std::to_string(gmres.iterations) + " iterations, asked " +
+        " after " + std::to_string(gmres.iterations) + " iterations, required " +
         short_number(gmres_tolerance) + ": raise solver.gmres_max_iterations or solver.tolerance");
   }
   return complete_solution(scene_, std::move(prepared), std::move(gmres));
-}
-
-Solution SuspensionSolver::solve_once(const Instant& instant, const std::vector<Gap>& gaps,
-                                      const SolveParameters& parameters) const {
-  Solution prepared = prepare(instant, gaps, parameters.resolutions);
-  const ComplexVector guess =
-      parameters.guess ? parameters.guess(prepared.discretisation) : ComplexVector{};
-  return solve_system(std::move(prepared), parameters.gmres_tolerance, guess);
 }
 
 // A quarter more nodes, and at least as many as the softest modes require.
@@ -199,14 +187,17 @@ ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& disc
 
 // [solve]
 
-Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& guess,
+Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
                                  const Resolutions& least) const {
   const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
-  SolveParameters parameters{at_least(least, first_resolutions(instant.configuration, gaps)),
-                             plan_.gmres_tolerance, guess};
+  Effort effort{at_least(least, first_resolutions(instant.configuration, gaps)),
+                plan_.gmres_tolerance};
+  constexpr int most_increases_without_tail = 3;
+  int increases_without_tail = 0;
   SolveCost cost;
   while (true) {
-    Solution solution = solve_once(instant, gaps, parameters);
+    Solution solution =
+        solve_system(prepare(instant, gaps, effort.resolutions), effort.gmres_tolerance, guess);
     const auto [error, matvecs] = estimate_on_finer_nodes(*solution.system, solution);
     cost += {solution.gmres.iterations, solution.gmres.applications + matvecs};
     solution.error_estimate = error;
@@ -214,37 +205,31 @@ Solution SuspensionSolver::solve(const Instant& instant, const DensityGuess& gue
     if (error <= scene_.solver.tolerance) return solution;
     const std::vector<TailEstimate> tails = tail_estimates(
         *solution.system, solution.discretisation, solution.density, solution.velocity_scale);
-    SolveParameters next = refine_parameters(parameters, tails, error);
-    if (next.resolutions == parameters.resolutions &&
-        next.gmres_tolerance == parameters.gmres_tolerance) {
-      throw ConfigurationError(
-          accuracy_error(scene_, parameters.resolutions, least_, tails, error, gaps));
+    Effort next = increase(effort, tails, error);
+    // With few nodes the tail of a density may be small by accident, or a point may just miss the
+    // near-field criterion: nodes are added even though no tail is large.
+    if (next == effort && ++increases_without_tail <= most_increases_without_tail) {
+      next.resolutions = refine_automatic(scene_, effort.resolutions);
     }
-    next.guess = guess_from(solution);
-    parameters = std::move(next);
+    if (next == effort) {
+      throw ConfigurationError(
+          accuracy_error(scene_, effort.resolutions, least_, tails, error, gaps));
+    }
+    effort = std::move(next);
+    guess = guess_from(solution);
   }
 }
 // [solve]
 
-SuspensionSolver::SolveParameters SuspensionSolver::refine_parameters(
-    const SolveParameters& parameters, const std::vector<TailEstimate>& tails, double error) const {
-  SolveParameters next{refine_by_tails(scene_, parameters.resolutions, tails, error),
-                       parameters.gmres_tolerance,
-                       {},
-                       parameters.increases_without_tail};
-  // If all tails are small, the system is so ill-conditioned that a small residual does not imply a
-  // small error.
+// More nodes where tails are large. If all tails are small, the system is so ill-conditioned that a
+// small residual does not imply a small error: the GMRES tolerance is tightened.
+SuspensionSolver::Effort SuspensionSolver::increase(const Effort& effort,
+                                                    const std::vector<TailEstimate>& tails,
+                                                    double error) const {
+  Effort next{refine_by_tails(scene_, effort.resolutions, tails, error), effort.gmres_tolerance};
   const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
-    next.gmres_tolerance = std::min(parameters.gmres_tolerance, least_gmres_tolerance());
-  }
-  // With few nodes the tail of a density may be small by accident, or a point may just miss the
-  // near-field criterion: nodes are added even though no tail is large.
-  if (next.resolutions == parameters.resolutions &&
-      next.gmres_tolerance == parameters.gmres_tolerance &&
-      parameters.increases_without_tail < most_increases_without_tail) {
-    next.resolutions = refine_automatic(scene_, parameters.resolutions);
-    ++next.increases_without_tail;
+    next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance());
   }
   return next;
 }
@@ -269,10 +254,9 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
   }
   const ErrorEstimate estimate = estimate_on_finer_nodes(discrete, solution);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
-  const SolveParameters parameters{resolutions, gmres_tolerance, {}, most_increases_without_tail};
   const auto tails =
       tail_estimates(discrete, solution.discretisation, solution.density, solution.velocity_scale);
-  const SolveParameters next = refine_parameters(parameters, tails, estimate.error);
+  const Effort next = increase({resolutions, gmres_tolerance}, tails, estimate.error);
   const bool too_many = !limit_error(scene_, next.resolutions, loaded.gaps).empty();
   return {estimate, too_many ? resolutions : next.resolutions, next.gmres_tolerance};
 }
@@ -281,7 +265,8 @@ Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolution
                                         const DensityGuess& guess) const {
   const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
   const Resolutions resolutions = at_least(earlier, first_resolutions(instant.configuration, gaps));
-  Solution solution = solve_once(instant, gaps, {resolutions, plan_.gmres_tolerance, guess});
+  Solution solution =
+      solve_system(prepare(instant, gaps, resolutions), plan_.gmres_tolerance, guess);
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;
@@ -312,8 +297,7 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
   finer.system = assemble(problem, configuration, solution.gaps, finer.discretisation);
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
-  const ComplexVector guess = guess_from(solution)(finer.discretisation);
-  return solve_system(std::move(finer), least_gmres_tolerance(), guess);
+  return solve_system(std::move(finer), least_gmres_tolerance(), guess_from(solution));
 }
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,

@@ -62,7 +62,7 @@ class SuspensionSolver {
   ///                convergence, and numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner per
   ///                iteration of GMRES, and estimate_error(); again for each finer resolution
-  Solution solve(const Instant& instant, const DensityGuess& guess = {},
+  Solution solve(const Instant& instant, DensityGuess guess = {},
                  const Resolutions& least = {}) const;
 
   /// Estimates the error of a solution whose density and loads include contact forces.
@@ -168,11 +168,10 @@ class SuspensionSolver {
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
   /// @cond
-  struct SolveParameters {
+  struct Effort {
     Resolutions resolutions;
     double gmres_tolerance;
-    DensityGuess guess;
-    int increases_without_tail = 0;  // how often nodes were added although no tail was large
+    bool operator==(const Effort&) const = default;
   };
   /// @endcond
   std::vector<Gap> find_open_gaps(const Configuration& configuration) const;
@@ -182,14 +181,10 @@ class SuspensionSolver {
                                                const Discretisation& discretisation) const;
   Solution prepare(const Instant& instant, const std::vector<Gap>& gaps,
                    const Resolutions& resolutions) const;
-  Solution solve_system(Solution prepared, double gmres_tolerance,
-                        const ComplexVector& guess) const;
-  Solution solve_once(const Instant& instant, const std::vector<Gap>& gaps,
-                      const SolveParameters& parameters) const;
+  Solution solve_system(Solution prepared, double gmres_tolerance, const DensityGuess& guess) const;
   ErrorEstimate estimate_on_finer_nodes(const LinearSystem& discrete,
                                         const Solution& solution) const;
-  SolveParameters refine_parameters(const SolveParameters& parameters,
-                                    const std::vector<TailEstimate>& tails, double error) const;
+  Effort increase(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   Resolutions finer_than(const Solution& solution) const;
   double least_gmres_tolerance() const;
 
