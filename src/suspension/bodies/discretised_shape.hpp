@@ -41,14 +41,15 @@ struct DiscretisedShape {
   std::vector<GradedParameter> parameters;                 ///< parameters of the nodes
   Curve curve;                                             ///< nodes
   std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
-  double shape_residual = 0.0;                             ///< from shape_residual(); of graded
-                                                           ///< nodes: rigid_motion_residual()
-  double gyration_radius = 0.0;                 ///< of the curve about its centroid, length
-  std::shared_ptr<const CauchyCurve> cauchy{};  ///< null unless near corrections are planned
-  std::shared_ptr<const InterpolationCurve>
-      interpolation{};  ///< null unless the scene selects the interpolation scheme
-  std::shared_future<std::shared_ptr<const Eigen::MatrixXd>>
-      inverse_block{};  ///< of the component's own block; computed at the first access, O(N^3)
+  /// From shape_residual(); for graded nodes from rigid_motion_residual().
+  double shape_residual = 0.0;
+  double gyration_radius = 0.0;  ///< of the curve about its centroid, length
+  /// Null unless near corrections are planned.
+  std::shared_ptr<const CauchyCurve> cauchy{};
+  /// Null unless the scene selects the interpolation scheme.
+  std::shared_ptr<const InterpolationCurve> interpolation{};
+  /// Inverse of the component's own block, computed at the first access, O(N^3).
+  std::shared_future<std::shared_ptr<const Eigen::MatrixXd>> inverse_block{};
 };
 
 /// The data that a discretised shape holds in addition to its nodes.
@@ -60,26 +61,23 @@ struct DiscretisationNeeds {
 
 /// Measures how well the equidistant nodes of a curve, by sample(), resolve its shape.
 ///
-/// @return    the larger of rigid_motion_residual() and of the distance, halfway between nodes,
-///            of the shape from the trigonometric interpolant of the nodes; the distance is
-///            divided by the largest distance of the shape from its origin
-/// @par Cost  O(N^2)
+/// @return  the larger of rigid_motion_residual() and of the distance, halfway between nodes, of
+///          the shape from the trigonometric interpolant of the nodes; the distance is divided by
+///          the largest distance of the shape from its origin
 double shape_residual(const Shape& shape, const Curve& curve);
 
 /// Estimates the relative error that the nodes of a component cause in the softest mode of its own
 /// block B: \f$ \delta\,\|B^{-1}\| \f$ with the shape residual \f$ \delta \f$ (chapter 12, section
 /// "How fine").
 ///
-/// Slender bodies have densities that cause almost no flow. The block has eigenvalues near zero:
-/// the least one is about 1/300 for an ellipse 10:1, and 1e-5 for an ellipse 65:1. If the errors of
-/// the block are as large as such an eigenvalue, the solution may contain the mode with any
-/// amplitude, and the motions of neighbours that excite the mode are wrong, too. An error estimate
-/// on a few more nodes does not detect this error, because these nodes do not resolve the mode
-/// either.
-/// @return    the shape residual times the maximum norm of the inverse block; the residual alone if
-///            it is below 1e-9, or if the block is singular. Above a tenth, a solution may be wrong
-///            even if its tails and residuals are small
-/// @par Cost  that of inverse_block; none for a residual below 1e-9, which suffices for every shape
+/// Slender bodies have densities that cause almost no flow: the block has eigenvalues near zero. If
+/// the errors of the block are as large as such an eigenvalue, the solution may contain the mode
+/// with any amplitude, and the motions of neighbours that excite the mode are wrong, too. An error
+/// estimate on a few more nodes does not detect this error, because these nodes do not resolve the
+/// mode either.
+/// @return  the estimate, in the maximum norm; the residual alone if it is below 1e-9, which
+///          suffices for every shape, or if the block is singular. Above a tenth, a solution may be
+///          wrong even if its tails and residuals are small
 double softest_mode_error(const DiscretisedShape& discretised);
 
 /// The discretised shape of each component: bodies, then walls, in the scene's order.
@@ -98,15 +96,14 @@ SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 /// nodes belong to one configuration and are not kept. Several threads may use the cache at once.
 class DiscretisationCache {
  public:
-  /// Creates an empty cache, which keeps `most` shapes with the data `needs`.
+  /// Creates a cache for `most` shapes with the data `needs`.
   DiscretisationCache(const DiscretisationNeeds& needs, std::size_t most)
       : needs_(needs), most_(most) {}
 
   /// Returns the object that all components of a shape, resolution and kind share; builds it if it
   /// is not kept.
   ///
-  /// @throws std::invalid_argument when the number N of nodes is odd or less than 4
-  /// @par Cost  O(N^2 log N) for a new one, O(N^2) without near corrections
+  /// @throws std::invalid_argument when the number of nodes is odd or less than 4
   std::shared_ptr<const DiscretisedShape> get(const Shape& shape, const Resolution& resolution,
                                               ComponentKind kind);
 

@@ -21,7 +21,7 @@ struct Gap {
 ///
 /// @param  tolerance  of velocities, > 0; sets the reach
 /// @return            in ascending order of the gap; empty for a single component
-/// @par Cost          a search in a RectangleIndex per component, N_a N_b distances per close pair
+/// @par Cost          N_a N_b distances per close pair
 std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
 

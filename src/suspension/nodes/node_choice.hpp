@@ -17,9 +17,7 @@ inline constexpr int most_nodes_for_shape = 4096;
 /// Recommends a number of nodes that resolve a shape and its own double layer to a tolerance.
 ///
 /// @param  tolerance  of shape_residual()
-/// @param  at_least   number with which the search starts
 /// @return            multiple of 16, >= at_least, or 0 if most_nodes_for_shape do not suffice
-/// @par Cost          shape_residual() for each number that is tested, 16 or a quarter apart
 int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_least);
 
 /// Recommends a number of nodes for which softest_mode_error() is at most a tenth.
@@ -27,18 +25,17 @@ int nodes_for_shape(const Shape& shape, Side side, double tolerance, int at_leas
 /// @param  n_nodes  number with which the search starts, <= most_nodes_of_a_component
 /// @return          n_nodes if it suffices, otherwise a multiple of 4; the last number tested if no
 ///                  number up to most_nodes_of_a_component suffices
-/// @par Cost        softest_mode_error() for two or three numbers, O(N^3)
+/// @par Cost        softest_mode_error() for two or three numbers
 int nodes_for_softest_mode(DiscretisationCache& cache, const Shape& shape, ComponentKind kind,
                            int n_nodes);
 
-/// Explains that no number of nodes resolves a shape, and what to change.
-/// @return a sentence without its subject
+/// Explains that no number of nodes resolves a shape, and what to change, in a clause that follows
+/// the name of the component.
 std::string unresolved_shape(const Shape& shape, double tolerance);
 
 /// Returns the given number of nodes of a component, or a number that resolves its shape if nodes
 /// are automatic.
 ///
-/// @param  name  of the component, for messages
 /// @throws SolverError when most_nodes_for_shape do not suffice
 int own_nodes(const Shape& shape, int n_nodes, Side side, double tolerance,
               const std::string& name);
@@ -46,8 +43,8 @@ int own_nodes(const Shape& shape, int n_nodes, Side side, double tolerance,
 /// The rates, per mode number, at which a density's Fourier modes decay on the two curves of a gap;
 /// infinite if the gap requires no nodes.
 struct DensityDecay {
-  double a,  ///< rate on the one curve, > 0
-      b;     ///< rate on the other curve, > 0
+  double a,  ///< on the one curve, > 0
+      b;     ///< on the other curve, > 0
 };
 
 /// Estimates how fast the density's Fourier modes decay on the two curves of a gap,
@@ -101,13 +98,11 @@ struct GapRequirement {
 /// The number of graded nodes is \f$ \ln(10^5/\varepsilon)/r \f$, where r is the least
 /// graded_depth() of all gaps, and of a shape that requires `shape_nodes` nodes because of
 /// singularities all around the curve. The strength is the one that requires the fewest nodes.
-/// @param  gaps         of the component, in any order
 /// @param  shape_nodes  number of nodes that the shape requires without gaps, > 0
 /// @param  tolerance    of velocities relative to their scale, > 0
 /// @throws std::invalid_argument when shape_nodes, the tolerance or a depth is not positive
 /// @par Accuracy        circles meet the tolerance at gaps down to 1e-5: @ref claim_03_38,
 /// @ref claim_03_39, @ref claim_03_40
-/// @par Cost            an evaluation of graded_depths() per gap, and 64 more
 /// @par Not for         tolerances below the effect of rounding, about 1e-16 gap^(-3/2)
 Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nodes,
                           double tolerance);
@@ -121,10 +116,8 @@ int rounded_nodes(double nodes);
 
 /// Recommends nodes for every component, so that shapes and gaps meet a tolerance.
 ///
-/// @param  gaps  of the configuration, from find_gaps()
-/// @return       multiples of 16, one per component; 0 if no number up to 4096 resolves the shape,
-///               and no gap requires nodes
-/// @par Cost     that of nodes_for_shape() per distinct shape
+/// @return  multiples of 16, one per component; 0 if most_nodes_for_shape do not suffice, and no gap
+///          requires nodes
 std::vector<int> recommended_nodes(const Discretisation& discretisation, double tolerance,
                                    const Configuration& configuration,
                                    const std::vector<Gap>& gaps);
@@ -133,7 +126,7 @@ std::vector<int> recommended_nodes(const Discretisation& discretisation, double 
 /// ones from shapes and gaps, graded where a narrow gap requires it.
 ///
 /// @param  discretisation  of each component alone
-/// @param  gaps            of the configuration, from find_gaps()
+/// @param  gaps            from find_gaps()
 Resolutions first_resolutions(const Scene& scene, const Discretisation& discretisation,
                               const Configuration& configuration, const std::vector<Gap>& gaps);
 

@@ -91,17 +91,6 @@ struct Region {
   double area = 0.0;
 };
 
-// Returns the region inside the enclosing wall, and its area without the areas of inner walls.
-Region fluid_region(const std::vector<Obstacle>& walls) {
-  Region region;
-  for (const Obstacle& wall : walls) {
-    const Curve& curve = wall.curve.nodes;
-    region.area += curve.sign() * area(curve);
-    if (curve.side == Side::fluid_inside) region.box = bounding_rectangle(curve.x);
-  }
-  return region;
-}
-
 Region region_of(const Fill& fill, const Region& fluid) {
   if (!fill.box) return fluid;
   const auto [left, bottom, right, top] = *fill.box;
@@ -170,17 +159,19 @@ Scene place_fills(const SceneFile& file) {
     const int nodes = own_nodes(shape, n_nodes, side_of(kind), filled.solver.tolerance, name);
     return cache.get(shape, {nodes}, kind);
   };
-  std::vector<Obstacle> walls;
   Obstacles obstacles;
+  Region fluid;  // inside the enclosing wall, without the areas of inner walls
   for (std::size_t k = 0; k < count_components(file.scene).all(); ++k) {
     const ComponentView component = component_of(file.scene, k);
     const auto discretised =
         discretise(component.shape, component.n_nodes, component.kind, component.name());
     const Obstacle obstacle = make_obstacle(*discretised, component.start);
-    if (component.wall != nullptr) walls.push_back(obstacle);
     obstacles.add(obstacle);
+    if (component.wall == nullptr) continue;
+    const Curve& wall = obstacle.curve.nodes;
+    fluid.area += wall.sign() * area(wall);
+    if (wall.side == Side::fluid_inside) fluid.box = bounding_rectangle(wall.x);
   }
-  const Region fluid = fluid_region(walls);
   std::mt19937_64 random(filled.seed);
   for (const Fill& fill : file.fills) {
     const auto discretised =

@@ -21,8 +21,7 @@ class DensityHistory {
   /// less.
   explicit DensityHistory(std::size_t most) : most_(most) {}
 
-  /// Returns whether the history is empty.
-  bool empty() const { return entries_.empty(); }
+  bool empty() const { return entries_.empty(); }  ///< returns whether no density is kept
 
   /// Returns the resolutions of the latest density; none if the history is empty.
   Resolutions latest_resolutions() const {
@@ -40,12 +39,10 @@ class DensityHistory {
   /// retrace their paths, and the density at t + s is minus the density at t - s.
   void reverse(double t);
 
-  /// Guesses the density at a time.
+  /// Guesses the density at a time on nodes that may differ from those of earlier solutions.
   ///
-  /// @param  discretisation  of each component; nodes may differ from those of earlier solutions
-  /// @return                 guess at all n nodes, length / time; no rows if the history is empty
-  /// @par Cost               O(n) if the nodes are the same, O(N^2) for each component whose nodes
-  ///                         crowd elsewhere
+  /// @return    guess at all n nodes, length / time; no rows if the history is empty
+  /// @par Cost  O(n) if the nodes are the same, O(N^2) for each component whose nodes crowd elsewhere
   Eigen::MatrixXcd guess(double t, const Configuration& configuration,
                          const Discretisation& discretisation) const;
 

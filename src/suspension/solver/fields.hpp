@@ -15,7 +15,7 @@ namespace stokesbook {
 ///
 /// The longer side of the box has `resolution` points, the first and the last of them at its ends.
 /// Cells are square. The shorter side has the number of cells that fits best, at least one. The
-/// grid is centred in the box, so that the grid ends within half a cell of the box's corners.
+/// grid is centred in the box.
 FieldGrid field_grid(const FieldSettings& settings);
 
 /// Finds the points that lie in the fluid, outside all bodies and inner walls, and inside the
@@ -33,23 +33,20 @@ std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
 ///
 /// In an unbounded fluid the pressure is zero far away. In an enclosed fluid the pressure is known
 /// up to a constant only, and its mean over the outer wall is set to zero.
-/// @param  solver  of a scene with output.fields
-/// @return         the field; its values outside the fluid are not numbers
 /// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
 /// @ref claim_06_8
-/// @par Cost      that of in_fluid(), and m n kernel evaluations for m points in the fluid and n
-/// nodes: once for the velocity, once for all others
+/// @par Cost      that of in_fluid(); two sums, one for the velocity and one for all others
 Field evaluate_field(const SuspensionSolver& solver, const Solution& solution);
 
 /// Errors by quantity. The keys are "velocity" and the names in field_scalars.
 using FieldErrors = std::map<std::string, double, std::less<>>;
 
 /// Compares two fields with the same quantities on one grid.
-/// @return largest difference of each quantity at a point, over the largest value of q
+/// @return largest difference of each quantity at a point, over the largest value in q
 FieldErrors field_differences(const Field& p, const Field& q);
 
-/// A field, with its estimated errors.
+/// A field with its estimated errors.
 struct EstimatedField {
   Field field;         ///< as evaluate_field() returns it
   FieldErrors errors;  ///< estimates, relative to the largest value of each quantity
@@ -64,7 +61,6 @@ struct EstimatedField {
 /// smaller residual, see SuspensionSolver::solve_refined(). If nodes are automatic, their number is
 /// increased, at most six times, until all estimates meet the tolerance; the field is then that of
 /// the solution with the most nodes.
-/// @param  solver    of a scene with output.fields
 /// @param  solution  with or without contact forces
 /// @return           the field and its errors; infinite errors if they cannot be estimated
 /// @throws std::invalid_argument when the scene requests no fields

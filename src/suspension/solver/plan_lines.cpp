@@ -3,12 +3,14 @@
 #include "suspension/solver/plan_lines.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "scene/scene.hpp"
 #include "scene/words.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/solver/fields.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -102,13 +104,12 @@ PlanLine gmres_line(const Plan& plan, const SolverSettings& solver) {
 
 PlanLine fields_line(const FieldSettings& fields) {
   const FieldGrid grid = field_grid(fields);
-  std::string quantities;
+  std::vector<std::string_view> names;
   for (const FieldQuantity quantity : fields.quantities) {
-    if (!quantities.empty()) quantities += ", ";
-    quantities += scene_text::name_of(quantity, scene_text::field_quantities);
+    names.push_back(scene_text::name_of(quantity, scene_text::field_quantities));
   }
   return {"fields", std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " points",
-          quantities + " at every written time"};
+          joined(names) + " at every written time"};
 }
 
 PlanLine contact_line(const Scene& scene) {

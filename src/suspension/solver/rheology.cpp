@@ -11,7 +11,6 @@
 #include "stress/dissipation.hpp"
 #include "stress/stresslet.hpp"
 #include "suspension/bodies/background_flow.hpp"
-#include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
 
@@ -94,7 +93,7 @@ Rheometer::Rheometer(const SuspensionSolver& solver) : solver_(solver) {
 
 double Rheometer::order_parameter(const Configuration& configuration) const {
   const Scene& scene = solver_.scene();
-  if (!empty_torque_ && (count_components(scene).outer > 0 || !is_sheared(scene.flow))) {
+  if (!empty_torque_ && (is_enclosed(scene) || !is_sheared(scene.flow))) {
     return Rheology::undefined;
   }
   double sum = 0.0, count = 0.0;

@@ -13,7 +13,7 @@ namespace stokesbook {
 ///
 /// @return        angle, radians; none if \f$ |\int z^2\,dA| \le 10^{-6}\int|z|^2\,dA \f$, as for
 ///                circles, and for stars of three arms or more
-/// @par Accuracy  that of the trapezoid rule: geometric in N for analytic curves, @ref claim_01_9
+/// @par Accuracy  geometric in N for analytic curves, @ref claim_01_9
 std::optional<double> long_axis(const Curve& curve);
 
 /// Measures the rheology of a scene's solutions.
@@ -36,10 +36,10 @@ std::optional<double> long_axis(const Curve& curve);
 /// @sa source: Batchelor, J. Fluid Mech. 41 (1970), 545
 class Rheometer {
  public:
-  /// Prepares the measurements for the scene of a solver, which must outlive the rheometer.
+  /// Prepares the measurements for the scene of a solver, which must outlive the rheometer; solves
+  /// a Couette cell without its bodies.
   ///
   /// @throws SolverError when a Couette cell cannot be solved without its bodies
-  /// @par Cost  in a Couette cell, one solve without bodies
   explicit Rheometer(const SuspensionSolver& solver);
 
   /// Measures all quantities that the scene defines.

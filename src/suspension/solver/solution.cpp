@@ -2,7 +2,6 @@
 // solves it (chapters 03 and 12).
 #include "suspension/solver/solution.hpp"
 
-#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -52,8 +51,8 @@ RigidMotion scaled(double amplitude, const RigidMotion& motion) {
 }  // namespace
 
 Complex frame_velocity(const Scene& scene, double amplitude) {
-  const auto outer = std::ranges::find(scene.walls, WallRole::outer, &Wall::role);
-  if (outer == scene.walls.end()) return 0.0;
+  const Wall* outer = only_wall(scene, WallRole::outer);
+  if (outer == nullptr) return 0.0;
   const auto* translating = std::get_if<TranslatingWall>(&outer->motion);
   return translating == nullptr ? 0.0 : amplitude * translating->velocity;
 }

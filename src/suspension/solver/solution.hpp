@@ -63,8 +63,7 @@ StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
                              const Discretisation& discretisation);
 
 /// Completes a solution that has an instant, a discretisation and a system by the solution `gmres`
-/// of this system: motions of free bodies and loads of all other components, by the functionals of
-/// chapter 03.
+/// of this system, and by the motions and loads that follow from it (chapter 03).
 Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres);
 
 }  // namespace stokesbook

@@ -27,10 +27,8 @@ struct LoadedCheck {
 
 /// Solves a scene for any configuration of its components.
 ///
-/// A configuration passes through gaps, resolution, problem, linear system, GMRES, completion and
-/// error estimate; if the estimate exceeds the tolerance, the solve starts again with a finer
-/// resolution. Discretised shapes are shared between solves. Everything else is computed anew and
-/// depends on the configuration alone.
+/// Discretised shapes are shared between solves. Everything else is computed anew and depends on
+/// the configuration alone.
 /// @par Accuracy  scene.solver.tolerance by estimate_error(), @ref claim_12_3, or a SolverError
 class SuspensionSolver {
  public:
@@ -39,7 +37,6 @@ class SuspensionSolver {
   /// @throws std::invalid_argument when a number of nodes is odd or < 4
   /// @throws SolverError when shapes with automatic nodes require more nodes than "auto" allows,
   ///                and by separation_error()
-  /// @par Cost      that of DiscretisationCache::get() per distinct shape, node number and kind
   explicit SuspensionSolver(const Scene& scene);
 
   /// Returns the instant at which the scene starts, with the amplitude 1.
@@ -53,13 +50,11 @@ class SuspensionSolver {
   /// Components with automatic nodes get the nodes that shapes and gaps require, and more while the
   /// estimate exceeds the tolerance. If the nodes suffice, the GMRES tolerance is tightened
   /// instead.
-  /// @param  guess  density with which GMRES begins
   /// @param  least  lower bounds for automatic node numbers; empty: none
   /// @throws ConfigurationError when components overlap, when shapes or gaps are not resolved, and
   ///                when no allowed number of nodes meets the tolerance
-  /// @throws SolverError on net flux, net force without gauge, a gauge length not
-  ///                large against held components, a preconditioner that is singular, no
-  ///                convergence, and numbers that are not finite
+  /// @throws SolverError by data_error(), and on a singular preconditioner, no convergence, and
+  ///                numbers that are not finite
   /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner per
   ///                iteration of GMRES, and estimate_error(); again for each finer resolution
   Solution solve(const Instant& instant, DensityGuess guess = {},
@@ -71,16 +66,13 @@ class SuspensionSolver {
   /// @return                  the estimate, and resolutions and GMRES tolerance of the next solve if
   ///                          the estimate exceeds the tolerance; those of `loaded` if more nodes
   ///                          or a tighter tolerance would not help
-  /// @par Cost  that of discretise() and of estimate_error()
   LoadedCheck check_loaded(const Solution& loaded, double gmres_tolerance) const;
 
   /// Solves a configuration near one that was solved before, without an error estimate: for the
   /// stages of a time step, and for steps between estimates.
   ///
   /// @param  earlier  resolution that sufficed before; gaps that have closed require more
-  /// @param  guess    as in solve()
   /// @throws SolverError as solve() does, except for estimates
-  /// @par Cost      that of solve() without estimate_error()
   Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
                         const DensityGuess& guess = {}) const;
 
@@ -92,8 +84,6 @@ class SuspensionSolver {
   /// that of the earlier density.
   /// @param  guess    the earlier density, not empty
   /// @throws SolverError as solve() does, except for estimates and convergence
-  /// @par Cost      find_gaps(), one application of SuspensionOperator and preconditioner, and
-  ///                estimate_error()
   /// @par Not for   a plan without block_diagonal
   Solution solve_lagged(const Instant& instant, const DensityGuess& guess) const;
 
@@ -103,12 +93,11 @@ class SuspensionSolver {
   /// A quantity without an error estimate of its own, such as a traction, can be computed from both
   /// solutions: twice the difference estimates the error of the given solution.
   /// @throws SolverError when GMRES does not converge, or there are too many nodes
-  /// @par Cost  that of a solve with a good guess
   Solution solve_refined(const Solution& solution) const;
 
   /// Evaluates the fluid's velocity in a solution at m points in the fluid or on its boundary.
   ///
-  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Cost      that of planned_sum()
   /// @par Not for   points inside bodies; points near the boundary if solver.near_singular is off
   ComplexVector velocity(const Solution& solution, const ComplexVector& points) const;
 
@@ -120,7 +109,7 @@ class SuspensionSolver {
   /// the background, at m points in the fluid or at nodes of its boundary.
   ///
   /// The pressure is zero at infinity; in an enclosed fluid it is known up to a constant only.
-  /// @par Cost      m n kernel evaluations for n nodes in all
+  /// @par Cost      that of planned_sum()
   /// @par Not for   points inside bodies
   std::vector<FlowDerivatives> derivatives(const Solution& solution,
                                            const ComplexVector& points) const;
@@ -136,23 +125,20 @@ class SuspensionSolver {
   /// Finds the gaps of a configuration that may require nodes, including overlaps, by find_gaps().
   std::vector<Gap> gaps(const Configuration& configuration) const;
 
-  /// Recommends nodes for every component, see stokesbook::recommended_nodes().
+  /// Recommends nodes for every component by stokesbook::recommended_nodes().
   std::vector<int> recommended_nodes(const Configuration& configuration,
                                      const std::vector<Gap>& gaps) const {
     return stokesbook::recommended_nodes(discretisation_, scene_.solver.tolerance, configuration,
                                          gaps);
   }
 
-  /// Chooses the resolution with which solve() begins, see stokesbook::first_resolutions().
+  /// Chooses the resolution with which solve() begins, by stokesbook::first_resolutions().
   Resolutions first_resolutions(const Configuration& configuration,
                                 const std::vector<Gap>& gaps) const {
     return stokesbook::first_resolutions(scene_, discretisation_, configuration, gaps);
   }
 
-  /// Discretises the shape of each component, or returns what an earlier call built.
-  ///
-  /// @throws std::invalid_argument when a number of nodes is odd or < 4
-  /// @par Cost      that of DiscretisationCache::get() per component
+  /// Discretises the shape of each component by DiscretisationCache::get().
   Discretisation discretise(const Resolutions& resolutions) const;
 
   /// Returns the scene that was planned.

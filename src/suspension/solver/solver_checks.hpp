@@ -11,6 +11,10 @@
 namespace stokesbook {
 
 /// Throws an error of the given type unless its message is empty.
+///
+/// The functions in solver_checks.hpp whose names end in _error return such messages, which name
+/// components and values and recommend a change. Messages are empty if nothing is wrong. Gaps must
+/// be in ascending order: the first gap of a component leads to its nearest neighbour.
 template <class Error = SolverError>
 void throw_if(const std::string& message) {
   if (!message.empty()) throw Error(message);
@@ -21,7 +25,6 @@ void throw_if(const std::string& message) {
 /// positions are no longer small against the tolerance of gaps.
 ///
 /// @param  separation  least gap that contact maintains, length; 0: no contact
-/// @return             a message naming lengths and limit; empty if the separation is allowed
 std::string separation_error(double separation, const Configuration& start,
                              const Discretisation& discretisation);
 
@@ -34,31 +37,20 @@ constexpr double memory_of_discretised_shape(int n_nodes) {
   return 3.0 * 8.0 * (2.0 * n_nodes) * (2.0 * n_nodes);
 }
 
-/// Explains that the matrices of all shapes take more memory than is available.
-///
-/// @param  available  bytes
-/// @return            a message with numbers of nodes and bytes; empty if the memory suffices
+/// Explains that the matrices of all shapes take more memory than is available, in bytes.
 std::string memory_error(const Scene& scene, const Resolutions& resolutions, double available);
 
 /// Explains that automatic nodes exceed their limits, most_nodes_of_a_component or about a million
 /// in all, or that the matrices exceed the available memory.
-///
-/// @param  gaps  in ascending order, for the name of the nearest neighbour
-/// @return       a message naming numbers and limits; empty within the limits
 std::string limit_error(const Scene& scene, const Resolutions& resolutions,
                         const std::vector<Gap>& gaps);
 
 /// Explains which components overlap, or touch to rounding.
-///
-/// @param  gaps  in ascending order
-/// @return       a message naming components and place; empty if all are apart
 std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
                           const Configuration& configuration);
 
 /// Explains which shape or gap is resolved so badly that a solution could not meet the tolerance.
 /// The check requires no solve.
-///
-/// @return  a message naming components, values and what to change; empty if a solve may succeed
 std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
                            const Configuration& configuration,
                            const Discretisation& discretisation);
@@ -66,8 +58,6 @@ std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
 /// Explains why the data have no solution, or no reliable solution: a net flux out of an enclosed
 /// fluid; a net force in an unbounded fluid; a gauge length that is not large against bodies; or a
 /// uniform flow that has no effect.
-///
-/// @return  a message naming values and what to change; empty if the data are valid
 std::string data_error(const Scene& scene, const StokesProblem& problem);
 
 /// Explains that a solution does not meet the tolerance, and which change would help: more nodes on
@@ -76,8 +66,6 @@ std::string data_error(const Scene& scene, const StokesProblem& problem);
 ///
 /// @param  least  resolutions that the softest mode of each component requires
 /// @param  error  error estimate of the solution, above the tolerance
-/// @param  gaps   in ascending order, for the name of the nearest neighbour
-/// @return        a message with the estimate and a number of nodes that should suffice
 std::string accuracy_error(const Scene& scene, const Resolutions& resolutions,
                            const Resolutions& least, const std::vector<TailEstimate>& tails,
                            double error, const std::vector<Gap>& gaps);

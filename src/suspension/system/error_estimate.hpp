@@ -34,12 +34,6 @@ struct ErrorEstimate {
 /// this correction; if there are neither motions nor loads, the estimate is twice the largest
 /// change of the density over the scale. The estimate includes the error of the GMRES iteration,
 /// which contributes to the residual.
-///
-/// The residual r is as large as the tail of the density, but the error of the motions is quadratic
-/// in the tail. The residual \f$ r_0 \f$ that the iteration left may cause large errors of the
-/// motions if the system is ill-conditioned. The correction is therefore solved to a residual of
-/// the lesser of \f$ 100\,|r|^2/|b| \f$ and \f$ 0.1\,|r_0| \f$, but not below
-/// \f$ 10^{-8}|r| \f$ nor above \f$ 0.03\,|r| \f$.
 /// @param  coarse  the system that was solved; its preconditioner is also used for the fine one
 /// @param  fine    the same problem with about a quarter more nodes, equidistant in the same
 ///                 parameter of each component; no preconditioner is required
@@ -68,11 +62,11 @@ struct TailEstimate {
 /// On 56 random scenes of two and three bodies, the estimate was 0.5 to 4000 times the error, and
 /// at most 20 times the error in half of the scenes.
 /// @param  density  at the component's N nodes, N even and >= 8, without its rigid part
-/// @return          estimated error and rate of decay; 0 and infinite for a density of zeros
+/// @return          error 0 and infinite decay for a density of zeros
 TailEstimate tail_estimate(const ComplexVector& density, double scale);
 
-/// Estimates the error of the density on each component by tail_estimate(), at least by the
-/// residual of its shape: the tail does not show the aliasing error of the kernel.
+/// Estimates the error on each component by tail_estimate(), but at least by the shape residual,
+/// since the tail does not show the aliasing error of the kernel.
 std::vector<TailEstimate> tail_estimates(const LinearSystem& discrete,
                                          const Discretisation& discretisation,
                                          const ComplexVector& density, double scale);

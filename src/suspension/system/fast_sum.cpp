@@ -82,7 +82,7 @@ std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
 
 FlowSum planned_sum(const Plan& plan) {
   const auto is_fast = [=](const SolvedFlow& flow, const ComplexVector& targets) {
-    return plan.is_fast_at(targets.size(), flow.density().size());
+    return plan.is_fast(flow.density().size(), targets.size());
   };
   const double tolerance = plan.sum_tolerance;
   return {[=](const SolvedFlow& flow, const ComplexVector& targets) {

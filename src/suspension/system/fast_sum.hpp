@@ -12,8 +12,7 @@ namespace stokesbook {
 /// Evaluates the double layer and the singularities of a problem with n nodes by the fast multipole
 /// method.
 ///
-/// All applications of one object share scratch memory, so that they must not run in two threads at
-/// a time.
+/// The applications of one object share scratch memory: they must not run in two threads at a time.
 /// @par Accuracy  the tolerance, relative in the 2-norm of velocities, @ref claim_08_15
 class FastSum {
  public:
@@ -25,17 +24,13 @@ class FastSum {
   /// @par Cost  O(n log n + m log m)
   FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance);
 
-  /// Evaluates the velocity of the layer and the singularities at the targets.
-  ///
-  /// @param  density  of the layer at all n nodes, length / time
-  /// @param  loads    of every component
-  /// @par Cost        O(n + m)
+  /// Evaluates the velocity that a density at all n nodes, length / time, and loads of all
+  /// components cause at the targets, by O(n + m) operations.
   ComplexVector velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
 
-  /// Evaluates pressure, vorticity and strain of the layer and the singularities, 1 / time.
+  /// Evaluates pressure, vorticity and strain of the same flow, 1 / time.
   ///
   /// @par Accuracy  a hundred times the tolerance, @ref claim_08_18
-  /// @par Cost      O(n + m)
   std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
                                            const std::vector<Load>& loads) const;
 

@@ -15,13 +15,11 @@
 namespace stokesbook {
 
 /// Places the Cauchy scheme of each component, as derivatives of the velocity require it.
-/// @par Cost  that of a CauchyCurve for each component that is prepared without one
 std::vector<PlacedCurve> placed_cauchy_schemes(const Configuration& configuration,
                                                const Discretisation& discretisation);
 
 /// Places the near-singular scheme of each component: the interpolation scheme if the scene selects
 /// it, otherwise the Cauchy scheme.
-/// @par Cost  as that of placed_cauchy_schemes()
 std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
                                         const Discretisation& discretisation);
 
@@ -33,10 +31,9 @@ class SuspensionOperator {
  public:
   /// Plans sum, near correction and closure of one configuration.
   ///
-  /// @param  problem  the boundary value problem, n nodes in all
-  /// @param  placed   placed curves of the components for near corrections; empty: none
-  /// @param  plan     method and tolerance of the sums, and tolerance of the near corrections
-  /// @throws std::invalid_argument when Closure refuses the problem
+  /// @param  problem  n nodes in all
+  /// @param  placed   curves of the components for near corrections; empty: none
+  /// @throws std::invalid_argument when Closure rejects the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                      const Plan& plan);
 
@@ -75,11 +72,11 @@ struct LinearSystem {
                                 ///< errors of its near corrections
 };
 
-/// Solves a system with n nodes by GMRES.
+/// Solves a system for the density by GMRES.
 ///
 /// @param  rhs    velocities at all n nodes, length / time
-/// @param  guess  density with which GMRES begins, at all n nodes; empty: zero
-/// @return        solution and history, interleaved
+/// @param  guess  density with which GMRES begins; empty: zero
+/// @return        solution, interleaved, and history
 /// @throws SolverError when gmres() breaks down, or meets numbers that are not finite
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
@@ -89,11 +86,9 @@ LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& prob
                                      const Configuration& configuration,
                                      const Discretisation& discretisation);
 
-/// Builds the linear system of a problem with the preconditioner that plan and gaps require.
+/// Builds the linear system of a problem with the preconditioner that chosen_preconditioner()
+/// selects. Error messages name the components of the scene.
 ///
-/// @param  scene       scene whose components are named in messages
-/// @param  gaps        of the configuration, from find_gaps()
-/// @param  separation  least gap that contact maintains, length; 0: no contact
 /// @throws SolverError as make_preconditioner() does
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,

@@ -9,26 +9,14 @@
 
 namespace stokesbook {
 
-namespace {
-
-// Returns whether a fast sum pays for a number of kernel evaluations per node or target.
-bool fast_sum_pays(const Plan& plan, double pairs_a_point) {
-  if (plan.summation != Summation::automatic) return plan.summation == Summation::fmm;
+bool Plan::is_fast(Eigen::Index nodes, std::optional<Eigen::Index> targets) const {
+  if (targets == 0) return false;
+  if (summation != Summation::automatic) return summation == Summation::fmm;
   constexpr double rounding = 1e-14;  // of a fast sum, relative to the sum
-  return plan.sum_tolerance >= rounding &&
-         pairs_a_point >
-             static_cast<double>(break_even(FmmSettings::for_tolerance(plan.sum_tolerance)));
-}
-
-}  // namespace
-
-bool Plan::is_fast(Eigen::Index nodes) const {
-  return fast_sum_pays(*this, static_cast<double>(nodes));
-}
-
-bool Plan::is_fast_at(Eigen::Index targets, Eigen::Index nodes) const {
-  const auto m = static_cast<double>(targets), n = static_cast<double>(nodes);
-  return targets > 0 && fast_sum_pays(*this, m * n / (m + n));
+  if (sum_tolerance < rounding) return false;
+  const auto n = static_cast<double>(nodes), m = static_cast<double>(targets.value_or(0));
+  const double least = static_cast<double>(break_even(FmmSettings::for_tolerance(sum_tolerance)));
+  return (targets ? m * n / (m + n) : n) > least;
 }
 
 Plan make_plan(const Scene& scene) {

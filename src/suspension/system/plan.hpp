@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "scene/scene.hpp"
@@ -19,15 +21,11 @@ struct Plan {
   double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm
   Summation summation = Summation::automatic;  ///< as the scene selects it
 
-  /// Returns whether FastSum evaluates the layer at all n nodes faster than StressletSum: whether n
-  /// is above break_even(), unless the scene selects the sum. The answer is no if rounding errors of
-  /// a fast sum exceed the tolerance.
-  bool is_fast(Eigen::Index nodes) const;
-
-  /// Returns whether FastSum, with its planning, evaluates the flow of n nodes at m targets faster
-  /// than the direct sum: whether m n / (m + n) is above break_even(), unless the scene selects the
-  /// sum. The answer is no without targets.
-  bool is_fast_at(Eigen::Index targets, Eigen::Index nodes) const;
+  /// Returns whether FastSum evaluates the flow of n nodes faster than the direct sum: at the nodes
+  /// themselves if n is above break_even(), and at m targets, where every sum is planned anew, if
+  /// m n / (m + n) is. The scene may select the sum instead. The answer is no if there are no
+  /// targets, or if rounding errors of a fast sum exceed the tolerance.
+  bool is_fast(Eigen::Index nodes, std::optional<Eigen::Index> targets = {}) const;
 };
 
 /// Decides which parts of the solver a scene requires.

@@ -13,25 +13,17 @@
 namespace stokesbook {
 
 /// Returns whether a factorisation of the whole system takes less time than the iterations that it
-/// saves.
+/// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
+/// be required for the force of each pair (chapter 05, section "Bodies that nearly touch").
 ///
-/// The factorisation pays for at most 1000 nodes under one of two conditions: at least a third as
-/// many pairs as there are components have gaps below 0.02 of the smaller radius of gyration; or
-/// there are at most 400 nodes per pair in contact, since a solve may be required for the force of
-/// each pair.
-/// @param  gaps        from find_gaps(), as for the next two functions
+/// @param  gaps        from find_gaps(), here and below
 /// @param  separation  least gap that contact maintains, length; 0: no contact
 bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation,
                  double separation);
 
-/// Returns whether clusters save more time than their set-up takes.
-///
-/// Clusters pay if at least a third as many pairs of inner components as there are components have
-/// gaps below 0.003 of the smaller radius of gyration, or in a crowd (150 components) at least one
-/// pair has a gap below 0.005; and if no inner component has more than 256 nodes. In measurements
-/// on chains, hexagons and random packings of disks, the set-up took longer than all iterations
-/// that it saved at gaps of 0.01, and less at gaps of 0.001. The time of the set-up grows as the
-/// cube of a component's number of nodes.
+/// Returns whether clusters save more time than their set-up takes: with many narrow gaps between
+/// inner components, or a single one in a crowd of 150 components, and few nodes on each component,
+/// since the time of the set-up grows as the cube of this number.
 bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
 /// Chooses the preconditioner of a configuration: none, block_diagonal, clusters or direct.
@@ -46,17 +38,15 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
                                                        const Discretisation& discretisation);
 
-/// Chooses the form of the clusters that takes fewer iterations.
-///
-/// The choice is the resistance form for fewer than 150 components, and for rigid networks, which
-/// have at least as many contacts (gaps below 0.05 mean radii of gyration) as components. In all
-/// other cases the choice is the mobility form: in a crowd there are motions in long waves, which
-/// clusters of held bodies approximate badly.
+/// Chooses the form of the clusters that takes fewer iterations: the mobility form in crowds, where
+/// there are motions in long waves, which clusters of held bodies approximate badly; the resistance
+/// form for fewer than 150 components, and for rigid networks, which have at least as many contacts
+/// as components.
 ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
 
 /// Builds the preconditioner by clusters, with near-corrected layers.
 ///
-/// @param  placed  placed curves of the components for near corrections; empty: none
+/// @param  placed  curves of the components for near corrections; empty: none
 /// @param  form    of the clusters; none: by cluster_form()
 /// @throws std::domain_error as invert_block() and ClusterPreconditioner do
 /// @par Cost       that of ClusterPreconditioner, and of cluster_block() per distinct shape
@@ -68,7 +58,7 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
 
 /// Builds a preconditioner of a given kind for the SuspensionOperator of a problem.
 ///
-/// @param  placed  placed curves of the components for near corrections; empty: none
+/// @param  placed  curves of the components for near corrections; empty: none
 /// @return         approximate inverse, interleaved; empty: none
 /// @throws SolverError when the preconditioner is singular, as the block of a held component is
 ///                whose size is at the degenerate scale of flow.gauge_length
