@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace stokesbook {
 
@@ -23,61 +22,59 @@ std::vector<std::size_t> loaded_components(const StokesProblem& problem) {
   return loaded;
 }
 
-ComplexVector centres(const StokesProblem& problem, const std::vector<std::size_t>& components) {
-  ComplexVector points(static_cast<Index>(components.size()));
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    points[static_cast<Index>(i)] = problem.components[components[i]].centre;
+Fmm make_fmm(const StokesProblem& problem, const std::vector<std::size_t>& loaded,
+             const ComplexVector& targets, double tolerance) {
+  ComplexVector centres(static_cast<Index>(loaded.size()));
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    centres[static_cast<Index>(i)] = problem.components[loaded[i]].centre;
   }
-  return points;
+  const FmmSettings settings = FmmSettings::for_tolerance(tolerance);
+  if (targets.size() == 0) return {curves_of(problem), centres, settings};
+  return {curves_of(problem), centres, targets, settings};
 }
 
 }  // namespace
 
-FastSum::FastSum(const StokesProblem& problem, double tolerance)
-    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
-                           FmmSettings::for_tolerance(tolerance))) {}
-
-FastSum::FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance)
-    : FastSum(problem, Fmm(curves_of(problem), centres(problem, loaded_components(problem)),
-                           targets, FmmSettings::for_tolerance(tolerance))) {}
-
-FastSum::FastSum(const StokesProblem& problem, Fmm fmm)
+FastSum::FastSum(const StokesProblem& problem, double tolerance, const ComplexVector& targets)
     : loaded_(loaded_components(problem)),
       viscosity_(problem.viscosity),
-      fmm_(std::move(fmm)),
+      fmm_(make_fmm(problem, loaded_, targets, tolerance)),
       workspace_(fmm_.workspace()) {
   const std::vector<double> gauges = stokeslet_gauges(problem);
   for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(gauges[k]));
 }
 
-FastSum::Singularities FastSum::singularities(const std::vector<Load>& loads) const {
+std::pair<ComplexVector, Eigen::VectorXd> FastSum::strengths(const std::vector<Load>& loads) const {
   const auto count = static_cast<Index>(loaded_.size());
-  Singularities all{ComplexVector(count), Eigen::VectorXd(count), {}};
-  // Stokeslets of gauge length l add the uniform velocity log(l) F / (4 pi mu).
+  ComplexVector force(count);
+  Eigen::VectorXd torque(count);
   for (Index i = 0; i < count; ++i) {
     const Load& load = loads[loaded_[static_cast<std::size_t>(i)]];
-    all.force[i] = load.force / viscosity_;
-    all.torque[i] = load.torque / viscosity_;
-    all.uniform += log_gauges_[static_cast<std::size_t>(i)] * all.force[i];
+    force[i] = load.force / viscosity_;
+    torque[i] = load.torque / viscosity_;
   }
-  all.uniform *= 0.25 * std::numbers::inv_pi;
   // In the operator of a mobility problem all loads are zero: the vectors stay empty, and the
   // multipole method has no singularities to sum.
-  if (all.force.isZero(0.0) && all.torque.isZero(0.0)) return {};
-  return all;
+  if (force.isZero(0.0) && torque.isZero(0.0)) return {};
+  return {force, torque};
 }
 
 ComplexVector FastSum::velocity(const ComplexVector& density,
                                 const std::vector<Load>& loads) const {
-  const Singularities points = singularities(loads);
-  return fmm_.velocity({density, points.force, points.torque}, workspace_).col(0).array() +
-         points.uniform;
+  const auto [force, torque] = strengths(loads);
+  // Stokeslets of gauge length l add the uniform velocity log(l) F / (4 pi mu).
+  Complex uniform;
+  for (Index i = 0; i < force.size(); ++i) {
+    uniform += log_gauges_[static_cast<std::size_t>(i)] * force[i];
+  }
+  uniform *= 0.25 * std::numbers::inv_pi;
+  return fmm_.velocity({density, force, torque}, workspace_).col(0).array() + uniform;
 }
 
 std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
                                                   const std::vector<Load>& loads) const {
-  const Singularities points = singularities(loads);
-  return fmm_.derivatives({density, points.force, points.torque}, workspace_);
+  const auto [force, torque] = strengths(loads);
+  return fmm_.derivatives({density, force, torque}, workspace_);
 }
 
 FlowSum planned_sum(const Plan& plan) {
@@ -87,12 +84,12 @@ FlowSum planned_sum(const Plan& plan) {
   const double tolerance = plan.sum_tolerance;
   return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
             if (!is_fast(flow, targets)) return direct_sum().velocity(flow, targets);
-            return FastSum(flow.problem(), targets, tolerance)
+            return FastSum(flow.problem(), tolerance, targets)
                 .velocity(flow.density(), flow.completion().loads);
           },
           [=](const SolvedFlow& flow, const ComplexVector& targets) {
             if (!is_fast(flow, targets)) return direct_sum().derivatives(flow, targets);
-            return FastSum(flow.problem(), targets, tolerance)
+            return FastSum(flow.problem(), tolerance, targets)
                 .derivatives(flow.density(), flow.completion().loads);
           }};
 }

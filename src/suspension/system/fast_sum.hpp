@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "closure/closure.hpp"
@@ -16,13 +17,11 @@ namespace stokesbook {
 /// @par Accuracy  the tolerance, relative in the 2-norm of velocities, @ref claim_08_15
 class FastSum {
  public:
-  /// Plans the sum at the nodes themselves.
-  /// @par Cost  O(n log n)
-  FastSum(const StokesProblem& problem, double tolerance);
-
-  /// Plans the sum at m other targets, none of them the centre of a loaded component.
-  /// @par Cost  O(n log n + m log m)
-  FastSum(const StokesProblem& problem, const ComplexVector& targets, double tolerance);
+  /// Plans the sum at m targets, none of them the centre of a loaded component.
+  ///
+  /// @param  targets  empty: the nodes themselves
+  /// @par Cost        O(n log n + m log m)
+  FastSum(const StokesProblem& problem, double tolerance, const ComplexVector& targets = {});
 
   /// Evaluates the velocity that a density at all n nodes, length / time, and loads of all
   /// components cause at the targets, by O(n + m) operations.
@@ -35,17 +34,8 @@ class FastSum {
                                            const std::vector<Load>& loads) const;
 
  private:
-  // The type is hidden, because Doxygen 1.9 links to a list of private nested types that it does
-  // not write.
-  /// @cond
-  struct Singularities {
-    ComplexVector force;     // of each loaded component, over the viscosity; empty if all are zero
-    Eigen::VectorXd torque;  // of the same components, over the viscosity
-    Complex uniform;         // uniform velocity that gauge lengths other than 1 add
-  };
-  /// @endcond
-  FastSum(const StokesProblem& problem, Fmm fmm);
-  Singularities singularities(const std::vector<Load>& loads) const;
+  // Returns forces and torques of the loaded components, over the viscosity.
+  std::pair<ComplexVector, Eigen::VectorXd> strengths(const std::vector<Load>& loads) const;
 
   std::vector<std::size_t> loaded_;  // components that may have singularities
   std::vector<double> log_gauges_;   // logarithms of the gauge lengths of their Stokeslets

@@ -110,19 +110,6 @@ Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, 
   return inverses;
 }
 
-// Returns the inverse of a component's own block, or throws an error that explains why the block is
-// singular.
-std::shared_ptr<const MatrixXd> own_inverse(const Scene& scene, std::size_t component,
-                                            const DiscretisedShape& discretised) {
-  try {
-    return discretised.inverse_block.get();
-  } catch (const std::domain_error& error) {
-    throw SolverError(
-        component_of(scene, component).name() + ": " + error.what() +
-        "; a gauge_length close to the size of a held component is a degenerate scale");
-  }
-}
-
 }  // namespace
 
 bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation,
@@ -252,7 +239,13 @@ LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const S
   }
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    members.push_back({own_inverse(scene, k, *discretisation[k]), configuration[k].orientation});
+    try {
+      members.push_back({discretisation[k]->inverse_block.get(), configuration[k].orientation});
+    } catch (const std::domain_error& error) {
+      throw SolverError(
+          component_of(scene, k).name() + ": " + error.what() +
+          "; a gauge_length close to the size of a held component is a degenerate scale");
+    }
   }
   return BlockDiagonalPreconditioner(std::move(members));
 }
