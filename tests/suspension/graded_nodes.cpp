@@ -112,14 +112,14 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
     const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
     const Resolution more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
     BOOST_TEST(!more.is_graded());
-    BOOST_TEST(more.n_nodes == std::max(64, recommended_nodes(depth, tolerance)));
+    BOOST_TEST(more.n_nodes == std::max(64, nodes_for_decay(depth, tolerance)));
   }
 }
 
 BOOST_AUTO_TEST_CASE(recommended_counts_are_counts_however_narrow_the_gap) {
   for (double tolerance : {1e-2, 1e-6, 1e-12}) {
     for (double decay = 1.0; decay > 1e-300; decay *= 0.1) {
-      const int nodes = recommended_nodes(decay, tolerance);
+      const int nodes = nodes_for_decay(decay, tolerance);
       BOOST_TEST(nodes >= 0);
       BOOST_TEST(nodes <= 1'000'000'000);
       BOOST_TEST(nodes % 16 == 0);

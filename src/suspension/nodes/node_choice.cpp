@@ -55,7 +55,8 @@ void require_positive(double value, const std::string& what) {
 }
 
 // Returns clusters at the gaps that the nodes of the shape do not resolve. The narrowest gaps come
-// first, because the nodes around their clusters are dense enough for wider gaps nearby.
+// first, because the nodes around their clusters are dense enough for wider gaps nearby: those
+// whose distance from the cluster is less than their depth.
 std::vector<Cluster> clusters_for(std::vector<GapRequirement> gaps, double resolved_depth) {
   std::ranges::sort(gaps, {},
                     [](const GapRequirement& gap) { return std::pair(gap.depth, gap.parameter); });
@@ -190,7 +191,7 @@ GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
                           error(gap.b, gap.points.parameter_b, decay.b))};
 }
 
-int recommended_nodes(double decay, double tolerance) {
+int nodes_for_decay(double decay, double tolerance) {
   if (std::isinf(decay)) return 0;
   // Recommended nodes meet the tolerance divided by this margin, because the densities of loaded
   // bodies can be larger than velocities. The error estimate of the solution decides in the end.
@@ -209,7 +210,7 @@ Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nod
   int even = multiple_of_16(shape_nodes);
   for (const GapRequirement& gap : gaps) {
     require_positive(gap.depth, "the depth of a gap");
-    even = std::max(even, recommended_nodes(gap.depth, tolerance));
+    even = std::max(even, nodes_for_decay(gap.depth, tolerance));
   }
   Resolution best{even, {}};
   // Nodes are graded only if equidistant nodes would exceed the nodes of the shape by more than
@@ -253,7 +254,7 @@ std::vector<int> recommended_nodes(const Discretisation& discretisation, double 
     }
     nodes.push_back(entry->second);
     for (const GapRequirement& gap : requirements[k]) {
-      nodes[k] = std::max(nodes[k], recommended_nodes(gap.depth, tolerance));
+      nodes[k] = std::max(nodes[k], nodes_for_decay(gap.depth, tolerance));
     }
   }
   return nodes;

@@ -68,19 +68,15 @@ struct GapResolution {
 };
 
 /// Estimates how well a gap > 0 is resolved, before any solve.
-///
-/// Functionals of the density, such as rigid motions and loads, converge as the square of the tail
-/// of the density.
 GapResolution gap_resolution(const Gap& gap, const Configuration& configuration,
                              const Discretisation& discretisation);
 
 /// Recommends the number of nodes for which the error in gap_resolution() is a tenth of a
 /// tolerance, so that estimate_error() is below the tolerance in most cases.
 ///
-/// @param  decay      alpha, from density_decay()
-/// @param  tolerance  of velocities relative to their scale, > 0
-/// @return            multiple of 16, from 0 (the gap requires no nodes) to 1e9
-int recommended_nodes(double decay, double tolerance);
+/// @param  decay  alpha, from density_decay()
+/// @return        multiple of 16, from 0 (the gap requires no nodes) to 1e9
+int nodes_for_decay(double decay, double tolerance);
 
 /// The requirement of one gap on the nodes of one of its curves.
 struct GapRequirement {
@@ -92,8 +88,7 @@ struct GapRequirement {
 ///
 /// Nodes are equidistant if no gap requires more than one and a half times the nodes that the shape
 /// requires. Otherwise nodes crowd at every gap that the nodes of the shape do not resolve, over a
-/// width equal to the depth of the gap. A cluster suffices for a second, wider gap, too, if the
-/// distance of this gap from the cluster is less than the depth of this gap.
+/// width equal to the depth of the gap, unless a cluster nearby suffices.
 ///
 /// The number of graded nodes is \f$ \ln(10^5/\varepsilon)/r \f$, where r is the least
 /// graded_depth() of all gaps, and of a shape that requires `shape_nodes` nodes because of

@@ -83,7 +83,7 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap,
 std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
   const auto advice = [&](std::size_t component, double decay) {
     return name_of(scene, component) +
-           " n_nodes = " + std::to_string(recommended_nodes(decay, scene.solver.tolerance));
+           " n_nodes = " + std::to_string(nodes_for_decay(decay, scene.solver.tolerance));
   };
   return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
          " apart, too close for their nodes: estimated error " + short_number(resolution.error) +

@@ -131,13 +131,11 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,
                                    const Discretisation& discretisation, double separation) {
-  LinearSystem discrete = unpreconditioned_system(plan, problem, configuration, discretisation);
+  const std::vector<PlacedCurve> placed = near_curves(plan, configuration, discretisation);
   const auto kind = chosen_preconditioner(plan, gaps, discretisation, separation);
-  discrete.precondition =
-      make_preconditioner(kind, plan, scene, problem, configuration, discretisation,
-                          near_curves(plan, configuration, discretisation));
-  discrete.is_factorised = kind == PreconditionerKind::direct;
-  return discrete;
+  return {problem, SuspensionOperator(problem, placed, plan),
+          make_preconditioner(kind, plan, scene, problem, configuration, discretisation, placed),
+          kind == PreconditionerKind::direct};
 }
 
 }  // namespace stokesbook
