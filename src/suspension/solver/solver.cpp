@@ -10,7 +10,6 @@
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/background_flow.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/density_history.hpp"
 #include "suspension/solver/solver_checks.hpp"
 #include "text/number_text.hpp"
@@ -180,7 +179,7 @@ ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& disc
   try {
     return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
   } catch (const SolverError&) {
-    // The correction drowns in rounding: the error is unknown.
+    // Rounding errors exceed the correction: the error is unknown.
     return {std::numeric_limits<double>::infinity(), 0};
   }
 }

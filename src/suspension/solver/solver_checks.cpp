@@ -82,14 +82,13 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap,
 
 std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution& resolution) {
   const auto advice = [&](std::size_t component, double decay) {
-    return name_of(scene, component) +
-           " n_nodes = " + std::to_string(nodes_for_decay(decay, scene.solver.tolerance));
+    return "n_nodes of " + name_of(scene, component) + " to at least " +
+           std::to_string(nodes_for_decay(decay, scene.solver.tolerance));
   };
   return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
          " apart, too close for their nodes: estimated error " + short_number(resolution.error) +
-         " of the velocities, " + tolerance_of(scene) + "; give " +
-         advice(gap.a, resolution.decay.a) + " and " + advice(gap.b, resolution.decay.b) +
-         " at least";
+         " of the velocities, " + tolerance_of(scene) + "; set " +
+         advice(gap.a, resolution.decay.a) + ", and " + advice(gap.b, resolution.decay.b);
 }
 
 // Returns the radius of all components with prescribed velocity about the mean of their nodes; 0 if
@@ -268,7 +267,7 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
   if (scene.gauge_length && extent > 0.5 * *scene.gauge_length) {
     return "flow.gauge_length = " + short_number(*scene.gauge_length) +
            " is not large against the held components, which reach " + short_number(extent) +
-           " from their centre: near that size the problem is singular (Stokes' paradox); give at "
+           " from their centre: near that size the problem is singular (Stokes' paradox); set at "
            "least " +
            short_number(2.0 * extent) + ", or leave it out for zero net force";
   }
