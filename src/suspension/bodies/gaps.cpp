@@ -23,9 +23,8 @@ class BroadPhase {
       : configuration_(configuration) {
     ComplexVector corners(2 * static_cast<Eigen::Index>(discretisation.size()));
     for (std::size_t k = 0; k < discretisation.size(); ++k) {
-      const Curve& curve = discretisation[k]->curve;
-      encloses_.push_back(curve.side == Side::fluid_inside);
-      radius_.push_back(outer_radius(curve, 0.0));
+      encloses_.push_back(discretisation[k]->kind == ComponentKind::enclosing_wall);
+      radius_.push_back(outer_radius(discretisation[k]->curve, 0.0));
       rectangles_.push_back(square_about(configuration[k].position, radius_[k]));
       corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles_[k].lower,
           rectangles_[k].upper;

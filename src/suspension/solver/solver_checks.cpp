@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <variant>
 
@@ -165,17 +164,16 @@ std::string memory_error(const Scene& scene, const Resolutions& resolutions, dou
   // Components with fewer nodes are not counted: their matrices are small, and the search for other
   // components of the same shape would not pay.
   constexpr int few_nodes = 128;
-  std::map<int, std::vector<std::size_t>> distinct;  // components by node number, one per shape
+  std::vector<std::size_t> distinct;  // components, one per node number and shape
   double bytes = 0.0;
   for (std::size_t k = 0; k < resolutions.size(); ++k) {
     const int nodes = resolutions[k].n_nodes;
-    if (nodes < few_nodes) continue;
-    std::vector<std::size_t>& others = distinct[nodes];
-    const bool is_counted = std::ranges::any_of(others, [&](std::size_t other) {
-      return component_of(scene, other).shape == component_of(scene, k).shape;
+    const bool is_counted = std::ranges::any_of(distinct, [&](std::size_t other) {
+      return resolutions[other].n_nodes == nodes &&
+             component_of(scene, other).shape == component_of(scene, k).shape;
     });
-    if (is_counted) continue;
-    others.push_back(k);
+    if (nodes < few_nodes || is_counted) continue;
+    distinct.push_back(k);
     bytes += memory_of_discretised_shape(nodes);
   }
   if (bytes <= available) return {};
