@@ -61,12 +61,12 @@ std::vector<Cluster> clusters_for(std::vector<GapRequirement> gaps, double resol
   std::ranges::sort(gaps, {},
                     [](const GapRequirement& gap) { return std::pair(gap.depth, gap.parameter); });
   std::vector<Cluster> clusters;
-  for (const auto& [parameter, depth] : gaps) {
-    if (depth >= resolved_depth) break;
+  for (const GapRequirement& gap : gaps) {
+    if (gap.depth >= resolved_depth) break;
     const bool is_served = std::ranges::any_of(clusters, [&](const Cluster& cluster) {
-      return std::abs(std::remainder(cluster.parameter - parameter, period)) < depth;
+      return std::abs(std::remainder(cluster.parameter - gap.parameter, period)) < gap.depth;
     });
-    if (!is_served) clusters.push_back({parameter, depth});
+    if (!is_served) clusters.push_back({gap.parameter, gap.depth});
   }
   return clusters;
 }
