@@ -23,8 +23,6 @@ using ContactShapes = std::vector<std::shared_ptr<const ContactShape>>;
 /// Bounds the distance of a curve from its chords between neighbouring nodes (10.1):
 /// \f$ \max \kappa h^2/8 = \max |x' \times x''|\,(2\pi/N)^2/(8|x'|) \f$.
 ///
-/// The gap of two curves is narrower than the gap of their polygons by at most the sum of the two
-/// sags.
 /// @par Accuracy  relative to second order in the spacing of the nodes; polygons touch earlier or
 ///                later than their curves, by the sum of two sags, @ref claim_10_2, @ref claim_10_3
 double sag(const Curve& curve);
@@ -39,7 +37,6 @@ ContactShape contact_shape(const Curve& curve);
 /// @param  sag_limit  largest sag that is allowed, length, > 0; a twentieth of the separation is
 ///                    small enough for the gaps of polygons to replace the gaps of curves
 /// @return            vertices equidistant in the shape's parameter
-/// @throws std::invalid_argument when sag_limit is not positive
 /// @par Cost          O(M), for a NodalCurve O(M log M)
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit);
 

@@ -33,8 +33,8 @@ struct Event : VertexEvent {
   bool of_a;
 };
 
-// The events of consecutive vertices of one polygon, in the order of the curve.
-using Run = std::vector<Event>;
+using Events = std::vector<Event>;
+using Run = Events;  // of consecutive vertices of one polygon, in the order of the curve
 
 // Splits the events of one polygon with m vertices whose gaps are less than `limit` into runs.
 std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a, double limit) {
@@ -60,28 +60,6 @@ std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool o
   return runs;
 }
 
-// Sets of connected runs, by union-find.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-
-  std::size_t root(std::size_t k) const {
-    while (parent_[k] != k) k = parent_[k];
-    return k;
-  }
-
-  // Unites two sets. The least member of a set is its root.
-  void join(std::size_t k, std::size_t l) {
-    const auto [first, second] = std::minmax({root(k), root(l)});
-    parent_[second] = first;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 using Group = std::vector<Run>;  // connected runs
 
 // Groups the events of a pair whose gaps are less than `limit` into connected runs.
@@ -93,7 +71,8 @@ std::vector<Group> connected_groups(const PairEvents& pair, double limit) {
   for (std::size_t k = 0; k < runs.size(); ++k) {
     for (const Event& event : runs[k]) (event.of_a ? runs_in_a : runs_in_b)[event.vertex] = k;
   }
-  DisjointSets sets(runs.size());
+  std::vector<std::size_t> first(runs.size());  // the least run that each run is connected to
+  std::iota(first.begin(), first.end(), std::size_t{0});
   for (std::size_t k = 0; k < runs.size(); ++k) {
     for (const Event& event : runs[k]) {
       // The run is joined with each run of the other polygon that has a vertex of the closest edge,
@@ -102,13 +81,15 @@ std::vector<Group> connected_groups(const PairEvents& pair, double limit) {
       const Index m = event.of_a ? m_b : m_a;
       for (Index shift = -2; shift <= 3; ++shift) {
         const auto other = others.find((event.edge + shift + m) % m);
-        if (other != others.end()) sets.join(k, other->second);
+        if (other == others.end()) continue;
+        const auto [kept, replaced] = std::minmax({first[k], first[other->second]});
+        if (kept < replaced) std::ranges::replace(first, replaced, kept);
       }
     }
   }
   std::vector<Group> groups(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    groups[sets.root(k)].push_back(std::move(runs[k]));
+    groups[first[k]].push_back(std::move(runs[k]));
   }
   std::erase_if(groups, &Group::empty);
   return groups;
@@ -134,14 +115,11 @@ std::vector<std::size_t> minima(const Run& run, double threshold) {
   return found;
 }
 
-// The events that get rows for one local minimum of the gap: the deepest vertex, then the ends of
-// the stretch of nearly equal gaps if the contact is flat.
-using Support = std::vector<Event>;
-
-// Returns the supports of all local minima of the gap in a run.
-std::vector<Support> supports(const Run& run, double threshold) {
+// Returns for each local minimum of the gap in a run its support, the events that get rows: the
+// deepest vertex, then the ends of the stretch of nearly equal gaps if the contact is flat.
+std::vector<Events> supports(const Run& run, double threshold) {
   constexpr std::size_t vertices_of_a_curved_contact = 4;
-  std::vector<Support> found;
+  std::vector<Events> found;
   for (std::size_t lowest : minima(run, threshold)) {
     const auto is_as_deep = [&](std::size_t i) {
       return run[i].gap <= run[lowest].gap + threshold;
@@ -162,9 +140,7 @@ ContactRow row_of(const PairEvents& pair, const Event& event) {
   return contact_row(event, shape.polygon.vertex(event.vertex), event.of_a, pair.paths);
 }
 
-// The events of all runs of a group, one run after the other.
-using Events = std::vector<Event>;
-
+// Returns the events of all runs of a group, one run after the other.
 Events events_of(const Group& group) {
   Events events;
   for (const Run& run : group) events.insert(events.end(), run.begin(), run.end());
@@ -213,7 +189,7 @@ std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<
     const bool of_a = deepest(events_of(group)).of_a;
     for (const Run& run : group) {
       if (run.front().of_a != of_a) continue;
-      for (const Support& support : supports(run, sags)) {
+      for (const Events& support : supports(run, sags)) {
         const auto is_it = [&](const Event& event) {
           return event.of_a == of_a && event.vertex == support.front().vertex;
         };

@@ -29,8 +29,7 @@ struct RowKey {
   std::size_t polygon_of = 0;  ///< component whose polygon the vertex approaches
   Eigen::Index vertex = 0;     ///< number of the vertex
 
-  /// Compares member by member.
-  auto operator<=>(const RowKey&) const = default;
+  auto operator<=>(const RowKey&) const = default;  ///< compares member by member
 };
 
 /// One scalar constraint \f$ g \ge 0 \f$ between two components.
@@ -71,8 +70,7 @@ struct Contact {
   double volume;                 ///< V of (10.6), length^2, at most 0; 0 if not violated
   std::vector<ContactRow> rows;  ///< ascending by key, at least one
 
-  /// Returns whether a vertex ends too deep by more than the tolerance, so that the step must not
-  /// be taken unchanged.
+  /// Returns whether a vertex ends too deep by more than the tolerance.
   bool is_violated() const { return volume < 0.0; }
 };
 
@@ -104,7 +102,6 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 /// equations are solved, and the arms to the point half-way between the vertex and the point that
 /// it touches.
 /// @param  vertex     place of the vertex in its component's frame, length
-/// @param  of_a       whether the vertex belongs to component a
 /// @par Accuracy      the derivative is exact for the closest edge of the polygon,
 ///                    @ref claim_10_10; forces balance to rounding, @ref claim_10_11
 ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, const PathPair& paths);

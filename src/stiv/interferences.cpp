@@ -15,12 +15,6 @@ namespace {
 // Contacts that end within this many separations are listed even if no gap is violated.
 constexpr double listed_separations = 4.0;
 
-[[noreturn]] void refuse(const std::string& requirement, double value) {
-  std::ostringstream message;
-  message << "contact requires " << requirement << ", got " << value;
-  throw std::invalid_argument(message.str());
-}
-
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                    const ContactRules& rules) {
   if (shapes.size() != paths.size()) {
@@ -28,18 +22,23 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
                                 std::to_string(shapes.size()) + " shapes and " +
                                 std::to_string(paths.size()) + " paths");
   }
-  const auto require_positive = [](double value, const std::string& what) {
-    if (!(value > 0.0)) refuse("a positive " + what, value);
+  const auto require = [](bool is_met, const std::string& requirement, double value) {
+    if (is_met) return;
+    std::ostringstream message;
+    message << "contact requires " << requirement << ", got " << value;
+    throw std::invalid_argument(message.str());
   };
-  require_positive(rules.separation.everywhere, "separation");
-  for (const auto& [pair, own] : rules.separation.closer) {
-    require_positive(own, "separation of components " + std::to_string(pair.first) + " and " +
-                              std::to_string(pair.second));
+  const auto& [everywhere, closer] = rules.separation;
+  require(everywhere > 0.0, "a positive separation", everywhere);
+  for (const auto& [pair, own] : closer) {
+    require(own > 0.0,
+            "a positive separation of components " + std::to_string(pair.first) + " and " +
+                std::to_string(pair.second),
+            own);
   }
-  require_positive(rules.tolerance, "tolerance");
-  if (!(rules.allowed_intrusion >= 0.0 && rules.allowed_intrusion <= 1.0)) {
-    refuse("an allowed intrusion from 0 to 1", rules.allowed_intrusion);
-  }
+  require(rules.tolerance > 0.0, "a positive tolerance", rules.tolerance);
+  const double intrusion = rules.allowed_intrusion;
+  require(intrusion >= 0.0 && intrusion <= 1.0, "an allowed intrusion from 0 to 1", intrusion);
 }
 
 // Finds the contacts of one pair of components: narrow phase, then grouping.
@@ -55,10 +54,6 @@ Interferences in_pair(const ContactShapes& shapes, const PathPair& paths,
 }
 
 }  // namespace
-
-bool Interferences::admits_step() const {
-  return std::ranges::none_of(contacts, &Contact::is_violated);
-}
 
 Interferences interferences(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                             const ContactRules& rules) {

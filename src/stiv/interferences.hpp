@@ -1,9 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "stiv/contacts.hpp"
-#include "stiv/near_pairs.hpp"
 #include "stiv/near_pairs.hpp"
 
 namespace stokesbook {
@@ -22,7 +22,7 @@ struct Interferences {
   SearchCost cost;                ///< of the search
 
   /// Returns whether no contact is violated, so that the step may be taken unchanged.
-  bool admits_step() const;
+  bool admits_step() const { return std::ranges::none_of(contacts, &Contact::is_violated); }
 };
 
 /// Finds the contacts of a step, violated ones and near ones: the space-time interference of all
@@ -32,12 +32,10 @@ struct Interferences {
 /// other component; the volume \f$ V = \sum_s w_s\min(g_s, 0) \f$ measures the violation (10.6).
 /// Contacts that end within four separations have rows too, so that contacts that carry a load do
 /// not drop out between iterations.
-/// @param  shapes  of n components: bodies, free or held, inner walls and enclosing walls
-/// @param  paths   of the same components; at the start no polygons overlap, see polygon_gaps()
-/// @return         contacts, identical for any number of threads
-/// @throws std::invalid_argument when numbers of shapes and paths differ, a path is not finite,
-///                 separation or tolerance is not positive, or the allowed intrusion is not within
-///                 0 to 1
+/// The result does not depend on the number of threads.
+/// @param  paths   of the components; at the start no polygons overlap, see polygon_gaps()
+/// @throws std::invalid_argument when numbers of shapes and paths differ, a path is not finite, or
+///                 a rule is out of its range
 /// @par Accuracy   of gaps: rounding for polygons, @ref claim_10_1; the sum of two sags for curves,
 ///                 @ref claim_10_2
 /// @par Cost       O(n log n), and a few queries for each vertex that comes near another component

@@ -25,31 +25,22 @@ struct ClosestPoint {
 /// called from several threads at once.
 class Polygon {
  public:
-  /// Builds the tree.
+  /// Builds the tree from M vertices, which are counter-clockwise; consecutive vertices differ.
   ///
-  /// @param  vertices  M vertices, counter-clockwise, consecutive vertices distinct, length
   /// @throws std::invalid_argument when there are fewer than three vertices, or one is not finite
   /// @par Cost         O(M)
   Polygon(const ComplexVector& vertices, Side side);
 
-  /// Returns the number M of vertices, which is also the number of edges.
-  Eigen::Index size() const { return vertices_.size(); }
-
-  /// Returns a vertex, in the polygon's frame.
-  Complex vertex(Eigen::Index i) const { return vertices_[i]; }
-
-  /// Returns all vertices, in the polygon's frame.
-  const ComplexVector& vertices() const { return vertices_; }
-
-  /// Returns the side of the polygon on which the fluid lies.
-  Side side() const { return side_; }
+  Eigen::Index size() const { return vertices_.size(); }  ///< returns the number M of vertices
+  Complex vertex(Eigen::Index i) const { return vertices_[i]; }  ///< returns a vertex
+  const ComplexVector& vertices() const { return vertices_; }    ///< returns all vertices
+  Side side() const { return side_; }  ///< returns the side on which the fluid lies
 
   /// Returns the least rectangle that holds the polygon, in the polygon's frame.
   const Rectangle& bounds() const { return boxes_[1]; }
 
   /// Finds the point of the polygon that is closest to a point.
   ///
-  /// @param  z        point, length
   /// @param  at_most  distance up to which the search looks, length; may be infinite
   /// @return          closest point; its distance is infinite and its edge -1 if the polygon is not
   ///                  nearer than at_most
@@ -65,10 +56,8 @@ class Polygon {
   /// A condition on a rectangle that holds some of the vertices.
   using Condition = std::function<bool(const Rectangle&)>;
 
-  /// Finds the vertices of the runs whose rectangles, in the polygon's frame, fulfil a condition.
-  ///
-  /// @return     numbers of vertices, ascending
-  /// @par Cost   O(log M + m) for m vertices of one part of the polygon
+  /// Finds the vertices of the runs whose rectangles, in the polygon's frame, fulfil a condition:
+  /// their numbers, ascending. The cost is O(log M + m) for m vertices of one part of the polygon.
   std::vector<Eigen::Index> vertices_if(const Condition& holds) const;
 
   /// Finds the vertices in a rectangle of the polygon's frame, including its border. Result and

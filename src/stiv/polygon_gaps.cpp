@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -25,9 +24,7 @@ RelativeFrame frame_in(const Pose& pose, const Pose& observer) {
 std::vector<Index> near_vertices(const Polygon& of, const Polygon& about,
                                  const RelativeFrame& frame, double reach) {
   if (about.side() == Side::fluid_inside) {
-    std::vector<Index> all(static_cast<std::size_t>(of.size()));
-    std::iota(all.begin(), all.end(), Index{0});
-    return all;
+    return of.vertices_if([](const Rectangle&) { return true; });
   }
   const auto [lower, upper] = about.bounds();
   const ComplexVector corners =

@@ -15,14 +15,13 @@ struct PolygonGap {
   Complex point;  ///< place of this vertex in the plane, length
 };
 
-/// Measures the gaps of all pairs of polygons that are near each other, at rest. The result decides
-/// whether a state is accepted, independently of the search along the paths.
+/// Measures the gaps of all pairs of polygons that are nearer to each other than `reach` > 0, at
+/// rest, ascending by pair. The result decides whether a state is accepted, independently of the
+/// search along the paths.
 ///
 /// The signed distance is computed for every vertex in reach. Edges that cross are an overlap, even
 /// if no vertex lies inside the other polygon. A body inside a body, or outside the enclosing wall,
 /// is an overlap.
-/// @param  reach   pairs with this gap or a wider one are left out, length, > 0
-/// @return         pairs with narrower gaps, ascending by pair
 /// @throws std::invalid_argument when numbers of shapes and poses differ, or a pose is not finite
 /// @par Accuracy   rounding for the polygons, @ref claim_10_19
 /// @par Cost       O(n log n), and for each pair a query for each vertex in reach, and for each

@@ -43,27 +43,19 @@ class RelativePath {
   /// Returns the frame of A at a time from 0 to 1, seen from B.
   RelativeFrame at(double tau) const;
 
-  /// Returns the frame of A at the start of the step.
-  const RelativeFrame& start() const { return start_; }
+  const RelativeFrame& start() const { return start_; }  ///< returns the frame of A at the start
+  const RelativeFrame& end() const { return end_; }      ///< returns the frame of A at the end
 
-  /// Returns the frame of A at the end of the step.
-  const RelativeFrame& end() const { return end_; }
-
-  /// Bounds the speed of a point of A: \f$ \max_{\tau=0,1}|\Delta c_A - \Delta c_B -
-  /// \Delta\theta_B(c_A-c_B)^\perp| + |\Delta\theta_A-\Delta\theta_B||X| \f$ (10.4).
-  ///
-  /// The first term is the modulus of a vector that is linear in tau, so that its largest value
-  /// lies at an end of the step. The radius is |X|.
+  /// Bounds the speed of a point of A with the radius |X|: \f$ \max_{\tau=0,1}|\Delta c_A -
+  /// \Delta c_B - \Delta\theta_B(c_A-c_B)^\perp| + |\Delta\theta_A-\Delta\theta_B||X| \f$ (10.4).
   double speed_bound(double radius) const { return speed_ + std::abs(spin_) * radius; }
 
   /// Bounds the distance of a point of A from the chord between two places of its path:
   /// \f$ \frac{\Delta\tau^2}{8}(\max_{\tau=0,1}|2\Delta\theta_B(\Delta c_A-\Delta c_B)^\perp +
   /// \Delta\theta_B^2(c_A-c_B)| + (\Delta\theta_A-\Delta\theta_B)^2|X|) \f$.
   ///
-  /// The expression in parentheses bounds the second derivative of the path, whose first term is
-  /// linear in tau.
-  /// @param  radius  |X|, length
-  /// @param  step    time \f$ \Delta\tau \f$ between the two places
+  /// The radius is |X|, the step is the time \f$ \Delta\tau \f$ between the two places. The
+  /// expression in parentheses bounds the second derivative of the path.
   double stray_bound(double radius, double step) const {
     return 0.125 * step * step * (bend_ + spin_ * spin_ * radius);
   }

@@ -34,8 +34,7 @@ struct SearchCost {
     return *this;
   }
 
-  /// Compares member by member.
-  bool operator==(const SearchCost&) const = default;
+  bool operator==(const SearchCost&) const = default;  ///< compares member by member
 };
 
 /// The distance that two components must keep, and options of the search.
@@ -66,13 +65,10 @@ struct VertexEvents {
 /// vertex that slides along B at the distance delta, up to the tolerance, would end behind the
 /// tilted line of every bend that it passes.
 ///
-/// Three tests reduce the work. Runs of vertices whose bounding circle keeps away from B are left
-/// out. For most other vertices a chord of the path proves that they never go deep. For the
-/// remaining vertices the search advances in time by \f$ (d-\delta)/L \f$ (10.3) with a bound L of
-/// the speed (10.4). Such a step cannot skip a contact, however fast the vertex. If the steps
-/// become small, for example along a wall, the search tries chords of growing length until one
-/// comes too near. In contact the search advances in steps of half the separation, which cannot
-/// pass through B either.
+/// Runs of vertices whose bounding circle keeps away from B are left out. For most other vertices a
+/// chord of the path proves that they never go deep. For the remaining vertices the search advances
+/// in time by \f$ (d-\delta)/L \f$ (10.3) with a bound L of the speed (10.4): such a step cannot
+/// skip a contact, however fast the vertex.
 /// @param  path       of A, seen from B; the polygons do not overlap at its start
 /// @return            events of vertices that end too deep, or end near B
 /// @par Accuracy      first contact is found at a distance between delta and delta + tolerance,
