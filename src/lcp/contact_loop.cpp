@@ -21,6 +21,10 @@ using Eigen::VectorXd;
 
 namespace {
 
+// The loop gives up when the violation exceeds this factor times the separation, or times the
+// violation at U* if that is larger.
+constexpr double divergence = 10.0;
+
 using SparseRow = Eigen::SparseVector<double, Eigen::RowMajor>;
 
 // The linear constraint clearance + dt gradient . U >= 0, with c of (11.10) for the clearance.
@@ -98,7 +102,7 @@ double violation(const ContactRows& rows) {
   return rows.gap.size() == 0 ? 0.0 : std::max(0.0, -rows.gap.minCoeff());
 }
 
-// Holds the linear problem (11.10) of an iteration, and the velocities that unit forces cause.
+// The linear problem (11.10) of an iteration, and the velocities that unit forces cause.
 struct LinearProblem {
   std::vector<ContactKey> keys;
   VectorXd clearance;
@@ -132,16 +136,14 @@ LinearProblem linear_problem(const LinearisedGaps& gaps, const ContactStep& step
 }
 
 // Returns the multipliers of an earlier iteration for keys that occur there, zero for all others.
+// Keys ascend, here and there.
 VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& keys) {
-  std::map<ContactKey, double> known;
-  for (std::size_t i = 0; i < earlier.keys.size(); ++i) {
-    known[earlier.keys[i]] = earlier.multipliers[static_cast<Index>(i)];
-  }
-  VectorXd result(static_cast<Index>(keys.size()));
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    result[static_cast<Index>(i)] = known[keys[i]];  // zero for a new key
-  }
-  return result;
+  return VectorXd::NullaryExpr(std::ssize(keys), [&](Index i) {
+    const ContactKey& key = keys[static_cast<std::size_t>(i)];
+    const auto known = std::ranges::lower_bound(earlier.keys, key);
+    const bool is_new = known == earlier.keys.end() || *known != key;
+    return is_new ? 0.0 : earlier.multipliers[known - earlier.keys.begin()];
+  });
 }
 
 // Returns for each key the least gap of its contact among the current rows; infinity if the contact
@@ -153,13 +155,10 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
     double& gap = least.emplace(contact, rows.gap[i]).first->second;
     gap = std::min(gap, rows.gap[i]);
   }
-  VectorXd gaps(static_cast<Index>(keys.size()));
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto found = least.find(keys[i].contact);
-    gaps[static_cast<Index>(i)] =
-        found == least.end() ? std::numeric_limits<double>::infinity() : found->second;
-  }
-  return gaps;
+  return VectorXd::NullaryExpr(std::ssize(keys), [&](Index i) {
+    const auto found = least.find(keys[static_cast<std::size_t>(i)].contact);
+    return found == least.end() ? std::numeric_limits<double>::infinity() : found->second;
+  });
 }
 
 // Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity.
@@ -277,11 +276,11 @@ class ContactLoop {
     result_.gaps = gaps_now(result_.keys, rows_);
   }
 
-  // Returns whether the violation is far larger than the violation of the free motion. The next
-  // iterate would be even farther away, and its long paths are expensive to follow.
+  // Returns whether the violation is far larger than that of the free motion. The next iterate
+  // would be even farther away, and its long paths are expensive to follow.
   bool diverges() const {
     const double allowed = std::max(result_.violations.front(), step_.separation);
-    return result_.violations.back() > options_.divergence * allowed;
+    return result_.violations.back() > divergence * allowed;
   }
 
   // Returns whether refine() has made the response more accurate for the forces that were found.
@@ -367,7 +366,6 @@ class ContactLoop {
     return true;
   }
 
-  // Ends the loop without success.
   void give_up(ContactStatus status, std::string reason) {
     result_.status = status;
     result_.reason = std::move(reason);

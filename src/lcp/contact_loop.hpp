@@ -16,8 +16,7 @@ namespace stokesbook {
 struct ContactKey {
   std::int64_t contact = 0;  ///< number of the contact: two bodies and the place where they meet
   std::int64_t point = 0;    ///< number of the point within the contact
-  /// Compares contacts, then points.
-  friend auto operator<=>(const ContactKey&, const ContactKey&) = default;
+  auto operator<=>(const ContactKey&) const = default;  ///< compares contacts, then points
 };
 
 /// Derivatives of gaps with respect to velocities, a row for each gap.
@@ -58,13 +57,11 @@ struct ContactStep {
 
 /// Limits of the loop, and the solver of its linear problems.
 struct ContactLoopOptions {
-  int max_iterations = 8;    ///< largest number of linear problems
-  int open_gap_after = 6;    ///< iterations after which the loop ends although a gap with a force
-                             ///< is wider than the tolerance: resolved up to open_gap, else failed
-  double open_gap = 0.1;     ///< widest gap with a force that is then accepted, relative to the
-                             ///< separation
-  double divergence = 10.0;  ///< the loop gives up when the violation exceeds this factor times the
-                             ///< separation, or times the violation at U* if that is larger
+  int max_iterations = 8;  ///< largest number of linear problems
+  int open_gap_after = 6;  ///< iterations after which the loop ends although a gap with a force
+                           ///< is wider than the tolerance: resolved up to open_gap, else failed
+  double open_gap = 0.1;   ///< widest gap with a force that is then accepted, relative to the
+                           ///< separation
   int restore_rows_after = 4;  ///< iterations after which rows that were violated earlier come back
                                ///< if some rows are still violated
   LcpSolver solver = lemke;    ///< for the linear problems; if it fails, fischer_newton() is used
@@ -127,7 +124,6 @@ struct ContactResult {
 /// force is compared with the least gap of all rows at U that have the same ContactKey::contact.
 /// The force acts across an open gap if this least gap exceeds the bound, or if the contact has no
 /// row at U.
-/// @return          a result for every step: resolved, or the reason why it is not
 /// @throws std::invalid_argument when sizes do not agree, or dt or the tolerance is not positive
 /// @throws std::domain_error when a number is not finite
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U

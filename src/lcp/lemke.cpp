@@ -47,15 +47,23 @@ class Tableau {
   const VectorXd& values() const { return values_; }
 
   Index column_of(Index variable) const {
-    return std::find(nonbasic_.begin(), nonbasic_.end(), variable) - nonbasic_.begin();
+    return std::ranges::find(nonbasic_, variable) - nonbasic_.begin();
   }
+
   // Returns by how much each basic variable falls when a nonbasic variable grows by one.
   VectorXd fall(Index variable) const { return rows_.col(column_of(variable)); }
 
-  // Performs the ratio test with the lexicographic rule: returns the row for which
-  // (value, row of the inverse basis) / divisor is lexicographically least. If the artificial
-  // variable's value / divisor ties with the least one, its row is returned.
-  Index least(std::vector<Index> rows, const VectorXd& divisor) const {
+  // Performs the ratio test with the lexicographic rule: among the rows whose divisor is positive
+  // beyond rounding, returns the row for which (value, row of the inverse basis) / divisor is
+  // lexicographically least; -1 if there is no such row. If the artificial variable's
+  // value / divisor ties with the least one, its row is returned.
+  Index leaving_row(const VectorXd& divisor) const {
+    const double least = smallest_pivot * divisor.cwiseAbs().maxCoeff();
+    std::vector<Index> rows;
+    for (Index i = 0; i < m_; ++i) {
+      if (divisor[i] > least) rows.push_back(i);
+    }
+    if (rows.empty()) return -1;
     keep_least(rows, divisor, values_);
     for (const Index row : rows) {
       if (basic(row) == artificial()) return row;
@@ -84,7 +92,7 @@ class Tableau {
  private:
   // Returns a column of the inverse basis: the column of w_j in the tableau.
   VectorXd inverse_column(Index j) const {
-    const auto row = std::find(basic_.begin(), basic_.end(), j);
+    const auto row = std::ranges::find(basic_, j);
     if (row == basic_.end()) return rows_.col(column_of(j));
     return VectorXd::Unit(m_, row - basic_.begin());
   }
@@ -104,22 +112,6 @@ class Tableau {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;
   VectorXd values_;
 };
-
-std::vector<Index> all_rows(Index m) {
-  std::vector<Index> rows(static_cast<std::size_t>(m));
-  std::iota(rows.begin(), rows.end(), Index{0});
-  return rows;
-}
-
-// Returns the rows whose basic variables fall by more than rounding.
-std::vector<Index> falling_rows(const VectorXd& fall) {
-  const double least = smallest_pivot * fall.cwiseAbs().maxCoeff();
-  std::vector<Index> rows;
-  for (Index i = 0; i < fall.size(); ++i) {
-    if (fall[i] > least) rows.push_back(i);
-  }
-  return rows;
-}
 
 // Returns z from a number for each row: nonbasic z are zero.
 VectorXd basic_z(const Tableau& tableau, const VectorXd& numbers) {
@@ -186,7 +178,7 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
   //! [pivots]
   Tableau tableau(scaled.problem);
   Index entering = tableau.artificial();
-  Index row = tableau.least(all_rows(m), VectorXd::Ones(m));
+  Index row = tableau.leaving_row(VectorXd::Ones(m));
   LcpResult result;
   for (int pivots = 1; pivots <= most; ++pivots) {
     const Index leaving = tableau.basic(row);
@@ -199,8 +191,8 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     entering = tableau.complement(leaving);
     //! [pivots]
     const VectorXd fall = tableau.fall(entering);
-    const std::vector<Index> rows = falling_rows(fall);
-    if (rows.empty()) {
+    row = tableau.leaving_row(fall);
+    if (row < 0) {
       // No basic variable falls: along the ray the entering z grows by one, the basic z by -fall.
       result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
       result.iterations = pivots;
@@ -210,7 +202,6 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
       result.ray = result.ray.cwiseProduct(scaled.scaling.scale);
       return result;
     }
-    row = tableau.least(rows, fall);
   }
   result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
   result.iterations = most;

@@ -22,17 +22,15 @@ struct ScaledLcp {
 };
 
 /// Checks the sizes and the numbers of a problem.
-///
 /// @throws std::invalid_argument when M is not square, or q has another length
 /// @throws std::domain_error when M or q is not finite
 void require_valid(const LcpProblem& problem);
 
-/// Computes \f$ s_i = M_{ii}^{-1/2} \f$ and \f$ a = \max_i |s_i q_i| \f$.
+/// Computes \f$ s_i = M_{ii}^{-1/2} \f$ and \f$ a = \max_i |s_i q_i| \f$ from the diagonal of M and
+/// the offset q; a = 1 if q = 0.
 ///
-/// @param  diagonal  of M, m numbers
-/// @param  largest   replaces the entries of the diagonal that are not positive
-/// @param  offset    q, m numbers
-/// @return           s and a; a = 1 if q = 0, and s_i = 1 if no positive number is available
+/// @param  largest   replaces entries of the diagonal that are not positive; if `largest` is not
+///                   positive either, s_i = 1
 LcpScaling compute_scaling(const Eigen::VectorXd& diagonal, double largest,
                            const Eigen::VectorXd& offset);
 
@@ -41,7 +39,6 @@ ScaledLcp scale_problem(const LcpProblem& problem);
 
 /// Removes the units from a guess of z, and sets its negative entries to zero. An empty guess is
 /// zero.
-///
 /// @throws std::invalid_argument when the guess has another length
 Eigen::VectorXd scale_guess(const LcpScaling& scaling, const Eigen::VectorXd& guess);
 
