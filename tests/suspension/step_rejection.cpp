@@ -153,8 +153,7 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   for (Pose& pose : end) pose.position = std::conj(pose.position);
   BOOST_TEST(test.error(start, end, 3.0) == "");
   for (Pose& pose : end) pose.position = pose.position.real();
-  BOOST_TEST(
-      test.error(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
+  BOOST_TEST(test.error(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
   BOOST_TEST(test.error(start, end, 9.0) == "");  // the stated gap of 9 needs no search
 }
 
@@ -203,7 +202,7 @@ BOOST_AUTO_TEST_CASE(a_rejected_try_counts_by_what_it_cost) {
   };
   const StepInfo begun = begin_step(solved(10, 1e-7), 0.5);
   ContactOutcome outcome;
-  outcome.force_imbalance = 1e-16;
+  outcome.imbalance.force = 1e-16;
   outcome.result.iterations = 3;
   const StepInfo tried = with_solve(begun, solved(20, 1e-6), 0.25);
   const SolveCost responses{.gmres_iterations = 5, .matvecs = 7};

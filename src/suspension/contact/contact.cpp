@@ -250,9 +250,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
   if (outcome.is_resolved()) outcome.correction = mobility.relative_correction(result.multipliers);
   outcome.forces = contact_forces(solver_.scene(), result, constraints, rules.curves);
   outcome.unresolved = unresolved_pairs(outcome, constraints, solver_.scene().solver.tolerance);
-  const auto [net_force, net_torque] = imbalance(result.force, stage.acting, shapes_);
-  outcome.force_imbalance = net_force;
-  outcome.torque_imbalance = net_torque;
+  outcome.imbalance = imbalance(result.force, stage.acting, shapes_);
   outcome.kkt_residual = result.kkt_residual / separation_;
   return outcome;
 }

@@ -16,15 +16,14 @@ struct Imbalance {
       torque;    ///< net torque over the largest force times its longest lever
 };
 
-/// Measures how well forces between components balance, independently of the origin.
+/// Measures how well forces between components balance, independently of the origin; zero if there
+/// are no forces.
 ///
 /// Torques are taken about the mean position of the loaded components. The lever is the largest
 /// distance of a loaded component from there plus the largest radius. The largest force is that on
 /// a component, or the torque on a component over its radius.
 /// @param  force   3K numbers: force and torque about its position of each of K components
 /// @param  acting  configuration in which they act
-/// @param  shapes  of the components
-/// @return         rounding for forces that balance; zero if there are no forces
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
                     const ContactShapes& shapes);
 
@@ -32,8 +31,7 @@ Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
 struct ContactOutcome {
   ContactResult result;              ///< mean velocity, multipliers, and the end of the loop
   std::vector<ContactForce> forces;  ///< of all constraints with a force
-  double force_imbalance = 0.0;      ///< net force of all pairs, by imbalance()
-  double torque_imbalance = 0.0;     ///< net torque of all pairs, by imbalance()
+  Imbalance imbalance{0.0, 0.0};     ///< of the forces of all pairs
   double kkt_residual = 0.0;         ///< of the result, over the separation
   int iterations = 0;                ///< linear problems, including those with inaccurate columns
   double correction = 0.0;           ///< ContactMobility::relative_correction() of resolved forces
@@ -64,36 +62,24 @@ class SuspensionContact {
   ///                are narrower than the separation, unless contact.allow_close is true
   CloserPairs admit_start(const Configuration& configuration) const;
 
-  /// Updates the gaps of pairs that started closer than the separation: gaps that have opened must
-  /// not close again.
-  ///
-  /// @param  closer         pairs at the start, or after the step before
-  /// @param  configuration  where the components are now
-  /// @return                pairs that are still closer than the separation
+  /// Updates the gaps of pairs that started closer than the separation, and leaves out pairs that
+  /// are no longer closer: gaps that have opened must not close again.
   CloserPairs update_closer(const CloserPairs& closer, const Configuration& configuration) const;
 
   /// Resolves the contact of a stage, with the mobility of the configuration in which forces act.
+  /// The resulting velocity is valid only if the contact is resolved.
   ///
-  /// @return           contact; its velocity is valid only if it is resolved
   /// @throws SolverError as ContactMobility does
   ContactOutcome resolve(const ContactStage& stage, ContactMobility& mobility) const;
 
-  /// Measures how far a step moves components past each other that come near each other.
-  ///
-  /// @param  start     configuration at the beginning of the step
-  /// @param  velocity  of the step, as to_rate() packs it
-  /// @param  dt        length of the step
-  /// @return           largest path of a point of one component in the frame of the other, over the
-  ///                   smaller ratio of area and perimeter, which is half the radius for a disk
+  /// Measures how far a step moves components past each other that come near each other: the
+  /// largest path of a point of one component in the frame of the other, over the smaller ratio of
+  /// area and perimeter, which is half the radius for a disk. The velocity is packed by to_rate().
   double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
                                double dt) const;
 
-  /// Lists the pairs that violate the separation, by the closest points of the curves.
-  ///
-  /// @param  configuration  where the components are
-  /// @param  closer         pairs that may be closer than the separation
-  /// @return                text with all pairs whose gap is narrower by more than 2e-5
-  ///                        separations, and their gaps; empty if there is none
+  /// Lists the pairs that violate the separation by more than 2e-5 separations, with the gaps of
+  /// their curves, as text; empty if there is none. Pairs of `closer` may be closer.
   std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:

@@ -8,10 +8,12 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include "double_layer/double_layer.hpp"
-#include "suspension/contact/definite_correction.hpp"
 
 namespace stokesbook {
 
@@ -117,6 +119,25 @@ VectorXd load_scales(const Discretisation& discretisation) {
 }
 
 }  // namespace
+
+MatrixXd definite_correction(const MatrixXd& loads, const MatrixXd& works) {
+  const MatrixXd none = MatrixXd::Zero(loads.rows(), loads.cols());
+  const auto m = loads.cols();
+  if (m == 0 || !(works.diagonal().minCoeff() > 0.0)) return none;
+  const VectorXd scale = works.diagonal().cwiseSqrt();
+  const VectorXd unit = scale.cwiseInverse();
+  const MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
+  const MatrixXd symmetric = 0.5 * (scaled + scaled.transpose());
+  if (symmetric.llt().info() == Eigen::Success) return none;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(symmetric);
+  const VectorXd& eigenvalues = modes.eigenvalues();
+  const VectorXd increase = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
+  const MatrixXd vectors = scale.asDiagonal() * modes.eigenvectors();
+  const MatrixXd change = vectors * increase.asDiagonal() * vectors.transpose();
+  // The least V' with F^T V' = change.
+  const MatrixXd gram = loads.transpose() * loads;
+  return loads * gram.completeOrthogonalDecomposition().solve(change);
+}
 
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
                                  MobilityColumns earlier, std::optional<double> exact)
@@ -318,17 +339,17 @@ bool ContactMobility::tighten() {
   return true;
 }
 
-ContactMobility::Combination ContactMobility::combine(const VectorXd& multipliers) const {
-  const Column& first = columns_.front();
-  Combination sum{SparseVector<double>(first.load.size()),
-                  ComplexVector::Zero(first.density.size())};
+std::pair<SparseVector<double>, ComplexVector> ContactMobility::combine(
+    const VectorXd& multipliers) const {
+  SparseVector<double> load(columns_.front().load.size());
+  ComplexVector density = ComplexVector::Zero(columns_.front().density.size());
   for (std::size_t i = 0; i < latest_columns_.size(); ++i) {
     const Column& column = columns_[latest_columns_[i]];
     const double multiplier = multipliers[static_cast<Index>(i)];
-    sum.load += multiplier * column.load;
-    sum.density += multiplier * column.density;
+    load += multiplier * column.load;
+    density += multiplier * column.density;
   }
-  return sum;
+  return {load, density};
 }
 
 Solution ContactMobility::loaded_solution(const VectorXd& multipliers) const {

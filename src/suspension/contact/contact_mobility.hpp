@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -23,6 +24,22 @@ struct MobilityColumns {
   static constexpr double most_tolerance = 0.1;
   double tolerance = most_tolerance;  ///< relative residual that columns may have next
 };
+
+/// Computes the least change of motions that makes a computed mobility positive definite.
+///
+/// Loads do positive work on the motions that they cause: the matrix \f$ F^TV \f$ is symmetric and
+/// positive definite. Errors of the motions may make the computed matrix indefinite if some loads
+/// hardly move anything, such as the forces across three gaps around trapped fluid; the
+/// complementarity problem may then have no solution. A negative eigenvalue of the symmetric part,
+/// after a scaling to a unit diagonal, is a lower bound for the errors. All eigenvalues below its
+/// modulus are increased to its modulus.
+///
+/// @param  loads  F, D x m, in units in which all components of a load are comparable
+/// @param  works  \f$ F^TV \f$, m x m, of the motions V under these loads
+/// @return        change of V, D x m; zero if the matrix is positive definite, or if a diagonal
+///                entry is not positive, which no small change repairs
+/// @par Cost      a Cholesky factorisation of an m x m matrix; eigenvectors if it fails
+Eigen::MatrixXd definite_correction(const Eigen::MatrixXd& loads, const Eigen::MatrixXd& works);
 
 /// The mobility B of one configuration for contact forces: maps loads on free bodies to the motions
 /// that they cause, with all prescribed components at rest and no background flow.
@@ -50,18 +67,16 @@ struct MobilityColumns {
 /// the next. The columns of the next configuration may have a residual ten times as large.
 class ContactMobility {
  public:
-  /// Takes a solution; nothing is solved yet.
+  /// Takes a solution, whose system is solved for loads, and the columns of an earlier
+  /// configuration; nothing is solved yet. The solver must outlive the mobility.
   ///
-  /// @param  solver    of the scene, which must outlive the mobility
-  /// @param  solution  whose system is solved for loads
-  /// @param  earlier   columns of an earlier configuration
-  /// @param  exact     relative residual of combinations; none: that of the plan
+  /// @param  exact  relative residual of combinations; none: that of the plan
   ContactMobility(const SuspensionSolver& solver, const Solution& solution,
                   MobilityColumns earlier = {}, std::optional<double> exact = {});
 
-  /// Returns the motions under some loads.
+  /// Returns the motions under some loads. A load whose column is known from this or an earlier
+  /// call is not solved for again.
   ///
-  /// A load whose column is known from this or an earlier call is not solved for again.
   /// @param  loads  3K x m, forces / length and torques
   /// @return        3K x m velocities of all components, zero for prescribed ones
   /// @throws SolverError when GMRES does not converge
@@ -82,7 +97,6 @@ class ContactMobility {
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
   /// @return              true if columns have changed, or will be solved to a tighter tolerance;
   ///                      false if the combination is as accurate as possible
-  /// @throws SolverError when GMRES does not converge
   /// @par Cost      a solve; none if the multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
@@ -99,22 +113,16 @@ class ContactMobility {
   bool accept_any_correction();
 
   /// Measures the part of the combination of the latest columns that definite_correction() has
-  /// added.
-  ///
-  /// @param  multipliers  m numbers, one a column of the loads
-  /// @return              largest added velocity of a component, over the velocity scale of the
-  ///                      scene, or over the largest velocity of the combination if that is larger;
-  ///                      angular velocities are multiplied by the radius of gyration
+  /// added: the largest added velocity of a component, over the velocity scale of the scene, or
+  /// over the largest velocity of the combination if that is larger. Angular velocities are
+  /// multiplied by the radius of gyration.
   double relative_correction(const Eigen::VectorXd& multipliers) const;
 
   /// Returns all columns, for the next configuration; the earlier ones if none was computed.
   MobilityColumns columns() const;
 
-  /// Returns the work so far.
-  const SolveCost& cost() const { return cost_; }
-
-  /// Counts the columns and combinations that were solved for.
-  int solves() const { return solves_; }
+  const SolveCost& cost() const { return cost_; }  ///< returns the work so far
+  int solves() const { return solves_; }  ///< counts the columns and combinations solved for
 
  private:
   // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
@@ -127,10 +135,6 @@ class ContactMobility {
     double tolerance = 1.0;  // estimated relative residual
     double rhs_norm = 0.0;   // of reused columns: that of the earlier right-hand side
   };
-  struct Combination {
-    Eigen::SparseVector<double> load;
-    ComplexVector density;
-  };
   /// @endcond
   std::size_t find_or_add(Column column);
   void reuse_similar(Column& column) const;
@@ -141,7 +145,8 @@ class ContactMobility {
   bool refine_combination(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd column_weights(const Eigen::VectorXd& multipliers) const;
   double residual_bound(const Eigen::VectorXd& weights) const;
-  Combination combine(const Eigen::VectorXd& multipliers) const;
+  std::pair<Eigen::SparseVector<double>, ComplexVector> combine(
+      const Eigen::VectorXd& multipliers) const;
 
   const SuspensionSolver& solver_;
   Solution solution_;

@@ -17,8 +17,7 @@ namespace stokesbook {
 /// Components of one shape and side share a polygon.
 ContactShapes contact_shapes(const Discretisation& discretisation, double sag_limit);
 
-/// Finds the straight paths of components that move with a velocity, packed by to_state(), for a
-/// time.
+/// Finds the paths of components that move with a velocity, packed by to_state(), for a time.
 std::vector<RigidPath> straight_paths(const Configuration& start, const Eigen::VectorXd& velocity,
                                       double dt);
 
@@ -83,8 +82,8 @@ class GapConstraints {
   /// fails, with the Jacobian of the forces, whose linear problems are symmetric and have
   /// solutions.
   ///
-  /// @param  step  without its rows
-  /// @return       result of the last loop, with the iterations of both, at most those of the stage
+  /// The step comes without its rows. The iterations of the result are those of both loops, at most
+  /// those of the stage.
   ContactResult resolve(ContactStep step);
 
   /// Returns a constraint as the contact loop saw it last.

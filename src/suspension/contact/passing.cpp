@@ -29,6 +29,18 @@ double smallest_radius(const Discretisation& discretisation) {
   return smallest;
 }
 
+// Returns whether no gap can close. A gap shrinks by at most the sum of two displacements.
+bool is_short(const ContactShapes& shapes, const Configuration& start, const Configuration& end,
+              double closest) {
+  double longest = 0.0;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    const double turn = std::abs(end[k].orientation - start[k].orientation);
+    longest =
+        std::max(longest, std::abs(end[k].position - start[k].position) + turn * shapes[k]->radius);
+  }
+  return 2.0 * longest < closest;
+}
+
 }  // namespace
 
 PassingTest::PassingTest(const SuspensionSolver& solver)
@@ -38,7 +50,7 @@ PassingTest::PassingTest(const SuspensionSolver& solver)
 
 std::string PassingTest::error(const Configuration& start, const Configuration& end,
                                double closest) const {
-  if (is_short(start, end, closest)) return {};
+  if (is_short(shapes_, start, end, closest)) return {};
   const Eigen::VectorXd displacement = to_state(end) - to_state(start);
   const ContactRules rules{{sag_}, accepted_sags * sag_};
   const Interferences found =
@@ -48,18 +60,6 @@ std::string PassingTest::error(const Configuration& start, const Configuration& 
   return component_of(solver_.scene(), passing->a).name() + " and " +
          component_of(solver_.scene(), passing->b).name() +
          " overlap or pass through each other within a step: take smaller steps, or give [contact]";
-}
-
-// The gap of two components shrinks by at most the sum of their displacements.
-bool PassingTest::is_short(const Configuration& start, const Configuration& end,
-                           double closest) const {
-  double longest = 0.0;
-  for (std::size_t k = 0; k < start.size(); ++k) {
-    const double turn = std::abs(end[k].orientation - start[k].orientation);
-    longest = std::max(longest,
-                       std::abs(end[k].position - start[k].position) + turn * shapes_[k]->radius);
-  }
-  return 2.0 * longest < closest;
 }
 
 }  // namespace stokesbook

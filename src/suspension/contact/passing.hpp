@@ -8,7 +8,6 @@
 namespace stokesbook {
 
 /// Finds steps that take bodies through each other or through walls, in scenes without contact.
-///
 /// Neither end of such a step has an overlap: the bodies have changed sides.
 class PassingTest {
  public:
@@ -18,17 +17,13 @@ class PassingTest {
   /// Looks for pairs that overlap on straight paths with uniform rotations. Overlaps of less than a
   /// hundredth of the smallest body's radius of gyration are not found.
   ///
-  /// @param  start    where the paths begin, without overlaps
-  /// @param  end      where they end
-  /// @param  closest  least gap at their beginning, length: shorter steps need no search
+  /// @param  closest  least gap at the start, length: shorter steps need no search
   /// @return          a message that names the first such pair; empty if there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
   std::string error(const Configuration& start, const Configuration& end, double closest) const;
 
  private:
-  bool is_short(const Configuration& start, const Configuration& end, double closest) const;
-
   const SuspensionSolver& solver_;
   double sag_;  // of polygons, at most
   ContactShapes shapes_;

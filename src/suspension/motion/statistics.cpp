@@ -94,8 +94,8 @@ StepInfo with_costs_of(StepInfo step, const StepInfo& rejected) {
 
 StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration) {
   step.kkt_residual = std::max(step.kkt_residual, outcome.kkt_residual);
-  step.force_imbalance = std::max(step.force_imbalance, outcome.force_imbalance);
-  step.torque_imbalance = std::max(step.torque_imbalance, outcome.torque_imbalance);
+  step.force_imbalance = std::max(step.force_imbalance, outcome.imbalance.force);
+  step.torque_imbalance = std::max(step.torque_imbalance, outcome.imbalance.torque);
   step.contact_power = outcome.result.power;
   step.energy_injected += duration * std::max(0.0, outcome.result.power);
   return step;
