@@ -23,8 +23,7 @@ struct StageSolution {
 /// nodes until they resolve the forces.
 class ContactStages {
  public:
-  /// Takes the solver of a scene, its contact, the solver of its instants, and the statistics that
-  /// count the work of contact. All arguments must outlive this.
+  /// All arguments must outlive this.
   ContactStages(const SuspensionSolver& solver, const SuspensionContact& contact,
                 InstantSolver& instants, RunStatistics& statistics)
       : solver_(solver), contact_(contact), instants_(instants), statistics_(statistics) {}
@@ -32,7 +31,7 @@ class ContactStages {
   /// Resolves the contact of a stage, again and again until nodes and GMRES tolerance suffice for
   /// the contact forces. Later solves begin with the nodes and the tolerance found here.
   ///
-  /// @param  problem  of the stage, without free velocity and guess
+  /// @param  problem  without free velocity and guess
   /// @param  stage    flow of the stage; contact of earlier attempts, whose cost is added up
   /// @throws SolverError with the time, as SuspensionContact::resolve() does
   StageSolution resolve(const ContactStage& problem, StageSolution stage);

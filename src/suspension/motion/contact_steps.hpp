@@ -15,9 +15,7 @@ namespace stokesbook {
 /// more than the ratio of the smaller one's area and perimeter.
 class ContactSteps : public Steps {
  public:
-  /// Takes the settings of a scene with [contact], the schedule that steps heed, the solver of
-  /// their stages, and the statistics that count the work of contact. All arguments must outlive
-  /// this.
+  /// Requires the solver of a scene with [contact]. All arguments must outlive this.
   ContactSteps(const SuspensionSolver& solver, const OutputSchedule& schedule,
                InstantSolver& instants, RunStatistics& statistics);
 

@@ -36,10 +36,6 @@ FreeSteps::FreeSteps(const SuspensionSolver& solver, const OutputSchedule& sched
       settings_(stepping_settings(solver)),
       passing_(solver) {}
 
-std::optional<CloserPairs> FreeSteps::admit_start(const Configuration&) const {
-  return {};
-}
-
 StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) {
   return {std::move(flow), schedule_.next_event(state.now.t)};
 }

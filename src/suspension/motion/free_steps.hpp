@@ -11,13 +11,9 @@ namespace stokesbook {
 /// takes bodies through each other.
 class FreeSteps : public Steps {
  public:
-  /// Takes the settings of a scene, the schedule that steps heed, the solver of their stages, and
-  /// the statistics that count rejected steps. All arguments must outlive this.
+  /// All arguments must outlive this.
   FreeSteps(const SuspensionSolver& solver, const OutputSchedule& schedule, InstantSolver& instants,
             RunStatistics& statistics);
-
-  /// Returns none.
-  std::optional<CloserPairs> admit_start(const Configuration& start) const override;
 
   /// Plans a step to the next event.
   StepStart begin(const RunState& state, TimedSolution flow) override;

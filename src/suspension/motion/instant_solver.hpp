@@ -23,8 +23,7 @@ struct TimedSolution {
 /// than no guess is an error, since the sweeps diverge, as they do in crowds.
 class InstantSolver {
  public:
-  /// Starts without earlier solves. The scene's solver, the schedule of written times, and the
-  /// statistics that count the solves must outlive this.
+  /// Starts without earlier solves. All arguments must outlive this.
   InstantSolver(const SuspensionSolver& solver, const OutputSchedule& schedule,
                 RunStatistics& statistics);
 
@@ -38,12 +37,10 @@ class InstantSolver {
   /// Solves a stage within a step as solve() does, without an estimate of its error.
   TimedSolution solve_stage(double t, const Instant& instant);
 
-  /// Solves the same instant again with the node numbers that contact requires, and remembers its
-  /// densities instead.
+  /// Solves the instant of `flow`, a solution on fewer nodes, again with the node numbers that
+  /// contact requires, and remembers its densities instead. The new solution has the error estimate
+  /// of `flow`, and its own cost.
   ///
-  /// @param  t     time
-  /// @param  flow  solution on fewer nodes, without contact forces
-  /// @return       the new solution with the error estimate of `flow`; its cost is its own
   /// @throws SolverError with the time, as SuspensionSolver::solve_nearby() does
   Solution solve_again(double t, const Solution& flow);
 

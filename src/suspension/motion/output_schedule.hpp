@@ -16,8 +16,7 @@ class OutputSchedule {
   /// Takes the times of a scene. Without [time] the run ends at t = 0.
   explicit OutputSchedule(const Scene& scene);
 
-  /// Returns the end of the run.
-  double t_final() const { return t_final_; }
+  double t_final() const { return t_final_; }  ///< returns the end of the run
 
   /// Returns the flow amplitude from a time on: 1, or -1 after an odd number of reversals.
   double amplitude_at(double t) const;

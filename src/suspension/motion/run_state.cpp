@@ -37,15 +37,12 @@ std::vector<VectorXd> find_vectors(const History& history, const std::string& na
 }
 
 VectorXd to_numbers(const std::vector<int>& counts) {
-  return VectorXd::NullaryExpr(std::ssize(counts), [&](Eigen::Index k) {
-    return static_cast<double>(counts[static_cast<std::size_t>(k)]);
-  });
+  return Eigen::Map<const Eigen::VectorXi>(counts.data(), std::ssize(counts)).cast<double>();
 }
 
 std::vector<int> to_counts(const VectorXd& numbers) {
-  std::vector<int> counts;
-  for (const double number : numbers) counts.push_back(static_cast<int>(number));
-  return counts;
+  const Eigen::VectorXi counts = numbers.cast<int>();
+  return {counts.begin(), counts.end()};
 }
 
 // Packs three numbers for each pair: both components, and the gap.

@@ -40,11 +40,9 @@ struct RunState {
 /// way again, and would count that work twice.
 Checkpoint to_checkpoint(const RunState& state, const RunStatistics& statistics);
 
-/// Unpacks a run: it continues as if it had not stopped, bit for bit.
+/// Unpacks a run of the same scene, from its state at the start and statistics of no steps: the run
+/// continues as if it had not stopped, bit for bit.
 ///
-/// @param  checkpoint  of a run of the same scene
-/// @param  state       of that scene at its start
-/// @param  statistics  of no steps
 /// @throws std::out_of_range when the checkpoint lacks something
 std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint, RunState state,
                                                    RunStatistics statistics);

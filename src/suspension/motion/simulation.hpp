@@ -37,11 +37,7 @@ class Simulation {
   /// solve_once() is called. The solver must outlive the simulation.
   Simulation(const SuspensionSolver& solver, Observer observer);
 
-  /// Forbidden: members refer to each other.
-  Simulation(const Simulation&) = delete;
-
-  /// Forbidden: members refer to each other.
-  Simulation& operator=(const Simulation&) = delete;
+  Simulation(const Simulation&) = delete;  ///< forbidden: members refer to each other
 
   /// Continues from a checkpoint of the same scene: the run goes on bit for bit as if it had not
   /// stopped.
@@ -54,14 +50,13 @@ class Simulation {
   /// @throws SolverError with the time; what was written before stays
   void run();
 
-  /// Writes the frame of the start and stops: one solve.
+  /// Writes the frame of the start and stops: one solve. The frame's contact is that of the first
+  /// step, as ContactSteps::begin() plans it.
   ///
-  /// Its contact is that of the first step, as ContactSteps::begin() plans it.
   /// @throws SolverError with the time
   void solve_once();
 
-  /// Returns the time reached.
-  double time() const { return state_.now.t; }
+  double time() const { return state_.now.t; }  ///< returns the time reached
 
   /// Returns what the run has cost: counts of work since this simulation was made; all else since
   /// the start of the run.

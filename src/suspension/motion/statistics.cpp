@@ -7,10 +7,19 @@
 
 namespace stokesbook {
 
+namespace {
+
+// Adds the work of a solve to the counts of a step or of a run.
+void add_cost(auto& counts, const SolveCost& cost) {
+  counts.gmres_iterations += cost.gmres_iterations;
+  counts.matvecs += cost.matvecs;
+}
+
+}  // namespace
+
 void RunStatistics::add_solve(const Solution& solution) {
   ++totals.solves;
-  totals.gmres_iterations += solution.cost.gmres_iterations;
-  totals.matvecs += solution.cost.matvecs;
+  add_cost(totals, solution.cost);
 }
 
 void RunStatistics::add_contact(const ContactOutcome& outcome, const ContactMobility& mobility,
@@ -18,14 +27,12 @@ void RunStatistics::add_contact(const ContactOutcome& outcome, const ContactMobi
   totals.ncp_iterations += outcome.iterations;
   totals.contact_seconds += seconds;
   totals.contact_solves += mobility.solves();
-  totals.gmres_iterations += mobility.cost().gmres_iterations;
-  totals.matvecs += mobility.cost().matvecs;
+  add_cost(totals, mobility.cost());
 }
 
 void RunStatistics::add_field(const EstimatedField& field) {
   totals.solves += field.solves;
-  totals.gmres_iterations += field.cost.gmres_iterations;
-  totals.matvecs += field.cost.matvecs;
+  add_cost(totals, field.cost);
   for (const auto& [quantity, error] : field.errors) {
     double& largest = resolution.field_errors[quantity];
     largest = std::max(largest, error);
@@ -66,8 +73,7 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds) {
   const double gap = solution.gaps.empty() ? std::numeric_limits<double>::infinity()
                                            : solution.gaps.front().points.gap;
   step.min_gap = std::min(step.min_gap, gap);
-  step.gmres_iterations += solution.cost.gmres_iterations;
-  step.matvecs += solution.cost.matvecs;
+  add_cost(step, solution.cost);
   step.residual = std::max(step.residual, solution.gmres.residual);
   step.seconds += seconds;
   return step;
@@ -75,8 +81,7 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds) {
 
 StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost,
                       double seconds) {
-  step.gmres_iterations += cost.gmres_iterations;
-  step.matvecs += cost.matvecs;
+  add_cost(step, cost);
   step.ncp_iterations += outcome.result.iterations;
   step.contacts =
       std::max(step.contacts, static_cast<int>(pairs_in_contact(outcome.forces).size()));

@@ -35,12 +35,9 @@ struct RunStatistics {
   /// Keeps the largest numbers of nodes and the largest error estimate.
   void add_resolution(const Solution& solution);
 
-  /// Counts a step that was taken.
-  ///
-  /// Errors keep their signs: those of a closed orbit, or of a path there and back, cancel.
-  /// @param  step   what it did
-  /// @param  error  estimated, of the state
-  /// @return        the same, with the step's error
+  /// Counts a step that was taken, and returns it with its step_error. The argument is the
+  /// estimated error of the state. Errors keep their signs: those of a closed orbit, or of a path
+  /// there and back, cancel.
   StepInfo add_step(StepInfo step, const Eigen::VectorXd& error);
 };
 
@@ -54,18 +51,12 @@ StepInfo with_solve(StepInfo step, const Solution& solution, double seconds);
 StepInfo with_contact(StepInfo step, const ContactOutcome& outcome, const SolveCost& cost,
                       double seconds);
 
-/// Adds the cost, and nothing else, of a rejected attempt to what a step has done.
-///
-/// @param  step      before the attempt
-/// @param  rejected  the same with the attempt
-/// @return           counts for the next attempt
+/// Adds the cost, and nothing else, of a rejected attempt to what a step has done: `rejected` is
+/// the step with the attempt, the result is the step for the next attempt.
 StepInfo with_costs_of(StepInfo step, const StepInfo& rejected);
 
-/// Adds residual, imbalances, power and energy of the contact in a stage of a step that is taken.
-///
-/// @param  step      so far
-/// @param  outcome   of the stage
-/// @param  duration  for which its forces act
+/// Adds residual, imbalances, power and energy of the contact in a stage of a step that is taken;
+/// the contact forces act for the given duration.
 StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration);
 
 /// Lists the pairs with a contact force between them, each once.

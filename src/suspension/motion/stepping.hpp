@@ -16,9 +16,8 @@ Eigen::VectorXd to_rate(const Solution& solution);
 ///
 /// The errors of positions are measured in units of the largest radius of a body, which is the
 /// largest distance of its boundary from its position; the errors of orientations are measured in
-/// radians. The results therefore do not depend on the units of length and time in a scene.
-/// @param  solver  of the scene, with or without [time]
-/// @return         settings with the scene's limits, or the defaults of TimeSettings
+/// radians. The results therefore do not depend on the units of length and time in a scene. A scene
+/// without [time] has the defaults of TimeSettings.
 SteppingSettings stepping_settings(const SuspensionSolver& solver);
 
 /// A step that is about to be taken.
@@ -50,19 +49,16 @@ class Steps {
   /// contact.
   ///
   /// @throws ConfigurationError as SuspensionContact::admit_start() does
-  virtual std::optional<CloserPairs> admit_start(const Configuration& start) const = 0;
+  virtual std::optional<CloserPairs> admit_start(const Configuration&) const { return {}; }
 
-  /// Plans a step, and resolves the contact with which it begins.
+  /// Plans a step from a state with the given flow, which is without contact forces, and resolves
+  /// the contact with which the step begins.
   ///
-  /// @param  state  where the step begins
-  /// @param  flow   solution there, without contact forces
   /// @throws SolverError when contact of steps down to time.dt_min is not resolved
   virtual StepStart begin(const RunState& state, TimedSolution flow) = 0;
 
-  /// Takes a step.
+  /// Takes a step that begin() has planned from the same state.
   ///
-  /// @param  state  where it begins
-  /// @param  start  as begin() returned it
   /// @throws SolverError when steps down to time.dt_min lead to inadmissible configurations, or
   ///                have errors that are not allowed
   /// @par Cost      a solve at the end, and one for each stage beyond the first
