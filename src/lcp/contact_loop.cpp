@@ -161,7 +161,8 @@ VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) 
   });
 }
 
-// Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity.
+// Returns the largest min(g_i, N_ii lambda_i), the length by which rows miss complementarity: the
+// gap across which a force acts, or the distance by which the force opens it.
 double complementarity_residual(const ContactResult& result) {
   if (result.gaps.size() == 0) return 0.0;
   const VectorXd opened = result.response.cwiseProduct(result.multipliers);

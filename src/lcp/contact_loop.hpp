@@ -23,7 +23,7 @@ struct ContactKey {
 using GapGradient = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Gaps g at the end of a step with the velocity U: all violated gaps, and small gaps that may be
-/// violated in a later iteration. Pairs of bodies neither of which can move have no row.
+/// violated in a later iteration, but no gaps of two bodies neither of which can move.
 struct ContactRows {
   Eigen::VectorXd gap;   ///< g(U), m lengths; a negative gap violates the separation
   GapGradient gradient;  ///< J, m x n, with \f$ dg = \Delta t\, J\, dU \f$
@@ -43,10 +43,9 @@ struct ContactStep {
   /// the same in all calls of a step until refine() changes it. If discretisation makes B slightly
   /// unsymmetric, use (B + B^T)/2.
   std::function<Eigen::MatrixXd(const Eigen::SparseMatrix<double>&)> respond;
-  /// Improves a respond() that is cheap and inaccurate, for the multipliers of its latest columns,
-  /// m numbers. Returns whether respond() is more accurate from now on. The loop calls refine()
-  /// when contact is resolved, and solves the latest linear problem once more if the result is
-  /// true. Empty: respond() is never improved.
+  /// Improves an inaccurate respond() for the m multipliers of its latest columns, and returns
+  /// whether respond() is more accurate from now on. The loop calls refine() when contact is
+  /// resolved, and solves the latest linear problem once more if the result is true.
   std::function<bool(const Eigen::VectorXd&)> refine{};
   /// Velocity at which gaps are linearised first if U* violates some of them, for example the
   /// velocity of the step before; empty: U*.
@@ -63,7 +62,7 @@ struct ContactLoopOptions {
   double open_gap = 0.1;   ///< widest gap with a force that is then accepted, relative to the
                            ///< separation
   int restore_rows_after = 4;  ///< iterations after which rows that were violated earlier come back
-                               ///< if some rows are still violated
+                               ///< with their last linearisation if some are still violated
   LcpSolver solver = lemke;    ///< for the linear problems; if it fails, fischer_newton() is used
 };
 
@@ -90,8 +89,7 @@ struct ContactResult {
   Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
   double power = 0.0;       ///< of these forces
   /// Largest violation or largest \f$ \min(g_i, N_{ii}\lambda_i) \f$, whichever is larger, a
-  /// length. The minimum is the gap across which a force acts, or the distance by which the force
-  /// opens it.
+  /// length.
   double kkt_residual = 0.0;
   int iterations = 0;  ///< number of iterations, each with a linear problem
   int columns = 0;     ///< number of forces to which respond() was applied
@@ -109,21 +107,14 @@ struct ContactResult {
 /// unknown is the total multiplier, not an increment: a force of an earlier iteration vanishes if
 /// it is no longer needed.
 ///
-/// c is the linearised gap at U = 0. For a gap along a straight path c >= 0, so that U = 0 violates
-/// no linearised gap. If c >= 0 and J_f = J, there is a solution with
-/// \f$ |U|_{B^{-1}} \le |U^*|_{B^{-1}} \f$, and the power of contact is
-/// \f$ -\lambda \cdot c / \Delta t \le 0 \f$ (11.11). If the linear problem ends in a ray,
-/// \f$ \max(c, 0) \f$ replaces c. The gaps themselves are never clipped: the result is accepted
-/// only when all gaps of rows(U) are at least -tolerance.
-///
-/// If rows are still violated after ContactLoopOptions::restore_rows_after iterations, rows that
-/// were violated earlier and whose points are no longer among rows(U_k) come back with their last
-/// linearisation. Without these rows, points that take turns at being the deepest change for ever.
+/// c is the linearised gap at U = 0. If c >= 0, as for a gap along a straight path, and J_f = J,
+/// there is a solution whose contact forces do no positive work (11.11). If the linear problem ends
+/// in a ray, \f$ \max(c, 0) \f$ replaces c. The gaps themselves are never clipped: the result is
+/// accepted only when all gaps of rows(U) are at least -tolerance.
 ///
 /// A force acts if its effect on its own gap, \f$ N_{ii} \lambda_i \f$, exceeds the tolerance. The
-/// force is compared with the least gap of all rows at U that have the same ContactKey::contact.
-/// The force acts across an open gap if this least gap exceeds the bound, or if the contact has no
-/// row at U.
+/// force acts across an open gap if the least gap of all rows at U with the same
+/// ContactKey::contact exceeds the bound, or if the contact has no row at U.
 /// @throws std::invalid_argument when sizes do not agree, or dt or the tolerance is not positive
 /// @throws std::domain_error when a number is not finite
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U

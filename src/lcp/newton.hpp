@@ -11,12 +11,10 @@ namespace stokesbook {
 /// Row i of the Jacobian (11.8) is
 /// \f$ (z_i/r - 1)\, e_i^T + (w_i/r - 1)\, M_i,\ r^2 = z_i^2 + w_i^2 \f$; if z_i and w_i both
 /// vanish, the row is the limit along \f$ z = (1, \dots, 1) \f$. Before the solve,
-/// \f$ \varepsilon = \min(10^{-6}, |\varphi|) \f$ is subtracted from the diagonal of the Jacobian,
-/// which has the effect of \f$ M + \varepsilon D \f$ in place of M with a diagonal
-/// \f$ D \ge 0 \f$. Without this shift the line search stalls for singular M with many multipliers.
-/// Steps are halved until \f$ |\varphi|^2/2 \f$ falls by \f$ 10^{-4} \f$ of the decrease that the
-/// slope predicts. The negative gradient of \f$ |\varphi|^2/2 \f$ is the step if the Newton step is
-/// not finite, or its slope is not below \f$ -0.05\,|\varphi|^2 \f$.
+/// \f$ \varepsilon = \min(10^{-6}, |\varphi|) \f$ is subtracted from the diagonal of the Jacobian:
+/// without this shift the line search stalls for singular M with many multipliers. Steps are halved
+/// by Armijo's rule for \f$ |\varphi|^2/2 \f$. If the Newton step does not descend, the negative
+/// gradient is the step.
 /// @param  options  default limit: 100 steps
 /// @return          solved or stalled; iterations are steps
 /// @par Accuracy    quadratic convergence if z + w > 0 and \f$ M_{AA} \f$ is nonsingular, slower
@@ -30,8 +28,8 @@ LcpResult fischer_newton(const LcpProblem& problem, const LcpOptions& options = 
 ///
 /// Let A be the set of indices with \f$ w_i < z_i \f$. A step makes \f$ w_A \f$ and all other z
 /// vanish, by one solve with \f$ M_{AA} \f$. If this block is singular, \f$ 10^{-12} \f$ of the
-/// diagonal of M is added to its diagonal. Steps are halved until \f$ |h|^2/2 \f$ falls by
-/// \f$ 10^{-4} \f$ of the decrease that the slope of a Newton step predicts.
+/// diagonal of M is added to its diagonal. Steps are halved by Armijo's rule for
+/// \f$ |h|^2/2 \f$.
 /// @param  options  default limit: 100 steps
 /// @return          solved or stalled; iterations are steps
 /// @par Accuracy    rounding after finitely many steps if the iteration does not stall,

@@ -13,9 +13,8 @@ struct LcpScaling {
 /// A problem without units: \f$ M'_{ij} = s_iM_{ij}s_j,\ q'_i = s_iq_i/a \f$ with
 /// \f$ s_i = M_{ii}^{-1/2},\ a = \max_i|s_iq_i| \f$.
 ///
-/// \f$ M'_{ii} = 1 \f$ where \f$ M_{ii} > 0 \f$, and \f$ |q'_i| \le 1 \f$. Every solver works on
-/// the problem without units, so that its accuracy and its number of iterations do not depend on
-/// the units of single rows. Without the diagonal of M a problem cannot be scaled.
+/// Every solver works on the problem without units, so that its accuracy and its number of
+/// iterations do not depend on the units of single rows.
 struct ScaledLcp {
   LcpProblem problem;  ///< M' and q'
   LcpScaling scaling;  ///< s and a

@@ -6,8 +6,7 @@
 
 #include "support/known_motions.hpp"
 #include "suspension/bodies/solver_error.hpp"
-#include "suspension/contact/passing.hpp"
-#include "suspension/motion/statistics.hpp"
+#include "suspension/motion/free_steps.hpp"
 #include "suspension/trajectories.hpp"
 
 namespace stokesbook::test {

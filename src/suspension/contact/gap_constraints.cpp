@@ -85,11 +85,10 @@ ContactShapes contact_shapes(const Discretisation& discretisation, double sag_li
 
 std::vector<RigidPath> straight_paths(const Configuration& start, const VectorXd& velocity,
                                       double dt) {
+  const Configuration motion = to_configuration(dt * velocity);
   std::vector<RigidPath> paths;
   for (std::size_t k = 0; k < start.size(); ++k) {
-    const auto first = static_cast<Index>(3 * k);
-    const Complex displacement = dt * Complex(velocity[first], velocity[first + 1]);
-    paths.push_back({start[k], displacement, dt * velocity[first + 2]});
+    paths.push_back({start[k], motion[k].position, motion[k].orientation});
   }
   return paths;
 }
