@@ -50,7 +50,7 @@ std::string contact_point(const ContactKey& key) {
 }
 
 // Evaluates the rows at a velocity, and checks their sizes.
-ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
+ContactRows evaluate_rows(const ContactStep& step, const VectorXd& velocity) {
   ContactRows rows = step.rows(velocity);
   if (rows.force_gradient.size() == 0) rows.force_gradient = rows.gradient;
   const Index m = rows.gap.size(), n = velocity.size();
@@ -74,7 +74,7 @@ ContactRows rows_at(const ContactStep& step, const VectorXd& velocity) {
 }
 
 // Linearises the gaps at the velocity U_k: c = g_k - dt J_k U_k (11.10).
-LinearisedGaps linearised(const ContactRows& rows, const VectorXd& velocity, double dt) {
+LinearisedGaps linearise(const ContactRows& rows, const VectorXd& velocity, double dt) {
   const VectorXd clearance = rows.gap - dt * (rows.gradient * velocity);
   LinearisedGaps gaps;
   for (Index i = 0; i < rows.gap.size(); ++i) {
@@ -88,7 +88,8 @@ LinearisedGaps linearised(const ContactRows& rows, const VectorXd& velocity, dou
 }
 
 // Selects the linearised gaps of the rows that are violated by more than the tolerance.
-LinearisedGaps violated(const ContactRows& rows, const LinearisedGaps& gaps, double tolerance) {
+LinearisedGaps select_violated(const ContactRows& rows, const LinearisedGaps& gaps,
+                               double tolerance) {
   LinearisedGaps result;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
@@ -112,7 +113,7 @@ struct LinearProblem {
 };
 
 // Assembles N = dt J B J_f^T (11.10).
-LinearProblem linear_problem(const LinearisedGaps& gaps, const ContactStep& step) {
+LinearProblem assemble_problem(const LinearisedGaps& gaps, const ContactStep& step) {
   const auto m = static_cast<Index>(gaps.size());
   const Index n = step.free_velocity.size();
   LinearProblem problem{{}, VectorXd(m), GapGradient(m, n), GapGradient(m, n), {}, {}};
@@ -137,7 +138,7 @@ LinearProblem linear_problem(const LinearisedGaps& gaps, const ContactStep& step
 
 // Returns the multipliers of an earlier iteration for keys that occur there, zero for all others.
 // Keys ascend, here and there.
-VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& keys) {
+VectorXd match_multipliers(const ContactResult& earlier, const std::vector<ContactKey>& keys) {
   return VectorXd::NullaryExpr(std::ssize(keys), [&](Index i) {
     const ContactKey& key = keys[static_cast<std::size_t>(i)];
     const auto known = std::ranges::lower_bound(earlier.keys, key);
@@ -148,7 +149,7 @@ VectorXd matched(const ContactResult& earlier, const std::vector<ContactKey>& ke
 
 // Returns for each key the least gap of its contact among the current rows; infinity if the contact
 // has no row.
-VectorXd gaps_now(const std::vector<ContactKey>& keys, const ContactRows& rows) {
+VectorXd find_least_gaps(const std::vector<ContactKey>& keys, const ContactRows& rows) {
   std::map<std::int64_t, double> least;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const std::int64_t contact = rows.keys[static_cast<std::size_t>(i)].contact;
@@ -170,77 +171,13 @@ double complementarity_residual(const ContactResult& result) {
 }
 
 // Returns the row with the widest gap across which a force acts; -1 if no force acts.
-Index widest_with_force(const ContactResult& result, double tolerance) {
+Index find_widest_with_force(const ContactResult& result, double tolerance) {
   Index widest = -1;
   for (Index i = 0; i < result.gaps.size(); ++i) {
     if (result.response[i] * result.multipliers[i] <= tolerance) continue;
     if (widest < 0 || result.gaps[i] > result.gaps[widest]) widest = i;
   }
   return widest;
-}
-
-std::string name(const ContactStep& step, const ContactKey& key) {
-  return step.name ? step.name(key) : contact_point(key);
-}
-
-std::string name(const ContactStep& step, const ContactResult& result, Index i) {
-  return name(step, result.keys[static_cast<std::size_t>(i)]);
-}
-
-std::string unresponsive_row(const ContactStep& step, const ContactResult& result, Index i) {
-  std::ostringstream reason;
-  reason << name(step, result, i) << ": a unit force opens its own gap by " << result.response[i]
-         << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
-            "neither body can move there";
-  return reason.str();
-}
-
-std::string unsolved_problem(const ContactStep& step, const ContactResult& result,
-                             const LcpResult& solution) {
-  std::ostringstream reason;
-  reason << "the linear problem of iteration " << result.iterations << " with "
-         << result.keys.size() << " rows was not solved, its residual is " << solution.residual
-         << ":";
-  for (Index i = 0; i < result.response.size(); ++i) {
-    reason << (i == 0 ? " " : ", ") << name(step, result, i)
-           << " (a unit force opens its own gap by " << result.response[i] << ")";
-  }
-  return reason.str();
-}
-
-std::string force_across_gap(const ContactStep& step, const ContactResult& result, Index i) {
-  std::ostringstream reason;
-  reason << name(step, result, i) << ": the force " << result.multipliers[i] << " acts across ";
-  if (std::isinf(result.gaps[i])) {
-    reason << "a contact that has no row any more";
-  } else {
-    reason << "a gap of " << result.gaps[i] << " beyond the separation";
-  }
-  reason << " after " << result.iterations << " iterations; a unit force opens it by "
-         << result.response[i];
-  return reason.str();
-}
-
-// Names the deepest row of each contact that is violated.
-std::string violated_rows(const ContactStep& step, const ContactResult& result,
-                          const ContactRows& rows) {
-  std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
-  for (Index i = 0; i < rows.gap.size(); ++i) {
-    if (rows.gap[i] >= -step.tolerance) continue;
-    const auto [row, first] = worst.emplace(rows.keys[static_cast<std::size_t>(i)].contact, i);
-    if (!first && rows.gap[i] < rows.gap[row->second]) row->second = i;
-  }
-  std::ostringstream reason;
-  reason << "the separation is violated after " << result.iterations << " iterations:";
-  const char* before = " ";
-  for (const auto& [contact, row] : worst) {
-    const ContactKey& key = rows.keys[static_cast<std::size_t>(row)];
-    reason << std::exchange(before, ", ") << name(step, key) << " by " << -rows.gap[row];
-    const auto known = std::ranges::find(result.keys, key);
-    if (known == result.keys.end()) continue;
-    reason << " (a unit force opens it by " << result.response[known - result.keys.begin()] << ")";
-  }
-  return reason.str();
 }
 
 // Runs Newton's method for (11.9): solves the linear problem (11.10), moves to its velocity, and
@@ -256,15 +193,15 @@ class ContactLoop {
   ContactResult run() {
     bool ended = is_finished();
     const bool guessed = step_.guess.size() > 0 && options_.max_iterations > 0;
-    if (!ended && guessed) rows_ = rows_at(step_, result_.velocity = step_.guess);
+    if (!ended && guessed) rows_ = evaluate_rows(step_, result_.velocity = step_.guess);
     while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const LinearisedGaps gaps = linearise_gaps();
       do {
-        ended = !apply(linear_problem(gaps, step_)) || is_finished();
+        ended = !apply(assemble_problem(gaps, step_)) || is_finished();
       } while (ended && is_refined());
     }
-    if (!ended) give_up(ContactStatus::not_converged, violated_rows(step_, result_, rows_));
+    if (!ended) give_up(ContactStatus::not_converged, describe_violated_rows());
     return result_;
   }
 
@@ -272,9 +209,9 @@ class ContactLoop {
   // Makes a velocity the current iterate, and evaluates its rows.
   void move_to(const VectorXd& velocity) {
     result_.velocity = velocity;
-    rows_ = rows_at(step_, velocity);
+    rows_ = evaluate_rows(step_, velocity);
     result_.violations.push_back(violation(rows_));
-    result_.gaps = gaps_now(result_.keys, rows_);
+    result_.gaps = find_least_gaps(result_.keys, rows_);
   }
 
   // Returns whether the violation is far larger than that of the free motion. The next iterate
@@ -295,8 +232,8 @@ class ContactLoop {
   // linearisation (chapter 11, "Rows that come back"). These rows are not added sooner, because an
   // old linearisation may hold a gap open.
   LinearisedGaps linearise_gaps() {
-    LinearisedGaps gaps = linearised(rows_, result_.velocity, step_.dt);
-    LinearisedGaps now = violated(rows_, gaps, step_.tolerance);
+    LinearisedGaps gaps = linearise(rows_, result_.velocity, step_.dt);
+    LinearisedGaps now = select_violated(rows_, gaps, step_.tolerance);
     restores_rows_ |= result_.iterations > options_.restore_rows_after && !now.empty();
     if (restores_rows_) gaps.insert(violated_.begin(), violated_.end());
     now.merge(violated_);
@@ -307,21 +244,21 @@ class ContactLoop {
   // Solves the linear problem for lambda, and moves to U = U* + B J_f^T lambda. Returns false if it
   // was not solved.
   bool apply(const LinearProblem& problem) {
-    const VectorXd guess = matched(result_, problem.keys);
+    const VectorXd guess = match_multipliers(result_, problem.keys);
     result_.keys = problem.keys;
     result_.force_gradient = problem.force_gradient;
     result_.response = problem.matrix.diagonal();
     result_.multipliers = VectorXd::Zero(result_.response.size());
-    result_.gaps = gaps_now(problem.keys, rows_);
+    result_.gaps = find_least_gaps(problem.keys, rows_);
     result_.columns += static_cast<int>(problem.keys.size());
     for (Index i = 0; i < result_.response.size(); ++i) {
       if (result_.response[i] > 0.0) continue;
-      give_up(ContactStatus::response_not_seen, unresponsive_row(step_, result_, i));
+      give_up(ContactStatus::response_not_seen, describe_unresponsive_row(i));
       return false;
     }
     const LcpResult solution = solve(problem, guess);
     if (solution.status != LcpStatus::solved) {
-      give_up(ContactStatus::no_linear_solution, unsolved_problem(step_, result_, solution));
+      give_up(ContactStatus::no_linear_solution, describe_unsolved_problem(solution));
       return false;
     }
     result_.multipliers = solution.z;
@@ -352,7 +289,7 @@ class ContactLoop {
   // with a force must be closed to the tolerance; after `open_gap_after` iterations a gap below
   // `open_gap` separations suffices.
   bool is_finished() {
-    const Index widest = widest_with_force(result_, step_.tolerance);
+    const Index widest = find_widest_with_force(result_, step_.tolerance);
     const double open = widest < 0 ? 0.0 : result_.gaps[widest];
     result_.kkt_residual = std::max(result_.violations.back(), complementarity_residual(result_));
     if (result_.violations.back() > step_.tolerance) return false;
@@ -360,7 +297,7 @@ class ContactLoop {
     const bool closed = open <= step_.tolerance;
     if (!closed && result_.iterations < last) return false;
     if (!closed && open > options_.open_gap * step_.separation) {
-      give_up(ContactStatus::open_gap, force_across_gap(step_, result_, widest));
+      give_up(ContactStatus::open_gap, describe_force_across_gap(widest));
     } else {
       result_.status = ContactStatus::resolved;
     }
@@ -370,6 +307,67 @@ class ContactLoop {
   void give_up(ContactStatus status, std::string reason) {
     result_.status = status;
     result_.reason = std::move(reason);
+  }
+
+  std::string name(const ContactKey& key) const {
+    return step_.name ? step_.name(key) : contact_point(key);
+  }
+
+  std::string describe_unresponsive_row(Index i) const {
+    std::ostringstream reason;
+    reason << name(result_.keys[static_cast<std::size_t>(i)])
+           << ": a unit force opens its own gap by " << result_.response[i]
+           << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
+              "neither body can move there";
+    return reason.str();
+  }
+
+  std::string describe_unsolved_problem(const LcpResult& solution) const {
+    std::ostringstream reason;
+    reason << "the linear problem of iteration " << result_.iterations << " with "
+           << result_.keys.size() << " rows was not solved, its residual is " << solution.residual
+           << ":";
+    for (Index i = 0; i < result_.response.size(); ++i) {
+      reason << (i == 0 ? " " : ", ") << name(result_.keys[static_cast<std::size_t>(i)])
+             << " (a unit force opens its own gap by " << result_.response[i] << ")";
+    }
+    return reason.str();
+  }
+
+  std::string describe_force_across_gap(Index i) const {
+    std::ostringstream reason;
+    reason << name(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
+           << result_.multipliers[i] << " acts across ";
+    if (std::isinf(result_.gaps[i])) {
+      reason << "a contact that has no row any more";
+    } else {
+      reason << "a gap of " << result_.gaps[i] << " beyond the separation";
+    }
+    reason << " after " << result_.iterations << " iterations; a unit force opens it by "
+           << result_.response[i];
+    return reason.str();
+  }
+
+  // Names the deepest row of each contact that is violated.
+  std::string describe_violated_rows() const {
+    std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
+    for (Index i = 0; i < rows_.gap.size(); ++i) {
+      if (rows_.gap[i] >= -step_.tolerance) continue;
+      const auto [row, first] = worst.emplace(rows_.keys[static_cast<std::size_t>(i)].contact, i);
+      if (!first && rows_.gap[i] < rows_.gap[row->second]) row->second = i;
+    }
+    std::ostringstream reason;
+    reason << "the separation is violated after " << result_.iterations << " iterations:";
+    const char* before = " ";
+    for (const auto& [contact, row] : worst) {
+      const ContactKey& key = rows_.keys[static_cast<std::size_t>(row)];
+      reason << std::exchange(before, ", ") << name(key) << " by " << -rows_.gap[row];
+      const auto known = std::ranges::find(result_.keys, key);
+      if (known == result_.keys.end()) continue;
+      reason << " (a unit force opens it by " << result_.response[known - result_.keys.begin()]
+             << ")";
+    }
+    return reason.str();
   }
 
   const ContactStep& step_;

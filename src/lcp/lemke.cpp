@@ -156,7 +156,7 @@ Index worst_index(const std::vector<Index>& active, const VectorXd& z, const Vec
 // Solves afresh for the active set that pivoting found, so that the rounding errors of pivots drop
 // out. If M_AA is badly conditioned, pivoting may have put an index with z = w = 0 on the wrong
 // side of the active set: such indices change sides, the worst index first.
-LcpResult polished(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
+LcpResult polish(const ScaledLcp& scaled, const Tableau& tableau, double tolerance) {
   LcpResult best = make_result(scaled, basic_z(tableau, tableau.values()), tolerance);
   std::vector<Index> active = active_set(tableau, scaled.problem.offset.size());
   for (int change = 0; change < side_changes && !active.empty(); ++change) {
@@ -184,7 +184,7 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     const Index leaving = tableau.basic(row);
     tableau.pivot(row, tableau.column_of(entering));
     if (leaving == tableau.artificial()) {
-      result = polished(scaled, tableau, options.tolerance);
+      result = polish(scaled, tableau, options.tolerance);
       result.iterations = pivots;
       return result;
     }

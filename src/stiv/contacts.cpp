@@ -17,7 +17,7 @@ using Eigen::Index;
 namespace {
 
 // Turns a vector x of a component's frame into the plane, at a time tau.
-Complex turned(const RigidPath& path, double tau, Complex x) {
+Complex rotate(const RigidPath& path, double tau, Complex x) {
   return std::polar(1.0, path.at(tau).orientation) * x;
 }
 
@@ -37,7 +37,8 @@ using Events = std::vector<Event>;
 using Run = Events;  // of consecutive vertices of one polygon, in the order of the curve
 
 // Splits the events of one polygon with m vertices whose gaps are less than `limit` into runs.
-std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool of_a, double limit) {
+std::vector<Run> split_into_runs(const std::vector<VertexEvent>& events, Index m, bool of_a,
+                                 double limit) {
   std::vector<Run> runs;
   for (const VertexEvent& event : events) {
     if (event.gap >= limit) continue;
@@ -63,10 +64,10 @@ std::vector<Run> runs_of(const std::vector<VertexEvent>& events, Index m, bool o
 using Group = std::vector<Run>;  // connected runs
 
 // Groups the events of a pair whose gaps are less than `limit` into connected runs.
-std::vector<Group> connected_groups(const PairEvents& pair, double limit) {
+std::vector<Group> group_runs(const PairEvents& pair, double limit) {
   const Index m_a = pair.shape_a.polygon.size(), m_b = pair.shape_b.polygon.size();
-  std::vector<Run> runs = runs_of(pair.events_a, m_a, true, limit);
-  std::ranges::move(runs_of(pair.events_b, m_b, false, limit), std::back_inserter(runs));
+  std::vector<Run> runs = split_into_runs(pair.events_a, m_a, true, limit);
+  std::ranges::move(split_into_runs(pair.events_b, m_b, false, limit), std::back_inserter(runs));
   std::map<Index, std::size_t> runs_in_a, runs_in_b;  // the run of each vertex
   for (std::size_t k = 0; k < runs.size(); ++k) {
     for (const Event& event : runs[k]) (event.of_a ? runs_in_a : runs_in_b)[event.vertex] = k;
@@ -97,7 +98,7 @@ std::vector<Group> connected_groups(const PairEvents& pair, double limit) {
 
 // Returns the places in a run at which the gap has local minima. Between two minima the gap rises
 // and falls by more than the threshold.
-std::vector<std::size_t> minima(const Run& run, double threshold) {
+std::vector<std::size_t> find_minima(const Run& run, double threshold) {
   std::vector<std::size_t> found;
   std::size_t turning = 0;  // place of the least or greatest gap since the last turn
   bool descends = true;
@@ -117,10 +118,10 @@ std::vector<std::size_t> minima(const Run& run, double threshold) {
 
 // Returns for each local minimum of the gap in a run its support, the events that get rows: the
 // deepest vertex, then the ends of the stretch of nearly equal gaps if the contact is flat.
-std::vector<Events> supports(const Run& run, double threshold) {
+std::vector<Events> find_supports(const Run& run, double threshold) {
   constexpr std::size_t vertices_of_a_curved_contact = 4;
   std::vector<Events> found;
-  for (std::size_t lowest : minima(run, threshold)) {
+  for (std::size_t lowest : find_minima(run, threshold)) {
     const auto is_as_deep = [&](std::size_t i) {
       return run[i].gap <= run[lowest].gap + threshold;
     };
@@ -141,13 +142,13 @@ ContactRow row_of(const PairEvents& pair, const Event& event) {
 }
 
 // Returns the events of all runs of a group, one run after the other.
-Events events_of(const Group& group) {
+Events collect_events(const Group& group) {
   Events events;
   for (const Run& run : group) events.insert(events.end(), run.begin(), run.end());
   return events;
 }
 
-Event deepest(const Events& events) {
+Event find_deepest(const Events& events) {
   return *std::ranges::min_element(events, {}, &Event::gap);
 }
 
@@ -163,7 +164,7 @@ void add(PairWrench& sum, double weight, const PairWrench& wrenches) {
 // Returns the weighted mean of the rows of all vertices that end too deep, with the gap V / sum w_s
 // (10.6). Point, normal, time and key are those of the deepest vertex.
 ContactRow mean_row(const PairEvents& pair, const Events& violation) {
-  ContactRow mean = row_of(pair, deepest(violation));
+  ContactRow mean = row_of(pair, find_deepest(violation));
   mean.gap = 0.0;
   mean.force = mean.derivative = {};
   double length = 0.0;
@@ -184,12 +185,12 @@ ContactRow mean_row(const PairEvents& pair, const Events& violation) {
 std::vector<Contact> add_deepest_rows(const PairEvents& pair, const std::vector<Events>& violations,
                                       std::vector<Contact> contacts) {
   const double sags = pair.shape_a.sag + pair.shape_b.sag;
-  for (const Group& group : connected_groups(pair, std::numeric_limits<double>::infinity())) {
+  for (const Group& group : group_runs(pair, std::numeric_limits<double>::infinity())) {
     Contact near{pair.paths.a, pair.paths.b, 0.0, {}};
-    const bool of_a = deepest(events_of(group)).of_a;
+    const bool of_a = find_deepest(collect_events(group)).of_a;
     for (const Run& run : group) {
       if (run.front().of_a != of_a) continue;
-      for (const Events& support : supports(run, sags)) {
+      for (const Events& support : find_supports(run, sags)) {
         const auto is_it = [&](const Event& event) {
           return event.of_a == of_a && event.vertex == support.front().vertex;
         };
@@ -216,11 +217,11 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
   // Arms use only the vector between the centres: places far from the origin would lose digits.
   const Complex apart = other.start.position - mine.start.position;
   const Complex apart_at_end = apart + (other.displacement - mine.displacement);
-  const Complex normal = turned(other, event.time, event.normal);
+  const Complex normal = rotate(other, event.time, event.normal);
   // The force acts half-way between the vertex and the point that it touches.
   const Complex arm =
-      0.5 * (turned(mine, event.time, vertex) + apart + turned(other, event.time, event.point));
-  const Complex arm_at_end = turned(mine, 1.0, vertex);
+      0.5 * (rotate(mine, event.time, vertex) + apart + rotate(other, event.time, event.point));
+  const Complex arm_at_end = rotate(mine, 1.0, vertex);
   //! [row]
   const RowKey key =
       of_a ? RowKey{paths.a, paths.b, event.vertex} : RowKey{paths.b, paths.a, event.vertex};
@@ -231,7 +232,7 @@ ContactRow contact_row(const VertexEvent& event, Complex vertex, bool of_a, cons
           mine.start.position + arm,
           of_a ? normal : -normal,
           opposite(normal, arm, arm - apart, of_a),
-          opposite(turned(other, 1.0, event.normal), arm_at_end, arm_at_end - apart_at_end, of_a)};
+          opposite(rotate(other, 1.0, event.normal), arm_at_end, arm_at_end - apart_at_end, of_a)};
 }
 
 PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
@@ -246,8 +247,8 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance, RowChoice rows) {
   std::vector<Events> violations;
   std::vector<Contact> contacts;
-  for (const Group& group : connected_groups(pair, -tolerance)) {
-    violations.push_back(events_of(group));
+  for (const Group& group : group_runs(pair, -tolerance)) {
+    violations.push_back(collect_events(group));
     double volume = 0.0;  // V = sum w_s g_s (10.6)
     for (const Event& event : violations.back()) volume += event.weight * event.gap;
     contacts.push_back({pair.paths.a, pair.paths.b, volume, {}});
@@ -263,7 +264,7 @@ std::vector<Contact> connected_contacts(const PairEvents& pair, double tolerance
     } else if (own.empty()) {
       // No local minimum belongs to this violation, as a deeper one is within the sags. The row is
       // that of its deepest vertex, which may also be the end of a flat support of the deeper one.
-      const ContactRow row = row_of(pair, deepest(violations[k]));
+      const ContactRow row = row_of(pair, find_deepest(violations[k]));
       for (Contact& other : contacts) {
         std::erase_if(other.rows, [&](const ContactRow& its) { return its.key == row.key; });
       }

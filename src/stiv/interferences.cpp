@@ -42,8 +42,8 @@ void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& pa
 }
 
 // Finds the contacts of one pair of components: narrow phase, then grouping.
-Interferences in_pair(const ContactShapes& shapes, const PathPair& paths,
-                      const ContactRules& rules) {
+Interferences find_in_pair(const ContactShapes& shapes, const PathPair& paths,
+                           const ContactRules& rules) {
   const double separation = rules.separation.between(paths.a, paths.b);
   const PairEvents events = pair_events(
       shapes, paths,
@@ -68,7 +68,7 @@ Interferences interferences(const ContactShapes& shapes, const std::vector<Rigid
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [a, b] = pairs[i];
-    of_pairs[i] = in_pair(shapes, {a, b, paths[a], paths[b]}, rules);
+    of_pairs[i] = find_in_pair(shapes, {a, b, paths[a], paths[b]}, rules);
   }
   Interferences all;
   for (Interferences& found : of_pairs) {

@@ -150,10 +150,11 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   Configuration end = start;
   std::swap(end[0].position, end[1].position);
   for (Pose& pose : end) pose.position = std::conj(pose.position);
-  BOOST_TEST(test.error(start, end, 3.0) == "");
+  BOOST_TEST(test.describe_passing(start, end, 3.0) == "");
   for (Pose& pose : end) pose.position = pose.position.real();
-  BOOST_TEST(test.error(start, end, 3.0).starts_with("body 0 and body 1 overlap or pass through"));
-  BOOST_TEST(test.error(start, end, 9.0) == "");  // the stated gap of 9 needs no search
+  BOOST_TEST(test.describe_passing(start, end, 3.0)
+                 .starts_with("body 0 and body 1 overlap or pass through"));
+  BOOST_TEST(test.describe_passing(start, end, 9.0) == "");  // the stated gap of 9 needs no search
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {

@@ -69,7 +69,7 @@ VectorXd smallest_angles(const SparseMatrix<double>& loads) {
 
 // Rotates the forces of a load by a part of the components' orientations: 1 from the frames of the
 // components to the plane, -1 back.
-VectorXd rotated(VectorXd load, const Configuration& configuration, double part) {
+VectorXd rotate_forces(VectorXd load, const Configuration& configuration, double part) {
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     auto force = load.segment<2>(static_cast<Index>(3 * k));
     force = Eigen::Rotation2Dd(part * configuration[k].orientation) * force.eval();
@@ -155,7 +155,7 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
       earlier_.densities.guess(0.0, configuration, solution.discretisation);
   for (Index i = 0; i < earlier_.loads.cols(); ++i) {
     const VectorXd at_bodies = earlier_.loads.col(i);
-    const SparseVector<double> load = rotated(at_bodies, configuration, 1.0).sparseView();
+    const SparseVector<double> load = rotate_forces(at_bodies, configuration, 1.0).sparseView();
     earlier_columns_.push_back({.load = load,
                                 .scaled_load = load_scales_.asDiagonal() * load,
                                 .density = guesses.col(i),
@@ -385,7 +385,7 @@ MobilityColumns ContactMobility::columns() const {
   MobilityColumns result{MatrixXd(columns_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
     const Column& column = *known[static_cast<std::size_t>(i)];
-    result.loads.col(i) = rotated(column.load, configuration, -1.0);
+    result.loads.col(i) = rotate_forces(column.load, configuration, -1.0);
     result.rhs_norms[i] = column.rhs_norm;
     densities.col(i) = column.density;
   }

@@ -64,8 +64,8 @@ PassingTest::PassingTest(const SuspensionSolver& solver)
       sag_(sag_of_passing * smallest_radius(solver.discretisation())),
       shapes_(contact_shapes(solver.discretisation(), sag_)) {}
 
-std::string PassingTest::error(const Configuration& start, const Configuration& end,
-                               double closest) const {
+std::string PassingTest::describe_passing(const Configuration& start, const Configuration& end,
+                                          double closest) const {
   if (is_short(shapes_, start, end, closest)) return {};
   const Eigen::VectorXd displacement = to_state(end) - to_state(start);
   const ContactRules rules{{sag_}, accepted_sags * sag_};
@@ -104,7 +104,7 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
   const auto at_end = [&](double t, const VectorXd& q) {
     if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
     const Configuration there = to_configuration(q);
-    const std::string passing = passing_.error(here, there, closest);
+    const std::string passing = passing_.describe_passing(here, there, closest);
     if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);
     last = instants_.solve(t, {there, state.amplitude});
     return to_rate(last->solution);

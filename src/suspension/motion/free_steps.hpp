@@ -19,7 +19,8 @@ class PassingTest {
   /// @return          a message that names the first such pair; empty if there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
-  std::string error(const Configuration& start, const Configuration& end, double closest) const;
+  std::string describe_passing(const Configuration& start, const Configuration& end,
+                               double closest) const;
 
  private:
   const SuspensionSolver& solver_;
