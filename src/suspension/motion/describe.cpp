@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 
 #include "double_layer/stresslet_sum.hpp"
@@ -55,13 +54,13 @@ std::string recommendation(int nodes) {
                          " resolves the shape to solver.tolerance";
 }
 
-// Returns one line for all components that share a shape and a resolution, and whose nodes are all
+// Returns one text for all components that share a shape and a resolution, and whose nodes are all
 // given or all chosen.
-std::vector<std::string> component_lines(const SuspensionSolver& solver,
+std::vector<std::string> component_texts(const SuspensionSolver& solver,
                                          const Resolutions& resolutions,
                                          const std::vector<int>& recommended) {
   const Discretisation& discretisation = solver.discretisation();
-  std::vector<std::string> lines;
+  std::vector<std::string> texts;
   const auto is_chosen = [&](std::size_t component) {
     return component_of(solver.scene(), component).has_automatic_nodes();
   };
@@ -78,14 +77,13 @@ std::vector<std::string> component_lines(const SuspensionSolver& solver,
       ++members;
       most = std::max(most, recommended[j]);
     }
-    lines.push_back(aligned(
-        "components",
+    texts.push_back(
         std::to_string(members) + " x " + std::visit(ShapeName{}, discretisation[k]->shape) + ", " +
-            std::to_string(resolutions[k].n_nodes) + " nodes" +
-            (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
-            (is_chosen(k) ? " initially, chosen for shape and gaps" : recommendation(most))));
+        std::to_string(resolutions[k].n_nodes) + " nodes" +
+        (resolutions[k].is_graded() ? " that crowd at gaps" : "") +
+        (is_chosen(k) ? " initially, chosen for shape and gaps" : recommendation(most)));
   }
-  return lines;
+  return texts;
 }
 
 std::string sum_text(const Plan& plan, Eigen::Index nodes) {
@@ -132,28 +130,29 @@ std::string steps_text(const Scene& scene) {
 std::vector<std::string> describe(const SuspensionSolver& solver) {
   const Scene& scene = solver.scene();
   std::vector<std::string> lines;
-  for (const auto& [topic, decision, reason] : plan_lines(solver.plan(), solver.scene())) {
-    lines.push_back(aligned(topic, decision + ": " + reason));
+  const auto add = [&](const std::string& topic, const std::string& text) {
+    lines.push_back(aligned(topic, text));
+  };
+  for (const auto& [topic, decision, reason] : plan_lines(solver.plan(), scene)) {
+    add(topic, decision + ": " + reason);
   }
-  lines.push_back(aligned(
-      "time", scene.time ? steps_text(scene) + late_reversals(scene) : "none: one solve at t = 0"));
+  add("time", scene.time ? steps_text(scene) + late_reversals(scene) : "none: one solve at t = 0");
   const Configuration start = solver.start().configuration;
   const std::vector<Gap> gaps = solver.gaps(start);
   const Resolutions resolutions = solver.first_resolutions(start, gaps);
   long long nodes = 0;
   for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
-  lines.push_back(
-      aligned("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
-                              " nodes; motions and loads are functionals of the density "
-                              "(reduced closure)"));
-  lines.push_back(aligned("summation", sum_text(solver.plan(), nodes)));
-  std::ranges::move(component_lines(solver, resolutions, solver.recommended_nodes(start, gaps)),
-                    std::back_inserter(lines));
+  add("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
+                      " nodes; motions and loads are functionals of the density (reduced closure)");
+  add("summation", sum_text(solver.plan(), nodes));
+  const std::vector<int> recommended = solver.recommended_nodes(start, gaps);
+  for (const std::string& text : component_texts(solver, resolutions, recommended)) {
+    add("components", text);
+  }
   if (!gaps.empty()) {
-    const Gap& closest = gaps.front();
-    lines.push_back(aligned("closest pair", component_of(scene, closest.a).name() + " and " +
-                                                component_of(scene, closest.b).name() + ", " +
-                                                short_number(closest.points.gap) + " apart"));
+    const auto& [a, b, points] = gaps.front();
+    add("closest pair", component_of(scene, a).name() + " and " + component_of(scene, b).name() +
+                            ", " + short_number(points.gap) + " apart");
   }
   return lines;
 }
