@@ -28,7 +28,7 @@ class Search {
 
   // Returns the vertices of A that may come near B. A run of vertices is left out if the path of
   // its bounding circle keeps away from B.
-  std::vector<Index> candidates() {
+  std::vector<Index> find_candidates() {
     return a_.polygon.vertices_if([this](const Rectangle& rectangle) {
       const Complex centre = 0.5 * (rectangle.lower + rectangle.upper);
       const double radius = 0.5 * std::abs(rectangle.upper - rectangle.lower);
@@ -39,7 +39,7 @@ class Search {
   // Returns the event of a vertex. The gap is (10.5) if the vertex goes deep and ends beyond the
   // touched line; otherwise the distance at the end counts. Returns nothing if the vertex neither
   // goes deep nor ends near B.
-  std::optional<VertexEvent> event(Index vertex) {
+  std::optional<VertexEvent> find_event(Index vertex) {
     const Complex x = a_.polygon.vertex(vertex);
     const PathPoint start = start_of(x), end = end_of(x);
     const ClosestPoint at = closest(end.z, clearance_.reach);
@@ -47,7 +47,7 @@ class Search {
     const bool ends_far = std::min(at.distance, clearance_.reach) > deep_ + path_length;
     const bool ends_deep = at.distance <= deep_;
     if (ends_deep || (!ends_far && !is_never_deep(x, start, end, 3))) {
-      if (const auto touch = deep_touch(x, end.z)) {
+      if (const auto touch = find_deep_touch(x, end.z)) {
         return complete(vertex, touch->tau, gap(*touch, end.z), touch->at);
       }
     }
@@ -93,7 +93,7 @@ class Search {
   // Finds the contact in which a point X of A goes deep and ends beyond the touched line. Returns
   // the touch at the start of this contact, or the first deep place if X ends beyond the line there
   // only. Returns nothing if there is no such contact. Advances by (10.3) with the bound (10.4).
-  std::optional<Touch> deep_touch(Complex x, Complex end) {
+  std::optional<Touch> find_deep_touch(Complex x, Complex end) {
     const double speed = path_.speed_bound(std::abs(x)), separation = clearance_.separation,
                  tolerance = clearance_.tolerance;
     std::optional<Touch> touch;
@@ -163,9 +163,9 @@ VertexEvents vertex_events(const ContactShape& a, const ContactShape& b, const R
                            const Clearance& clearance) {
   Search search(a, b.polygon, path, clearance);
   VertexEvents result;
-  for (Index vertex : search.candidates()) {
+  for (Index vertex : search.find_candidates()) {
     ++result.cost.vertices;
-    if (const auto event = search.event(vertex)) result.events.push_back(*event);
+    if (const auto event = search.find_event(vertex)) result.events.push_back(*event);
   }
   result.cost.queries = search.queries();
   return result;

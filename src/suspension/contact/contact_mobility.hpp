@@ -30,10 +30,9 @@ struct MobilityColumns {
 /// Loads do positive work on the motions that they cause: the matrix \f$ F^TV \f$ is symmetric and
 /// positive definite. Errors of the motions may make the computed matrix indefinite if some loads
 /// hardly move anything, such as the forces across three gaps around trapped fluid; the
-/// complementarity problem may then have no solution. A negative eigenvalue of the symmetric part,
-/// after a scaling to a unit diagonal, is a lower bound for the errors. All eigenvalues below its
-/// modulus are increased to its modulus.
-///
+/// complementarity problem may then have no solution. All eigenvalues of the symmetric part, scaled
+/// to a unit diagonal, are increased to the modulus of the most negative one, which is a lower
+/// bound for the errors.
 /// @param  loads  F, D x m, in units in which all components of a load are comparable
 /// @param  works  \f$ F^TV \f$, m x m, of the motions V under these loads
 /// @return        change of V, D x m; zero if the matrix is positive definite, or if a diagonal
@@ -62,9 +61,9 @@ Eigen::MatrixXd definite_correction(const Eigen::MatrixXd& loads, const Eigen::M
 /// solved to a tighter tolerance, and in the end used with their correction, however large.
 ///
 /// The residual of a combination shows the quality of the columns. Columns with a larger residual
-/// than assumed are solved for. The tolerance of all columns is divided by ten when refinements
-/// have taken as many iterations as that takes, or when the residual grows from one refinement to
-/// the next. The columns of the next configuration may have a residual ten times as large.
+/// than assumed are solved for, and all columns are tightened when refinements take too many
+/// iterations or diverge. The columns of the next configuration may have a residual ten times as
+/// large.
 class ContactMobility {
  public:
   /// Takes a solution, whose system is solved for loads, and the columns of an earlier

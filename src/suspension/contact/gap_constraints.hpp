@@ -74,7 +74,7 @@ struct ConstraintRules {
 /// forces at the closest points of the end would lower the order of the method by one.
 class GapConstraints {
  public:
-  /// Takes a stage and the polygons of all components. All arguments must outlive the constraints.
+  /// All arguments must outlive the constraints.
   GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
                  const ContactShapes& shapes, const ConstraintRules& rules);
 

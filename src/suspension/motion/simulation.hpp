@@ -22,9 +22,6 @@ struct Observer {
 /// other methods shorten their steps evenly to hit them. The order of a method in time.dt is the
 /// one that chapter 09 gives. FreeSteps takes the steps of scenes without contact, ContactSteps
 /// those of scenes with contact; InstantSolver solves their stages.
-///
-/// The error of the velocities is estimated at written times, and at the end of the first step
-/// after eight solves without an estimate; steps between carry the latest estimate.
 /// @par Accuracy  of methods that adapt steps: time.tolerance within a factor of ten where the
 ///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
 ///                @ref claim_09_20; far better where the flow contracts, as onto a contact
