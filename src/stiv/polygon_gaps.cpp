@@ -46,12 +46,12 @@ struct NearestVertex {
 };
 
 NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach) {
-  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  constexpr double any_distance = std::numeric_limits<double>::infinity();
   const RelativeFrame frame = frame_in(of.pose, about.pose);
-  NearestVertex nearest{unlimited, {}};
+  NearestVertex nearest{any_distance, {}};
   for (Index i : near_vertices(of.shape.polygon, about.shape.polygon, frame, reach)) {
     const Complex x = of.shape.polygon.vertex(i);
-    const double distance = about.shape.polygon.closest(frame(x), unlimited).distance;
+    const double distance = about.shape.polygon.closest(frame(x), any_distance).distance;
     if (distance < nearest.distance) {
       nearest = {distance, of.pose.position + std::polar(1.0, of.pose.orientation) * x};
     }

@@ -13,8 +13,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Follows the vertices of component A past the polygon of component B.
 class Search {
  public:
@@ -97,7 +95,7 @@ class Search {
     const double speed = path_.speed_bound(std::abs(x)), separation = clearance_.separation,
                  tolerance = clearance_.tolerance;
     std::optional<Touch> touch;
-    double tau = 0.0, previous = infinity, stretch = 1.0;
+    double tau = 0.0, previous = std::numeric_limits<double>::infinity(), stretch = 1.0;
     //! [follow]
     while (tau < 1.0) {
       const Complex z = path_.at(tau)(x);
