@@ -24,11 +24,11 @@ Vectors operator-(const Vectors& p, const Vectors& q) {
   return {p.x - q.x, p.y - q.y};
 }
 
-Lanes dot(const Vectors& p, const Vectors& q) {
+Lanes dots(const Vectors& p, const Vectors& q) {
   return p.x * q.x + p.y * q.y;
 }
 
-Lanes cross(const Vectors& p, const Vectors& q) {
+Lanes crosses(const Vectors& p, const Vectors& q) {
   return p.x * q.y - p.y * q.x;
 }
 
@@ -40,13 +40,13 @@ struct Segments {
 
 // Returns t = min(max(p . v / |v|^2, 0), 1): the closest point to p of the segment v is t v.
 Lanes closest_fractions(const Segments& segments, const Vectors& points) {
-  return (dot(points, segments.along) * segments.inverse).max(0.0).min(1.0);
+  return (dots(points, segments.along) * segments.inverse).max(0.0).min(1.0);
 }
 
 Lanes squared_distances(const Segments& segments, const Vectors& points, const Lanes& fractions) {
   const Vectors apart{points.x - fractions * segments.along.x,
                       points.y - fractions * segments.along.y};
-  return dot(apart, apart);
+  return dots(apart, apart);
 }
 
 Lanes squared_distances(const Segments& segments, const Vectors& points) {
@@ -90,8 +90,8 @@ bool EdgeRun::is_clear_of(const Chord& chord, double distance) const {
                           .min(squared_distances(chords, to_end));
   // Chord and edge cross if the ends of each lie on different sides of the other: both products are
   // negative.
-  const Lanes sides = (cross(edges.along, from_start) * cross(edges.along, ends_from_start))
-                          .max(cross(chords.along, to_start) * cross(chords.along, to_end));
+  const Lanes sides = (crosses(edges.along, from_start) * crosses(edges.along, ends_from_start))
+                          .max(crosses(chords.along, to_start) * crosses(chords.along, to_end));
   return least.minCoeff() > distance * distance && sides.minCoeff() >= 0.0;
 }
 
