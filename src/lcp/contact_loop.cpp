@@ -27,9 +27,10 @@ constexpr double divergence = 10.0;
 
 using SparseRow = Eigen::SparseVector<double, Eigen::RowMajor>;
 
-// The linear constraint clearance + dt gradient . U >= 0, with c of (11.10) for the clearance.
+// The linear constraint clearance + dt gradient . U >= 0, with c of (11.10) for the clearance, and
+// the gap at the velocity of the linearisation.
 struct LinearisedGap {
-  double clearance = 0.0;
+  double gap, clearance;
   SparseRow gradient, force_gradient;
 };
 
@@ -79,23 +80,13 @@ LinearisedGaps linearise(const ContactRows& rows, const VectorXd& velocity, doub
   LinearisedGaps gaps;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
-    const LinearisedGap gap{clearance[i], rows.gradient.row(i), rows.force_gradient.row(i)};
+    const LinearisedGap gap{rows.gap[i], clearance[i], rows.gradient.row(i),
+                            rows.force_gradient.row(i)};
     if (!gaps.emplace(key, gap).second) {
       throw std::invalid_argument("two rows have the same key: " + contact_point(key));
     }
   }
   return gaps;
-}
-
-// Selects the linearised gaps of the rows that are violated by more than the tolerance.
-LinearisedGaps select_violated(const ContactRows& rows, const LinearisedGaps& gaps,
-                               double tolerance) {
-  LinearisedGaps result;
-  for (Index i = 0; i < rows.gap.size(); ++i) {
-    const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
-    if (rows.gap[i] < -tolerance) result.emplace(key, gaps.at(key));
-  }
-  return result;
 }
 
 // Returns the largest violation, a length >= 0.
@@ -233,7 +224,8 @@ class ContactLoop {
   // old linearisation may hold a gap open.
   LinearisedGaps linearise_gaps() {
     LinearisedGaps gaps = linearise(rows_, result_.velocity, step_.dt);
-    LinearisedGaps now = select_violated(rows_, gaps, step_.tolerance);
+    LinearisedGaps now = gaps;
+    std::erase_if(now, [&](const auto& entry) { return entry.second.gap >= -step_.tolerance; });
     restores_rows_ |= result_.iterations > options_.restore_rows_after && !now.empty();
     if (restores_rows_) gaps.insert(violated_.begin(), violated_.end());
     now.merge(violated_);
