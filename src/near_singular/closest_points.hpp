@@ -5,7 +5,7 @@
 
 #include "trapezoid/curve.hpp"
 #include "trapezoid/grading.hpp"
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/shape.hpp"
 
 namespace stokesbook {
 

@@ -1,22 +1,50 @@
-// Samples shapes at equidistant nodes and places curves in the plane. Computes weights (01.2),
-// normals (01.3), curvatures (01.4), lengths and areas of curves from their nodes, by the periodic
-// trapezoid rule.
+// Samples shapes at equidistant or graded nodes, and places curves in the plane. Computes weights
+// (01.2), normals (01.3), curvatures (01.4), lengths and areas of curves from their nodes, by the
+// periodic trapezoid rule.
 #include "trapezoid/curve.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 
 #include "trapezoid/fourier.hpp"
-#include "trapezoid/grading.hpp"
 
 namespace stokesbook {
 
-Curve sample(const Shape& shape, Eigen::Index n, Side side) {
-  return sample(shape, n, side, Grading{});
+using Eigen::Index;
+
+Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
+  if (n < 4 || n % 2 != 0) {
+    throw std::invalid_argument("a curve requires an even number of nodes >= 4, got " +
+                                std::to_string(n));
+  }
+  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
+  const auto* nodal = std::get_if<NodalCurve>(&shape);
+  if (nodal == nullptr || !grading.clusters.empty()) return sample(shape, parameters, side);
+  // At equidistant parameters, fast Fourier transforms replace the sums of modes.
+  const ComplexVector x = resample(counter_clockwise(*nodal), n);
+  const ComplexVector dx = differentiate(x);
+  return {x, dx, differentiate(dx), side};
 }
 
-Curve resample(const Curve& curve, Eigen::Index m) {
+// x(t(s)), dx/ds = x' t' and d2x/ds2 = x'' t'^2 + x' t'', t' and t'' being derivatives in s.
+Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side) {
+  const Parametrisation point = parametrisation(shape);
+  const auto n = static_cast<Index>(parameters.size());
+  Curve curve{ComplexVector(n), ComplexVector(n), ComplexVector(n), side};
+  for (Index j = 0; j < n; ++j) {
+    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
+    const auto [x, first, second] = point(t);
+    curve.x[j] = x;
+    curve.dx[j] = first * dt;
+    curve.ddx[j] = second * (dt * dt) + first * ddt;
+  }
+  return curve;
+}
+
+Curve resample(const Curve& curve, Index m) {
   return {resample(curve.x, m), resample(curve.dx, m), resample(curve.ddx, m), curve.side};
 }
 
@@ -30,7 +58,7 @@ Curve place(const Curve& reference, Complex position, double orientation) {
 ComplexVector all_nodes(const std::vector<Curve>& curves) {
   std::vector<Complex> nodes;
   for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
-  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Eigen::Index>(nodes.size()));
+  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Index>(nodes.size()));
 }
 
 Eigen::VectorXd weights(const Curve& curve) {
@@ -71,14 +99,14 @@ double bounding_radius(const Curve& curve, Complex centre) {
 double outer_radius(const Curve& curve, Complex centre) {
   // The squared distance g = |x - c|^2 has the derivatives g' = 2 (x - c).x' and
   // g'' = 2 |x'|^2 + 2 (x - c).x''.
-  const Eigen::Index n = curve.size();
+  const Index n = curve.size();
   const double half_spacing = std::numbers::pi / static_cast<double>(n);
   const Eigen::ArrayXcd arm = curve.x.array() - centre;
   const Eigen::ArrayXd slope = 2.0 * (arm.conjugate() * curve.dx.array()).real().abs();
   const Eigen::ArrayXd bend =
       2.0 * (curve.dx.array().abs2() + (arm.conjugate() * curve.ddx.array()).real());
   double radius = 0.0;
-  for (Eigen::Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < n; ++j) {
     // The largest value of g_j + |g'_j| tau + M tau^2 / 2 over 0 <= tau <= pi / N.
     const double most = std::max({bend[(j + n - 1) % n], bend[j], bend[(j + 1) % n]});
     const double step = most < 0.0 ? std::min(half_spacing, slope[j] / -most) : half_spacing;

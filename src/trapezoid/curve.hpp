@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "trapezoid/grading.hpp"
 #include "trapezoid/plane.hpp"
 #include "trapezoid/shape.hpp"
 
@@ -17,8 +18,8 @@ enum class Side : int {
 
 /// Collocation nodes \f$ x(t_j), t_j = 2\pi j/N \f$ of a smooth closed curve, counter-clockwise.
 ///
-/// The parameter t is the one in which the nodes are equidistant; for graded nodes, t is the
-/// parameter s of Grading.
+/// The parameter t is the one in which the nodes are equidistant: the parameter s of Grading for
+/// graded nodes.
 struct Curve {
   ComplexVector x;                  ///< nodes, length
   ComplexVector dx;                 ///< \f$ x'(t_j) \f$, length
@@ -29,31 +30,29 @@ struct Curve {
   double sign() const { return static_cast<double>(side); }  ///< returns s of (01.3), +1 or -1
 };
 
-/// Samples a shape at n equidistant parameters, in the frame of the shape.
+/// Samples a shape at n nodes, equidistant or graded, in the frame of the shape.
 ///
 /// Derivatives are exact; the derivatives of a NodalCurve are those of its Fourier interpolant.
 /// @param  n      number of nodes, even, >= 4
-/// @return        n nodes, counter-clockwise
-/// @throws std::invalid_argument when n is odd or too small
+/// @throws std::invalid_argument when n is odd or too small, or when graded_parameters() throws
 /// @par Accuracy  rounding; derivatives of a NodalCurve: geometric in its number of points,
-/// @ref claim_01_8
-/// @par Cost      O(n); for a NodalCurve with p points O(n log n + p log p)
+/// @ref claim_01_8; the rule at graded nodes: geometric in n, @ref claim_01_15
+/// @par Cost      O(n); for a NodalCurve with p points O(n log n + p log p); graded: that of
+/// graded_parameters(), and n p more for a NodalCurve
 /// @par Not for   fewer nodes than a NodalCurve has points: the highest modes are dropped
-Curve sample(const Shape& shape, Eigen::Index n, Side side);
+Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading = {});
+
+/// Samples a shape at graded nodes whose parameters are known from graded_parameters().
+Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side);
 
 /// Samples the trigonometric interpolants of a curve and its derivatives at m equidistant
 /// parameters.
 ///
-/// @param  m      number of new nodes, even
-/// @return        m nodes with the same side, in the same parameter
-/// @throws std::invalid_argument when m is odd or < 2
-/// @par Accuracy  that of resample() for node values, @ref claim_01_7
-/// @par Cost      O(N log N + m log m)
+/// Accuracy, cost and exceptions are those of resample() for node values.
 Curve resample(const Curve& curve, Eigen::Index m);
 
 /// Moves a curve from its own frame into the plane: \f$ x \to c + e^{i\theta} x \f$.
 ///
-/// @param  position     c, length
 /// @param  orientation  theta, radians, counter-clockwise
 Curve place(const Curve& reference, Complex position, double orientation);
 
@@ -102,9 +101,8 @@ double bounding_radius(const Curve& curve, Complex centre);
 /// Within half a spacing \f$ h = 2\pi/N \f$ of node j, \f$ g = |x-c|^2 \f$ is at most
 /// \f$ g_j + |g'_j|\tau + \frac12 M\tau^2,\ 0\le\tau\le\frac12h \f$, where M is the largest
 /// second derivative of g at the node and its two neighbours.
-/// @param  centre  c, length
-/// @return         radius, length: the distance of the farthest node if no point of the curve is
-///                 farther, otherwise a little more than necessary
+/// @return  the distance of the farthest node if no point of the curve is farther, otherwise a
+///          little more than necessary
 double outer_radius(const Curve& curve, Complex centre);
 
 }  // namespace stokesbook

@@ -1,6 +1,5 @@
-// Computes graded nodes: inverts the map s(t) of (01.11), a sum of elliptic integrals, by Newton's
-// method, and samples shapes there. Evaluates the map at complex t, which gives rates of
-// convergence.
+// Computes graded parameters: inverts the map s(t) of (01.11), a sum of elliptic integrals, by
+// Newton's method. Evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/plane.hpp"
 
 namespace stokesbook {
 
@@ -189,35 +188,6 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
     parameters.push_back({map.parameter() + tau, dt, -dt * dt * slope / m});
   }
   return parameters;
-}
-
-Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
-  if (n < 4 || n % 2 != 0) {
-    throw std::invalid_argument("a curve requires an even number of nodes >= 4, got " +
-                                std::to_string(n));
-  }
-  const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
-  const auto* nodal = std::get_if<NodalCurve>(&shape);
-  if (nodal == nullptr || !grading.clusters.empty()) return sample(shape, parameters, side);
-  // At equidistant parameters, fast Fourier transforms replace the sums of modes.
-  const ComplexVector x = resample(counter_clockwise(*nodal), n);
-  const ComplexVector dx = differentiate(x);
-  return {x, dx, differentiate(dx), side};
-}
-
-// x(t(s)), dx/ds = x' t' and d2x/ds2 = x'' t'^2 + x' t'', t' and t'' being derivatives in s.
-Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side) {
-  const Parametrisation point = parametrisation(shape);
-  const auto n = static_cast<Index>(parameters.size());
-  Curve curve{ComplexVector(n), ComplexVector(n), ComplexVector(n), side};
-  for (Index j = 0; j < n; ++j) {
-    const auto [t, dt, ddt] = parameters[static_cast<std::size_t>(j)];
-    const auto [x, first, second] = point(t);
-    curve.x[j] = x;
-    curve.dx[j] = first * dt;
-    curve.ddx[j] = second * (dt * dt) + first * ddt;
-  }
-  return curve;
 }
 
 std::vector<double> graded_positions(const Grading& grading,

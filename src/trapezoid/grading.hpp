@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "trapezoid/curve.hpp"
+#include <Eigen/Core>
 
 namespace stokesbook {
 
@@ -47,20 +47,6 @@ struct GradedParameter {
 /// cluster, not to t_c: @ref claim_01_17
 /// @par Cost      about six evaluations of s per node, each with an elliptic integral per cluster
 std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::Index n);
-
-/// Samples a shape at graded nodes, in the frame of the shape.
-///
-/// The members dx and ddx of the curve are derivatives with respect to s. Without clusters, the
-/// result is that of sample() without a grading.
-/// @param  n  number of nodes, even, >= 4
-/// @return    n nodes, counter-clockwise
-/// @throws std::invalid_argument when n is odd or too small, or when graded_parameters() throws
-/// @par Accuracy  rounding; the rule converges geometrically in n, @ref claim_01_15
-/// @par Cost      that of graded_parameters(), and n p more for a NodalCurve with p points
-Curve sample(const Shape& shape, Eigen::Index n, Side side, const Grading& grading);
-
-/// Samples a shape at graded nodes whose parameters are known from graded_parameters().
-Curve sample(const Shape& shape, const std::vector<GradedParameter>& parameters, Side side);
 
 /// Computes s of given parameters t: the inverse of graded_parameters().
 ///

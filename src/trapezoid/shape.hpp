@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 
+#include "trapezoid/fourier.hpp"
 #include "trapezoid/plane.hpp"
 
 namespace stokesbook {
@@ -51,5 +53,18 @@ struct NodalCurve {
 
 /// A closed smooth curve in its own frame.
 using Shape = std::variant<Circle, Ellipse, Star, Superellipse, NodalCurve>;
+
+/// A closed curve as a function of its parameter t, of period \f$ 2\pi \f$. The function returns
+/// x(t), x'(t) and x''(t), length.
+using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
+
+/// Parametrises a shape counter-clockwise, in the frame of the shape. The parametrisation of a
+/// NodalCurve is its trigonometric interpolant.
+///
+/// @par Cost  O(1) per point; for a NodalCurve with p points O(p)
+Parametrisation parametrisation(const Shape& shape);
+
+/// Returns the points of a NodalCurve in counter-clockwise order.
+ComplexVector counter_clockwise(const NodalCurve& shape);
 
 }  // namespace stokesbook

@@ -8,7 +8,7 @@
 
 #include "stiv/contact_shape.hpp"
 #include "support/vectors.hpp"
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/shape.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

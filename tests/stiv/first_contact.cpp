@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "steps.hpp"
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/shape.hpp"
 
 using namespace stokesbook;
 using namespace stokesbook::test;

@@ -1,5 +1,6 @@
 // Checks graded nodes: the map t(s) is the integral (01.11) at any width, and curves that are
 // sampled by the map keep the rule's geometric rate and have their nodes crowded at the clusters.
+#include "trapezoid/curve.hpp"
 #include "trapezoid/grading.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@
 
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/shape.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;

@@ -7,6 +7,7 @@
 
 #include "support/vectors.hpp"
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/curve.hpp"
 #include "trapezoid/grading.hpp"
 
 using namespace stokesbook;

@@ -1,6 +1,6 @@
 // Evaluates points and derivatives of the shapes: from the formula of an analytic shape, and from
 // the trigonometric interpolant of a NodalCurve.
-#include "trapezoid/parametrisation.hpp"
+#include "trapezoid/shape.hpp"
 
 #include <cmath>
 
