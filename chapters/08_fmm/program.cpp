@@ -51,8 +51,8 @@ ComplexVector density_of(Index n) {
 /// Nodes and densities in the order of a tree, in which the nodes of a box follow each other.
 struct SortedNodes : StressletNodes {
   SortedNodes(const std::vector<Curve>& curves, const ComplexVector& density, const Quadtree& tree)
-      : StressletNodes(curves), ex(density(tree.order()).real()), ey(density(tree.order()).imag()) {
-    for (Eigen::VectorXd* part : {&x, &y, &nx, &ny, &least2}) *part = (*part)(tree.order()).eval();
+      : StressletNodes(curves), ex(density(tree.order).real()), ey(density(tree.order).imag()) {
+    for (Eigen::VectorXd* part : {&x, &y, &nx, &ny, &least2}) *part = (*part)(tree.order).eval();
   }
 
   StressletBlock of(const Box& box) const {
@@ -100,8 +100,7 @@ void add_velocities(const Box& box, const Expansion& local, const std::vector<Bo
     l2p(box, local, targets, sum[0]);
     for (Index i = 0; i < count; ++i) {
       const auto lane = static_cast<std::size_t>(i);
-      velocity[tree.order()[static_cast<std::size_t>(first + i)]] = {sum[0].x[lane],
-                                                                     sum[0].y[lane]};
+      velocity[tree.order[static_cast<std::size_t>(first + i)]] = {sum[0].x[lane], sum[0].y[lane]};
     }
   }
 }
@@ -115,7 +114,7 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
   const Quadtree tree(points, {}, leaf_size);
   const SortedNodes nodes(curves, density, tree);
   const Translations translations(order);
-  const std::vector<Box>& boxes = tree.boxes();
+  const std::vector<Box>& boxes = tree.boxes;
   const auto count = static_cast<Index>(boxes.size());
 
   Expansions multipole(count, 1, order);
@@ -154,7 +153,7 @@ Sum all_levels(const std::vector<Curve>& curves, const ComplexVector& density, i
                Index leaf_size) {
   const Fmm plan(curves, {}, {order, leaf_size});
   Sum sum{plan.velocity(density)};
-  const std::vector<Box>& boxes = plan.targets().boxes();
+  const std::vector<Box>& boxes = plan.targets().boxes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     const auto box = static_cast<Index>(b);
     sum.operations +=
@@ -211,8 +210,8 @@ Complex to_pixel(Complex z) {
 
 /// The bounding rectangle of a box's nodes.
 std::string rectangle(const Quadtree& tree, const Box& box) {
-  const auto [left, right] = std::minmax_element(&tree.x()[box.first], &tree.x()[box.last - 1] + 1);
-  const auto [low, high] = std::minmax_element(&tree.y()[box.first], &tree.y()[box.last - 1] + 1);
+  const auto [left, right] = std::minmax_element(&tree.x[box.first], &tree.x[box.last - 1] + 1);
+  const auto [low, high] = std::minmax_element(&tree.y[box.first], &tree.y[box.last - 1] + 1);
   const Complex a = to_pixel({*left, *high}) - Complex{1.0, 1.0},
                 b = to_pixel({*right, *low}) + Complex{1.0, 1.0};
   return svg::polygon(
@@ -233,7 +232,7 @@ std::string filled(const std::string& data, const std::string& colour, double op
 std::string dots(const Quadtree& tree) {
   std::string data;
   for (Index i = 0; i < tree.size(); ++i) {
-    const Complex z = to_pixel({tree.x()[i], tree.y()[i]});
+    const Complex z = to_pixel({tree.x[i], tree.y[i]});
     data += svg::line(z, z);
   }
   return svg::path(data, "stroke=\"currentColor\" stroke-width=\"1.3\" stroke-linecap=\"round\"");
@@ -241,7 +240,7 @@ std::string dots(const Quadtree& tree) {
 
 std::vector<Box> leaves_of(const Quadtree& tree) {
   std::vector<Box> leaves;
-  std::ranges::copy_if(tree.boxes(), std::back_inserter(leaves), &Box::is_leaf);
+  std::ranges::copy_if(tree.boxes, std::back_inserter(leaves), &Box::is_leaf);
   return leaves;
 }
 
@@ -261,10 +260,10 @@ Seen seen_from(Index leaf, const Quadtree& tree) {
       if (range.first <= box.first && box.last <= range.last) seen.near.push_back(box);
     }
   }
-  for (Index b = leaf; b >= 0; b = tree.boxes()[static_cast<std::size_t>(b)].parent) {
+  for (Index b = leaf; b >= 0; b = tree.boxes[static_cast<std::size_t>(b)].parent) {
     seen.far.emplace_back();
     for (const Index source : lists.far.of(b)) {
-      seen.far.back().push_back(tree.boxes()[static_cast<std::size_t>(source)]);
+      seen.far.back().push_back(tree.boxes[static_cast<std::size_t>(source)]);
     }
   }
   std::ranges::reverse(seen.far);
@@ -274,7 +273,7 @@ Seen seen_from(Index leaf, const Quadtree& tree) {
 
 /// The leaf whose centre is nearest to a point.
 Index leaf_at(const Quadtree& tree, Complex z) {
-  const std::vector<Box>& boxes = tree.boxes();
+  const std::vector<Box>& boxes = tree.boxes;
   const auto distance = [z](const Box& box) {
     return box.is_leaf() ? std::abs(box.centre - z) : std::numeric_limits<double>::infinity();
   };
@@ -304,7 +303,7 @@ std::string picture_of_tree() {
     legend += entry(place++, colour, "far from its box of level " + std::to_string(level));
   }
   boxes += filled(rectangles(tree, seen.near), near_colour, 0.35) +
-           filled(rectangle(tree, tree.boxes()[static_cast<std::size_t>(leaf)]), leaf_colour, 0.9);
+           filled(rectangle(tree, tree.boxes[static_cast<std::size_t>(leaf)]), leaf_colour, 0.9);
   return svg::open({2.0 * panel + gap, panel + 22.0 * ((place + 1) / 2) + 16.0},
                    "The leaves of a tree, and what acts on one of them") +
          "<g opacity=\"0.55\">" + filled(rectangles(tree, leaves_of(tree)), "currentColor", 0.07) +

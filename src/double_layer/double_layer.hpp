@@ -11,15 +11,12 @@ namespace stokesbook {
 /// Applies the diagonal of the double layer of a curve on itself: the limit (02.9) of the kernel
 /// times the weight, \f$ -\frac{s\kappa_j w_j}{2\pi} t_j (t_j\cdot\eta_j) \f$.
 ///
-/// @param  density  at the nodes, length / time
-/// @return          velocities at the nodes, length / time
+/// Density and velocities are those at the nodes, length / time.
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
 
-/// Assembles the double layer (02.6) of a curve on itself, \f$ D[\eta](x_i) \f$, by the trapezoid
-/// rule.
+/// Assembles the double layer (02.6) of a curve at its own nodes, \f$ D[\eta](x_i) \f$, by the
+/// trapezoid rule. The limit of the layer from the fluid is \f$ -\frac12\eta + D\eta \f$ (02.8).
 ///
-/// The matrix approximates the integral at the nodes, where the kernel is smooth. The limit of the
-/// layer from the fluid is \f$ -\frac12\eta + D\eta \f$ (02.8).
 /// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
 /// @par Accuracy  geometric in N for analytic curves and densities: @ref claim_02_13; the diagonal:
 /// @ref claim_02_15
@@ -43,7 +40,6 @@ Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
 /// modes of the kernel beyond N alias onto low modes. The tail of a density does not show this
 /// error, but the residual does.
 /// @param  curve  N nodes, N >= 10
-/// @return        relative error, dimensionless; geometric in N
 /// @par Cost      N^2 kernel evaluations
 double rigid_motion_residual(const Curve& curve);
 

@@ -35,10 +35,7 @@ inline Complex stokeslet(Complex r, Complex force, double mu, double ell) {
 
 /// Evaluates the rotlet (02.12), \f$ \frac{L\, r^\perp}{4\pi\mu\rho^2} \f$.
 ///
-/// @param  r       target minus source, length, not zero
-/// @param  torque  L, counter-clockwise, on the fluid, force
-/// @param  mu      viscosity, force time / length^2
-/// @return         velocity, length / time
+/// @param  torque  L, counter-clockwise, on the fluid, force; units are otherwise as in stokeslet()
 inline Complex rotlet(Complex r, double torque, double mu) {
   return perp(r) * (torque / (4.0 * std::numbers::pi * mu * std::norm(r)));
 }

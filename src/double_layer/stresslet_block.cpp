@@ -2,6 +2,7 @@
 // registers, and pressure, vorticity and strain at one target.
 #include "double_layer/stresslet_block.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "double_layer/lanes.hpp"
@@ -74,6 +75,16 @@ StressletNodes::StressletNodes(const std::vector<Curve>& curves) {
     least2.segment(first, m) = 0.25 * w.array().square();
     first += m;
   }
+}
+
+VectorGroup group_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Index first, Index last) {
+  VectorGroup group;
+  for (Index i = 0; i < VectorGroup::size; ++i) {
+    const Index point = std::min(first + i, last - 1);
+    group.x[static_cast<std::size_t>(i)] = x[point];
+    group.y[static_cast<std::size_t>(i)] = y[point];
+  }
+  return group;
 }
 
 template <int fields>

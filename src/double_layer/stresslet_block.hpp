@@ -45,23 +45,22 @@ struct VectorGroup {
   alignas(64) std::array<double, size> y = {};  ///< second components
 };
 
+/// Returns the vectors with the components x and y from `first` on as a group. If the vectors before
+/// `last` do not fill the group, then the last of them is repeated.
+VectorGroup group_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first,
+                     Eigen::Index last);
+
 /// Adds the velocities of a block at a group of targets, with the bounded kernel of StressletSum.
 ///
-/// @tparam fields   number of densities: 1, 2 or 4
-/// @param  block    nodes and densities
-/// @param  targets  sixteen points, length
-/// @param  sum      velocities of each field at the targets, length / time; the block's are added
-/// @par Cost        one kernel evaluation per pair; the fields share two thirds of its work
+/// @tparam fields  number of densities: 1, 2 or 4
+/// @param  sum     velocities of each field at the targets, length / time; the block's are added
+/// @par Cost       one kernel evaluation per pair; the fields share two thirds of its work
 template <int fields>
 void add_velocities(const StressletBlock& block, const VectorGroup& targets,
                     std::array<VectorGroup, fields>& sum);
 
-/// Adds pressure, vorticity and strain of a block at a target, with the bounded kernel.
-///
-/// @param  block   nodes and densities, of which only the first field is used
-/// @param  target  point, length
-/// @param  sum     derivatives of the flow at the target, 1 / time; the block's are added
-/// @par Cost       one kernel evaluation per node
+/// Adds pressure, vorticity and strain of a block's first field at a target, 1 / time, with the
+/// bounded kernel.
 void add_derivatives(const StressletBlock& block, Complex target, FlowDerivatives& sum);
 
 }  // namespace stokesbook

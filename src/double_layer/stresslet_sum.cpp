@@ -17,17 +17,6 @@ namespace {
 // Rounding grows with the square root of this number, and with that of the number of blocks.
 constexpr Index block_size = 512;
 
-// Returns a group of targets from `first` on. The last target fills an incomplete group.
-VectorGroup group_of(const ComplexVector& targets, Index first) {
-  VectorGroup group;
-  for (Index i = 0; i < VectorGroup::size; ++i) {
-    const Complex target = targets[std::min(first + i, targets.size() - 1)];
-    group.x[static_cast<std::size_t>(i)] = target.real();
-    group.y[static_cast<std::size_t>(i)] = target.imag();
-  }
-  return group;
-}
-
 }  // namespace
 
 StressletSum::StressletSum(const std::vector<Curve>& curves, KernelStorage storage)
@@ -65,6 +54,7 @@ ComplexVector StressletSum::operator()(const ComplexVector& density) const {
 
 ComplexVector StressletSum::operator()(const ComplexVector& targets,
                                        const ComplexVector& density) const {
+  const Eigen::VectorXd x = targets.real(), y = targets.imag();
   const Eigen::VectorXd ex = density.real(), ey = density.imag();
   const Index m = targets.size(), n = size();
   ComplexVector velocity(m);
@@ -72,7 +62,7 @@ ComplexVector StressletSum::operator()(const ComplexVector& targets,
   // to the last bit for any number of threads.
 #pragma omp parallel for schedule(static)
   for (Index group = 0; group < m; group += VectorGroup::size) {
-    const VectorGroup points = group_of(targets, group);
+    const VectorGroup points = group_of(x, y, group, m);
     std::array<VectorGroup, 1> sum{};
     for (Index first = 0; first < n; first += block_size) {
       add_velocities<1>(

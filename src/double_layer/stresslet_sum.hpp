@@ -36,37 +36,28 @@ class StressletSum {
   explicit StressletSum(const std::vector<Curve>& curves,
                         KernelStorage storage = KernelStorage::streamed);
 
-  /// Evaluates the sum at the sources themselves.
+  /// Evaluates velocities at the nodes themselves, from a density at all nodes in the curves' order,
+  /// length / time.
   ///
-  /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          velocities at the same nodes, length / time
-  /// @par Cost        n^2 kernel evaluations, or 4 n^2 multiplications by the stored matrix
+  /// @par Cost  n^2 kernel evaluations, or 4 n^2 multiplications by the stored matrix
   ComplexVector operator()(const ComplexVector& density) const;
 
-  /// Evaluates the sum at arbitrary targets, without storing a matrix.
+  /// Evaluates velocities at m arbitrary targets, without storing a matrix.
   ///
-  /// @param  targets  m points, length
-  /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          m velocities, length / time
-  /// @par Cost        m n kernel evaluations
-  /// @par Not for     targets nearer than about 5 node spacings: add a NearCorrection
+  /// @par Cost     m n kernel evaluations
+  /// @par Not for  targets nearer than about 5 node spacings: add a NearCorrection
   ComplexVector operator()(const ComplexVector& targets, const ComplexVector& density) const;
 
-  /// Assembles the map from a density to the velocities at targets.
-  ///
-  /// @param  targets  m points, length
-  /// @return          2m x 2n, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
+  /// Assembles the map from a density to the velocities at m targets: 2m x 2n, dimensionless,
+  /// interleaved (x_0, y_0, x_1, y_1, ...).
   Eigen::MatrixXd matrix(const ComplexVector& targets) const;
 
-  /// Evaluates pressure, vorticity and strain of the sum, see stresslet_derivatives().
+  /// Evaluates pressure, vorticity and strain at m targets, 1 / time, see stresslet_derivatives().
   ///
   /// \f$ \rho \f$ is bounded as for velocities, so that a near correction can subtract the terms
   /// again.
-  /// @param  targets  m points, length
-  /// @param  density  at all nodes, in the curves' order, length / time
-  /// @return          derivatives of the flow at the m targets, 1 / time
-  /// @par Cost        m n kernel evaluations
-  /// @par Not for     targets nearer than about 6 node spacings: use double_layer_derivatives()
+  /// @par Cost     m n kernel evaluations
+  /// @par Not for  targets nearer than about 6 node spacings: use double_layer_derivatives()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
                                            const ComplexVector& density) const;
 

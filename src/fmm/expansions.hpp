@@ -59,8 +59,7 @@ class Expansions {
 /// \f$ A_k = \frac{1}{R}\sum a W^{k-1} \f$,
 /// \f$ B_k = -\frac{1}{R}\sum (b W^{k-1} - (k-1) a\bar W W^{k-2}) \f$ with \f$ W = (y-c)/R \f$,
 /// \f$ a = \frac{w}{4\pi}n\eta \f$, \f$ b = \frac{w}{2\pi}n\cdot\eta \f$.
-/// @param  nodes  nodes of the box; only their first field is used
-/// @param  sum    4 x (p + 1), to which is added
+/// Only the first field of the nodes is used.
 void p2m(const Box& box, const StressletBlock& nodes, Eigen::Ref<Expansion> sum);
 
 /// A point force with a torque, both acting on the fluid.
@@ -76,16 +75,14 @@ struct PointForce {
 /// With \f$ f = F/4\pi\mu \f$ and \f$ W \f$ as for nodes: \f$ A_0 = -\frac f2 \f$,
 /// \f$ A_k = \frac{f W^k}{2k} \f$, \f$ B_0 = \frac{\bar f}{2} \f$,
 /// \f$ B_k = \frac12\bar W f W^{k-1} - \frac{\bar f W^k}{2k} + \frac{iL}{4\pi\mu R}W^{k-1} \f$.
-/// The sum is 4 x (p + 1).
 void p2m(const Box& box, const PointForce& point, Eigen::Ref<Expansion> sum);
 
-/// L2P: adds the velocities of a local expansion, 4 x (p + 1), at points of its box, by (08.7) and
-/// (08.5).
+/// L2P: adds the velocities of a local expansion at points of its box, by (08.7) and (08.5).
 void l2p(const Box& box, Eigen::Ref<const Expansion> expansion, const VectorGroup& targets,
          VectorGroup& sum);
 
-/// L2P: evaluates pressure, vorticity and strain of a local expansion, 4 x (p + 1), at a point of
-/// its box, 1 / time.
+/// L2P: evaluates pressure, vorticity and strain of a local expansion at a point of its box,
+/// 1 / time.
 FlowDerivatives l2p_derivatives(const Box& box, Eigen::Ref<const Expansion> expansion,
                                 Complex target);
 

@@ -1,10 +1,12 @@
 // Sums double-layer nodes and point forces by the fast multipole method (chapter 08): upward pass
 // (P2M, M2M), conversion of multipole to local expansions (M2L), downward pass (L2L), and
-// evaluation at the targets of the leaves (L2P and direct sums).
+// evaluation at the targets of the leaves (L2P and direct sums). Chooses the order of expansions
+// and the size of leaves for a tolerance.
 #include "fmm/fmm.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -22,7 +24,7 @@ namespace {
 constexpr Index few_boxes = 64;
 
 Index box_count(const Quadtree& tree) {
-  return static_cast<Index>(tree.boxes().size());
+  return static_cast<Index>(tree.boxes.size());
 }
 
 // Makes the tree of the nodes, each with half of its weight as margin, followed by the points.
@@ -34,18 +36,6 @@ Quadtree tree_of(const StressletNodes& nodes, const ComplexVector& points, Index
   Eigen::VectorXd margins = Eigen::VectorXd::Zero(all.size());
   margins.head(nodes.size()) = nodes.least2.cwiseSqrt();
   return {all, margins, leaf_size};
-}
-
-// Returns a group of points of a tree, from `first` on. If the points before `last` do not fill the
-// group, then the last point is repeated.
-VectorGroup group_of(const Quadtree& tree, Index first, Index last) {
-  VectorGroup group;
-  for (Index i = 0; i < VectorGroup::size; ++i) {
-    const Index point = std::min(first + i, last - 1);
-    group.x[static_cast<std::size_t>(i)] = tree.x()[point];
-    group.y[static_cast<std::size_t>(i)] = tree.y()[point];
-  }
-  return group;
 }
 
 // Adds the velocities that a point force causes at the first `count` targets of a group.
@@ -65,13 +55,13 @@ void require_apart(const Quadtree& targets, Index target_count, const ComplexVec
   for (Index j = 0; j < points.size(); ++j) point_at[{points[j].real(), points[j].imag()}] = j;
   if (point_at.empty()) return;
   for (Index i = 0; i < targets.size(); ++i) {
-    const Index target = targets.order()[static_cast<std::size_t>(i)];
+    const Index target = targets.order[static_cast<std::size_t>(i)];
     if (target >= target_count) continue;  // a point force is no target
-    const auto point = point_at.find({targets.x()[i], targets.y()[i]});
+    const auto point = point_at.find({targets.x[i], targets.y[i]});
     if (point == point_at.end()) continue;
     std::ostringstream message;
     message << "target " << target << " of an FMM coincides with point force " << point->second
-            << " at (" << targets.x()[i] << ", " << targets.y()[i] << "): move one of them";
+            << " at (" << targets.x[i] << ", " << targets.y[i] << "): move one of them";
     throw std::invalid_argument(message.str());
   }
 }
@@ -87,6 +77,22 @@ void in_blocks(Index fields, const Work& work) {
 }
 
 }  // namespace
+
+FmmSettings FmmSettings::for_tolerance(double tolerance) {
+  if (!(tolerance > 0.0)) {
+    std::ostringstream message;
+    message << "the tolerance of an FMM must be > 0, got " << tolerance;
+    throw std::invalid_argument(message.str());
+  }
+  constexpr double rounding = 1e-14;
+  const double digits = -std::log10(std::clamp(tolerance, rounding, 1.0));
+  const int order = std::max(3, static_cast<int>(std::ceil(3.03 * digits - 0.6)));
+  return {order, 2 * order + 32};
+}
+
+Index break_even(const FmmSettings& settings) {
+  return 300 + 18 * settings.order;
+}
 
 FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
     : ex_(plan.sources().size(), fields),
@@ -119,7 +125,7 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
   const Index direct_pairs = settings.order * settings.order / 2;
   interactions_ = find_interactions(this->targets(), sources_, direct_pairs);
   for (Index i = 0; i < sources_.size(); ++i) {
-    const Index source = sources_.order()[static_cast<std::size_t>(i)];
+    const Index source = sources_.order[static_cast<std::size_t>(i)];
     const bool is_node = source < node_count_;
     nx_[i] = is_node ? nodes.nx[source] : 0.0;
     ny_[i] = is_node ? nodes.ny[source] : 0.0;
@@ -164,8 +170,8 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
 
 StressletBlock Fmm::nodes(Range sources, Index field, const FmmWorkspace& work) const {
   const Index first = sources.first;
-  return {sources_.x().data() + first,
-          sources_.y().data() + first,
+  return {sources_.x.data() + first,
+          sources_.y.data() + first,
           nx_.data() + first,
           ny_.data() + first,
           least2_.data() + first,
@@ -188,7 +194,7 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
   work.without_points_ = strengths.force.rows() == 0;
 #pragma omp parallel for schedule(static)
   for (Index i = 0; i < sources_.size(); ++i) {
-    const Index source = sources_.order()[static_cast<std::size_t>(i)];
+    const Index source = sources_.order[static_cast<std::size_t>(i)];
     const Index point = source - node_count_;
     for (Index field = 0; field < work.velocity_.cols(); ++field) {
       const Complex density = point < 0 ? strengths.density(source, field) : 0.0;
@@ -196,7 +202,7 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
       work.ey_(i, field) = density.imag();
       if (point < 0 || work.without_points_) continue;
       const Index place = points_before_[static_cast<std::size_t>(i)] + field * point_count_;
-      work.points_[static_cast<std::size_t>(place)] = {{sources_.x()[i], sources_.y()[i]},
+      work.points_[static_cast<std::size_t>(place)] = {{sources_.x[i], sources_.y[i]},
                                                        strengths.force(point, field),
                                                        strengths.torque(point, field)};
     }
@@ -206,8 +212,8 @@ void Fmm::sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) cons
 // Upward pass: leaves form multipole expansions (P2M), parents collect those of their children
 // (M2M).
 void Fmm::sum_multipoles(FmmWorkspace& work) const {
-  const std::vector<Box>& boxes = sources_.boxes();
-  const std::vector<Index>& levels = sources_.levels();
+  const std::vector<Box>& boxes = sources_.boxes;
+  const std::vector<Index>& levels = sources_.levels;
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
 #pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
@@ -218,13 +224,11 @@ void Fmm::sum_multipoles(FmmWorkspace& work) const {
         auto sum = work.multipole_(b, field);
         if (box.is_leaf()) {
           p2m(box, nodes(sources, field, work), sum);
-          for (const PointForce& point : points(sources, field, work)) {
-            p2m(box, point, sum);
-          }
+          for (const PointForce& point : points(sources, field, work)) p2m(box, point, sum);
         }
         for (Index c = box.first_child; c < box.last_child; ++c) {
-          translations_.m2m(boxes[static_cast<std::size_t>(c)],
-                            std::as_const(work.multipole_)(c, field), box, sum);
+          translations_.m2m(boxes[static_cast<std::size_t>(c)], work.multipole_(c, field), box,
+                            sum);
         }
       }
     }
@@ -234,14 +238,14 @@ void Fmm::sum_multipoles(FmmWorkspace& work) const {
 // Converts multipole expansions to local expansions (M2L) for all boxes. Downward pass: children
 // add the local expansions of their parents (L2L).
 void Fmm::sum_locals(FmmWorkspace& work) const {
-  const std::vector<Box>& boxes = targets().boxes();
-  const std::vector<Index>& levels = targets().levels();
+  const std::vector<Box>& boxes = targets().boxes;
+  const std::vector<Index>& levels = targets().levels;
   const Index fields = work.velocity_.cols();
 #pragma omp parallel for schedule(dynamic, 8)
   for (Index b = 0; b < box_count(targets()); ++b) {
     work.local_.clear(b);
     for (Index field = 0; field < fields; ++field) {
-      translations_.m2l(sources_.boxes(), work.multipole_, interactions_.far.of(b), field,
+      translations_.m2l(sources_.boxes, work.multipole_, interactions_.far.of(b), field,
                         boxes[static_cast<std::size_t>(b)], work.local_(b, field));
     }
   }
@@ -251,8 +255,7 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
       const Box& box = boxes[static_cast<std::size_t>(b)];
       for (Index field = 0; field < fields; ++field) {
         translations_.l2l(boxes[static_cast<std::size_t>(box.parent)],
-                          std::as_const(work.local_)(box.parent, field), box,
-                          work.local_(b, field));
+                          work.local_(box.parent, field), box, work.local_(b, field));
       }
     }
   }
@@ -269,8 +272,8 @@ void Fmm::expand(const FmmStrengths& strengths, FmmWorkspace& work) const {
 // near sources, and the local expansion (L2P).
 template <int fields>
 void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const {
-  const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
-  const VectorGroup group = group_of(targets(), first, box.last);
+  const Box& box = targets().boxes[static_cast<std::size_t>(b)];
+  const VectorGroup group = group_of(targets().x, targets().y, first, box.last);
   const Index count = std::min<Index>(VectorGroup::size, box.last - first);
   std::array<VectorGroup, fields> sum{};
   for (const Range range : interactions_.near.of(b)) {
@@ -283,9 +286,9 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
   }
   for (Index f = 0; f < fields; ++f) {
     VectorGroup& velocity = sum[static_cast<std::size_t>(f)];
-    l2p(box, std::as_const(work.local_)(b, field + f), group, velocity);
+    l2p(box, work.local_(b, field + f), group, velocity);
     for (Index i = 0; i < count; ++i) {
-      const Index target = targets().order()[static_cast<std::size_t>(first + i)];
+      const Index target = targets().order[static_cast<std::size_t>(first + i)];
       if (target >= target_count_) continue;  // a point force is no target
       const auto lane = static_cast<std::size_t>(i);
       work.velocity_(target, field + f) = {velocity.x[lane], velocity.y[lane]};
@@ -297,7 +300,7 @@ const Eigen::MatrixXcd& Fmm::velocity(const FmmStrengths& strengths, FmmWorkspac
   expand(strengths, work);
 #pragma omp parallel for schedule(dynamic, 4)
   for (Index b = 0; b < box_count(targets()); ++b) {
-    const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
+    const Box& box = targets().boxes[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     in_blocks(work.velocity_.cols(), [&](Index field, auto fields) {
       for (Index first = box.first; first < box.last; first += VectorGroup::size) {
@@ -315,8 +318,8 @@ Eigen::MatrixXcd Fmm::velocity(const FmmStrengths& strengths) const {
 
 FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
                                     const FmmWorkspace& work) const {
-  const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
-  const Complex z{targets().x()[target], targets().y()[target]};
+  const Box& box = targets().boxes[static_cast<std::size_t>(b)];
+  const Complex z{targets().x[target], targets().y[target]};
   FlowDerivatives sum = l2p_derivatives(box, work.local_(b, field), z);
   for (const Range range : interactions_.near.of(b)) {
     add_derivatives(nodes(range, field, work), z, sum);
@@ -335,11 +338,11 @@ const std::vector<FlowDerivatives>& Fmm::derivatives(const FmmStrengths& strengt
   work.derivatives_.resize(static_cast<std::size_t>(target_count_ * fields));
 #pragma omp parallel for schedule(dynamic, 4)
   for (Index b = 0; b < box_count(targets()); ++b) {
-    const Box& box = targets().boxes()[static_cast<std::size_t>(b)];
+    const Box& box = targets().boxes[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     for (Index field = 0; field < fields; ++field) {
       for (Index i = box.first; i < box.last; ++i) {
-        const Index target = targets().order()[static_cast<std::size_t>(i)];
+        const Index target = targets().order[static_cast<std::size_t>(i)];
         if (target >= target_count_) continue;  // a point force is no target
         work.derivatives_[static_cast<std::size_t>(target + field * target_count_)] =
             derivatives_at(b, i, field, work);

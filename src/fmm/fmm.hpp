@@ -9,13 +9,41 @@
 #include "double_layer/flow_derivatives.hpp"
 #include "double_layer/stresslet_block.hpp"
 #include "fmm/expansions.hpp"
-#include "fmm/fmm_settings.hpp"
 #include "fmm/interactions.hpp"
 #include "fmm/quadtree.hpp"
 #include "fmm/translations.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook {
+
+/// Parameters of an Fmm.
+struct FmmSettings {
+  int order = 0;               ///< p, highest power of the expansions, 1 to 60
+  Eigen::Index leaf_size = 0;  ///< largest number of points of a leaf, >= 1
+
+  /// Chooses order and leaf size for a tolerance \f$ \varepsilon \f$:
+  /// \f$ p = \lceil 3.03\log_{10}(1/\varepsilon) - 0.6 \rceil \f$, leaves of at most 2 p + 32
+  /// points.
+  ///
+  /// The relative error of one translation is at most about \f$ p\,2^{-p} \f$ (08.9). In a sum of
+  /// many translations errors average out, and the total error falls like \f$ 10^{-p/3.03} \f$.
+  /// If most points are at one place then the errors add up, and p must satisfy
+  /// \f$ p\,2^{-p} \le \varepsilon \f$.
+  /// @param  tolerance  of velocities in the 2-norm over all targets, relative, > 0; below 1e-14,
+  ///                    the size of rounding errors, the order stays that for 1e-14
+  /// @throws std::invalid_argument when the tolerance is not > 0
+  /// @par Accuracy  @ref claim_08_14 to @ref claim_08_16; one slender body, which meets the
+  /// tolerance most narrowly of all sets measured, @ref claim_08_23
+  static FmmSettings for_tolerance(double tolerance);
+};
+
+/// Returns the number of nodes above which an application of an Fmm takes less time than
+/// StressletSum: \f$ n = 300 + 18p \f$.
+///
+/// This straight line was fitted to times measured on ellipses of 16, 32 and 128 nodes, with one
+/// thread and AVX-512. With n nodes an Fmm takes about half of the direct sum's operations,
+/// @ref claim_08_30.
+Eigen::Index break_even(const FmmSettings& settings);
 
 /// Densities, forces and torques of the sources of an Fmm, one column per field. The members are
 /// views, which are valid during the call of a function.
@@ -25,11 +53,7 @@ struct FmmStrengths {
   FmmStrengths(const Eigen::MatrixBase<Density>& node_density)
       : density(node_density), force(Eigen::MatrixXcd()), torque(Eigen::MatrixXd()) {}
 
-  /// Views densities of the nodes, and forces and torques of the points on the fluid.
-  ///
-  /// @param  node_density  n x k, length / time
-  /// @param  point_force   over the viscosity, m x k, length / time
-  /// @param  point_torque  over the viscosity, m x k, length^2 / time
+  /// Views densities of the nodes, and forces and torques of the points on the fluid, m x k.
   template <class Density, class Force, class Torque>
   FmmStrengths(const Eigen::MatrixBase<Density>& node_density,
                const Eigen::MatrixBase<Force>& point_force,
@@ -39,9 +63,11 @@ struct FmmStrengths {
   FmmStrengths(const FmmStrengths&) = delete;
   FmmStrengths& operator=(const FmmStrengths&) = delete;
 
-  Eigen::Ref<const Eigen::MatrixXcd> density;  ///< of the nodes
-  Eigen::Ref<const Eigen::MatrixXcd> force;    ///< of the points; no rows if all are zero
-  Eigen::Ref<const Eigen::MatrixXd> torque;    ///< of the points; no rows if all are zero
+  Eigen::Ref<const Eigen::MatrixXcd> density;  ///< of the nodes, length / time
+  /// Of the points, over the viscosity, length / time; no rows if all are zero.
+  Eigen::Ref<const Eigen::MatrixXcd> force;
+  /// Of the points, over the viscosity, length^2 / time; no rows if all are zero.
+  Eigen::Ref<const Eigen::MatrixXd> torque;
 };
 
 class Fmm;
@@ -95,10 +121,8 @@ class Fmm {
 
   /// Evaluates velocities, without allocation.
   ///
-  /// @param  strengths  of nodes and points, k columns
-  /// @param  workspace  of this plan, for k fields
-  /// @return            one row per target, one column per field, length / time; overwritten by the
-  ///                    next application with this workspace
+  /// @return  one row per target, one column per field, length / time; overwritten by the next
+  ///          application with this workspace
   /// @throws std::invalid_argument when the sizes of strengths, plan and workspace do not agree
   const Eigen::MatrixXcd& velocity(const FmmStrengths& strengths, FmmWorkspace& workspace) const;
 
@@ -108,13 +132,11 @@ class Fmm {
   /// Evaluates pressure, vorticity and strain. Only the first call with a workspace allocates
   /// memory.
   ///
-  /// @param  strengths  of nodes and points, k columns
-  /// @param  workspace  of this plan, for k fields
-  /// @return            at the targets, field after field, 1 / time; overwritten by the next
-  ///                    application with this workspace
+  /// @return  at the targets, field after field, 1 / time; overwritten by the next application with
+  ///          this workspace
   /// @throws std::invalid_argument when the sizes of strengths, plan and workspace do not agree
-  /// @par Accuracy      a hundred times the tolerance, relative in the 2-norm; the points of the
-  ///                    study meet the tolerance itself, @ref claim_08_17 to @ref claim_08_20
+  /// @par Accuracy  a hundred times the tolerance, relative in the 2-norm; the points of the study
+  ///                meet the tolerance itself, @ref claim_08_17 to @ref claim_08_20
   const std::vector<FlowDerivatives>& derivatives(const FmmStrengths& strengths,
                                                   FmmWorkspace& workspace) const;
 

@@ -24,7 +24,7 @@ bool well_separated(const Box& target, const Box& source) {
 class Traversal {
  public:
   Traversal(const Quadtree& targets, const Quadtree& sources, Index direct_pairs)
-      : targets_(targets.boxes()), sources_(sources.boxes()), direct_pairs_(direct_pairs) {
+      : targets_(targets.boxes), sources_(sources.boxes), direct_pairs_(direct_pairs) {
     if (!targets_.empty() && !sources_.empty()) visit({0, 0});
   }
 
@@ -89,9 +89,9 @@ Lists<Range> as_ranges(const Lists<Index>& lists, const std::vector<Box>& source
 Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
                                Index direct_pairs) {
   const Traversal traversal(targets, sources, direct_pairs);
-  const std::size_t count = targets.boxes().size();
+  const std::size_t count = targets.boxes.size();
   return {by_target(traversal.far, count),
-          as_ranges(by_target(traversal.near, count), sources.boxes())};
+          as_ranges(by_target(traversal.near, count), sources.boxes)};
 }
 
 }  // namespace stokesbook

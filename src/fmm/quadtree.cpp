@@ -8,6 +8,9 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -37,13 +40,9 @@ void require_valid(const ComplexVector& points, const Eigen::VectorXd& margins, 
 // Returns a box with the centre of its points' bounding rectangle, and the disk about it.
 Box enclose(const ComplexVector& points, const Eigen::VectorXd& margins,
             std::span<const Index> indices) {
-  Complex low = points[indices.front()], high = low;
-  for (const Index i : indices) {
-    low = {std::min(low.real(), points[i].real()), std::min(low.imag(), points[i].imag())};
-    high = {std::max(high.real(), points[i].real()), std::max(high.imag(), points[i].imag())};
-  }
+  const auto [lower, upper] = bounding_rectangle(points(indices));
   Box box;
-  box.centre = 0.5 * (low + high);
+  box.centre = 0.5 * (lower + upper);
   box.radius = 1e-100;
   for (const Index i : indices) {
     const Complex r = points[i] - box.centre;
@@ -68,30 +67,30 @@ std::array<Index, 5> sort_by_quadrant(const ComplexVector& points, Complex centr
 }  // namespace
 
 Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size)
-    : order_(static_cast<std::size_t>(points.size())) {
+    : order(static_cast<std::size_t>(points.size())) {
   require_valid(points, margins, leaf_size);
   const Index n = points.size();
   const Eigen::VectorXd all_margins = margins.size() == n ? margins : Eigen::VectorXd::Zero(n);
-  std::iota(order_.begin(), order_.end(), Index{0});
+  std::iota(order.begin(), order.end(), Index{0});
   const auto indices = [&](Index first, Index last) {
-    return std::span(order_).subspan(static_cast<std::size_t>(first),
-                                     static_cast<std::size_t>(last - first));
+    return std::span(order).subspan(static_cast<std::size_t>(first),
+                                    static_cast<std::size_t>(last - first));
   };
   const auto append_box = [&](Index first, Index last, Index parent) {
-    boxes_.push_back(enclose(points, all_margins, indices(first, last)));
-    boxes_.back().first = first;
-    boxes_.back().last = last;
-    boxes_.back().parent = parent;
+    boxes.push_back(enclose(points, all_margins, indices(first, last)));
+    boxes.back().first = first;
+    boxes.back().last = last;
+    boxes.back().parent = parent;
   };
-  const auto box_count = [&] { return static_cast<Index>(boxes_.size()); };
+  const auto box_count = [&] { return static_cast<Index>(boxes.size()); };
   if (n > 0) {
     append_box(0, n, -1);
-    levels_.push_back(1);
+    levels.push_back(1);
   }
   // Children are appended in the order of their parents, so that the boxes are sorted by level.
   for (Index b = 0; b < box_count(); ++b) {
-    if (b == levels_.back()) levels_.push_back(box_count());
-    const Box box = boxes_[static_cast<std::size_t>(b)];
+    if (b == levels.back()) levels.push_back(box_count());
+    const Box box = boxes[static_cast<std::size_t>(b)];
     if (box.size() <= leaf_size) continue;
     const std::array<Index, 5> begin =
         sort_by_quadrant(points, box.centre, indices(box.first, box.last));
@@ -104,11 +103,11 @@ Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, 
       append_box(box.first + begin[q], box.first + begin[q + 1], b);
     }
     if (box_count() == first_child) continue;
-    boxes_[static_cast<std::size_t>(b)].first_child = first_child;
-    boxes_[static_cast<std::size_t>(b)].last_child = box_count();
+    boxes[static_cast<std::size_t>(b)].first_child = first_child;
+    boxes[static_cast<std::size_t>(b)].last_child = box_count();
   }
-  x_ = points(order_).real();
-  y_ = points(order_).imag();
+  x = points(order).real();
+  y = points(order).imag();
 }
 
 }  // namespace stokesbook

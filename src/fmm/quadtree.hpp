@@ -19,18 +19,14 @@ struct Box {
   double radius = 0.0;  ///< of the disk about the centre that contains every point with its margin;
                         ///< at least 1e-100, so that divisions by it are finite, length
 
-  /// Counts the points.
-  Eigen::Index size() const { return last - first; }
-
-  /// Returns whether the box has no children.
-  bool is_leaf() const { return first_child == last_child; }
+  Eigen::Index size() const { return last - first; }          ///< counts the points
+  bool is_leaf() const { return first_child == last_child; }  ///< is true without children
 };
 
 /// An adaptive quadtree. Boxes with too many points are divided at the middle of their points'
 /// bounding rectangle, and empty children are left out.
-class Quadtree {
- public:
-  /// Builds the tree.
+struct Quadtree {
+  /// Builds the tree, with O(n log n) operations.
   ///
   /// @param  points     n finite points, length
   /// @param  margins    for each point the radius of a circle about the point that the disk of its
@@ -38,32 +34,15 @@ class Quadtree {
   /// @param  leaf_size  largest number of points of a leaf, >= 1; coincident points stay together,
   ///                    whatever their number
   /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
-  /// @par Cost          O(n log n)
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
-  /// Returns the boxes, level by level, the root first; none if there are no points.
-  const std::vector<Box>& boxes() const { return boxes_; }
+  Eigen::Index size() const { return x.size(); }  ///< counts the points
 
-  /// Returns the indices in boxes() at which the levels begin, and the end of the last level.
-  const std::vector<Eigen::Index>& levels() const { return levels_; }
-
-  /// Returns the order of the points in the tree: n indices into the constructor's points.
-  const std::vector<Eigen::Index>& order() const { return order_; }
-
-  /// Returns the first coordinates of the points in the tree's order.
-  const Eigen::VectorXd& x() const { return x_; }
-
-  /// Returns the second coordinates of the points in the tree's order.
-  const Eigen::VectorXd& y() const { return y_; }
-
-  /// Counts the points.
-  Eigen::Index size() const { return x_.size(); }
-
- private:
-  std::vector<Eigen::Index> order_;
-  Eigen::VectorXd x_, y_;
-  std::vector<Box> boxes_;
-  std::vector<Eigen::Index> levels_ = {0};
+  std::vector<Eigen::Index> order;         ///< of the points in the tree: indices into the points
+  Eigen::VectorXd x;                       ///< first coordinates in this order, length
+  Eigen::VectorXd y;                       ///< second coordinates, length
+  std::vector<Box> boxes;                  ///< level by level, the root first
+  std::vector<Eigen::Index> levels = {0};  ///< first box of each level, and the end of all boxes
 };
 
 }  // namespace stokesbook

@@ -21,21 +21,17 @@ class Translations {
   /// @throws std::invalid_argument when the order is not from 1 to most_order
   explicit Translations(int order);
 
-  /// Returns the order p, the highest power.
-  int order() const { return order_; }
+  int order() const { return order_; }  ///< returns the order p, the highest power
 
-  /// M2M: adds a multipole expansion, moved to the centre of another box (08.12).
+  /// M2M: adds a multipole expansion, moved to the centre of another box `to`, which contains `from`
+  /// (08.12).
   ///
-  /// @param  from       box of the expansion
-  /// @param  expansion  4 x (p + 1)
-  /// @param  to         box that contains `from`
-  /// @param  sum        expansion of `to`, 4 x (p + 1), to which is added
-  /// @par Cost          2 p^2 real multiplications
+  /// @par Cost  2 p^2 real multiplications
   void m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
            Eigen::Ref<Expansion> sum) const;
 
   /// L2L: adds a local expansion, moved to the centre of another box `to`, which `from` contains
-  /// (08.13). Shapes and cost are those of m2m().
+  /// (08.13). The cost is that of m2m().
   void l2l(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,
            Eigen::Ref<Expansion> sum) const;
 
@@ -47,13 +43,11 @@ class Translations {
   /// @param  boxes      all boxes of the sources' tree
   /// @param  multipole  multipole expansions of all boxes
   /// @param  list       indices of the boxes to be converted, well separated from the target
-  /// @param  target     box of the targets
-  /// @param  sum        4 x (p + 1), to which is added
-  /// @par Accuracy      relative error \f$ p\rho^p \f$ of the velocity (08.9), where \f$ \rho \f$
-  ///                    is the radius of one disk over the distance of its centre from the other
-  ///                    disk, @ref claim_08_2
-  /// @par Cost          4 p^2 real multiplications per source box, as many boxes at a time as a
-  ///                    register has lanes
+  /// @par Accuracy  relative error \f$ p\rho^p \f$ of the velocity (08.9), where \f$ \rho \f$ is
+  ///                the radius of one disk over the distance of its centre from the other disk,
+  ///                @ref claim_08_2
+  /// @par Cost      4 p^2 real multiplications per source box, as many boxes at a time as a
+  ///                register has lanes
   void m2l(const std::vector<Box>& boxes, const Expansions& multipole,
            std::span<const Eigen::Index> list, Eigen::Index field, const Box& target,
            Eigen::Ref<Expansion> sum) const;

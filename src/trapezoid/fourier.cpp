@@ -121,10 +121,10 @@ ComplexVector resample(const ComplexVector& f, Index m) {
 Eigen::RowVectorXd interpolation_weights(Index n, double t) {
   require_even(n);
   const auto nodes = static_cast<double>(n);
+  constexpr double turn = 2.0 * std::numbers::pi;
   Eigen::RowVectorXd result(n);
   // (1 / N) sin(N tau / 2) cot(tau / 2) with tau = t - t_j, and 1 for tau = 0.
   for (Index j = 0; j < n; ++j) {
-    const double turn = 2.0 * std::numbers::pi;
     const double lag = std::remainder(t - turn * static_cast<double>(j) / nodes, turn);
     result[j] = lag == 0.0 ? 1.0 : std::sin(0.5 * nodes * lag) / (nodes * std::tan(0.5 * lag));
   }

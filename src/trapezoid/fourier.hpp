@@ -27,18 +27,15 @@ Eigen::Index wave_number(Eigen::Index i, Eigen::Index n);
 ///
 /// The mode k = -N/2 is dropped: it stands for cos(N t / 2), whose derivative vanishes at every
 /// node.
-/// @param  f  values at the N nodes, N even
 /// @throws std::invalid_argument when N is odd or 0
 /// @par Accuracy  geometric in N for analytic f: @ref claim_01_8
 /// @par Cost      O(N log N)
 ComplexVector differentiate(const ComplexVector& f);
 
-/// Returns the matrix that differentiates node values:
-/// \f$ \frac12 (-1)^{j-k} \cot\frac{t_j-t_k}{2} \f$, 0 for j = k.
+/// Returns the n x n matrix of differentiate(): \f$ \frac12 (-1)^{j-k} \cot\frac{t_j-t_k}{2} \f$,
+/// 0 for j = k.
 ///
-/// @return    n x n, dimensionless, the same map as differentiate()
 /// @throws std::invalid_argument when n is odd or < 2
-/// @par Cost      n^2 entries
 /// @par Not for   single vectors: differentiate() is faster
 /// @sa source: Trefethen, Spectral Methods in MATLAB, 2000, chapter 3
 Eigen::MatrixXd differentiation_matrix(Eigen::Index n);
@@ -56,7 +53,6 @@ ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 /// Returns the weights with which node values enter the trigonometric interpolant at a parameter:
 /// \f$ \frac1N \sin\frac{N\tau}{2} \cot\frac{\tau}{2},\ \tau = t - t_j \f$.
 ///
-/// @param  n  number of nodes N, even
 /// @param  t  radians, any real number
 /// @throws std::invalid_argument when n is odd or < 2
 /// @par Accuracy  of the interpolant: geometric in N for analytic functions: @ref claim_01_7
@@ -64,22 +60,19 @@ ComplexVector resample(const ComplexVector& f, Eigen::Index m);
 /// @par Not for   many values of one function: use TrigonometricPolynomial
 Eigen::RowVectorXd interpolation_weights(Eigen::Index n, double t);
 
-/// Interpolates the values of several functions to the same parameters.
+/// Interpolates the values of several functions to the same n parameters, radians.
 ///
-/// @param  f           N x m, a column of node values for each function, N even
-/// @param  parameters  n parameters, radians, any real numbers
-/// @return             n x m
+/// @param  f  N x m, a column of node values for each function
+/// @return    n x m
 /// @throws std::invalid_argument when N is odd or 0
-/// @par Accuracy       geometric in N for analytic functions: @ref claim_01_7
-/// @par Cost           O(N n m): a matrix of N n modes, multiplied by the coefficients
+/// @par Accuracy  geometric in N for analytic functions: @ref claim_01_7
+/// @par Cost      O(N n m): a matrix of N n modes, multiplied by the coefficients
 Eigen::MatrixXcd interpolated(const Eigen::MatrixXcd& f, const std::vector<double>& parameters);
 
 /// Returns the largest coefficient of the highest modes: max |c_k| over |k| >= N/2 - max(2, N/16).
 ///
 /// For a resolved analytic function, this coefficient has the size of the interpolation error.
-/// @param  f  values at the N nodes, N even
 /// @throws std::invalid_argument when N is odd or 0
-/// @par Cost      O(N log N)
 double fourier_tail(const ComplexVector& f);
 
 /// A trigonometric polynomial, which can be evaluated at any parameter.
@@ -94,8 +87,7 @@ class TrigonometricPolynomial {
 
   /// Interpolates values at equidistant nodes.
   ///
-  /// @param  values  at the N nodes, any N >= 1
-  /// @throws std::invalid_argument when N is 0
+  /// @throws std::invalid_argument when the number N of values is 0
   /// @par Accuracy  geometric in N for analytic functions: @ref claim_01_7
   /// @par Cost      O(N log N)
   explicit TrigonometricPolynomial(const ComplexVector& values);

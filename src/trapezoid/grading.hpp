@@ -20,10 +20,9 @@ struct Cluster {
 ///
 /// Nodes are equidistant in \f$ s(t) = \frac1C\int_0^t m,\ C = \frac{1}{2\pi}\int_0^{2\pi} m \f$.
 /// The map s is analytic and grows by \f$ 2\pi \f$ with t, so that the trapezoid rule in s
-/// converges geometrically. Close to a cluster \f$ t - t_c = \delta\sinh(C(s-s_c)/b) \f$, and
-/// \f$ C \approx 1 + \sum_c \frac{b}{\pi}\ln\frac{8}{\delta_c} \f$. To resolve a function that
-/// varies over the width \f$ \delta \f$, the number of graded nodes grows as
-/// \f$ \ln(1/\delta) \f$, whereas the number of equidistant nodes grows as \f$ 1/\delta \f$.
+/// converges geometrically. To resolve a function that varies over the width \f$ \delta \f$, the
+/// number of graded nodes grows as \f$ \ln(1/\delta) \f$, whereas the number of equidistant nodes
+/// grows as \f$ 1/\delta \f$.
 struct Grading {
   std::vector<Cluster> clusters;  ///< if empty, nodes are equidistant in t
   double strength = 2.0;          ///< b, > 0; a larger b leaves fewer nodes elsewhere on the curve
@@ -63,14 +62,11 @@ std::vector<double> graded_positions(const Grading& grading,
 ///     \frac{d\tau}{\sqrt{4\sin^2\frac\tau2+\delta_c^2}}\Bigr). \f]
 ///
 /// The Fourier coefficients of a function with this singularity decay at this rate, and so does the
-/// error of the rule with the number of nodes; interpolants converge at half of the rate, as
-/// chapter 01 shows. Above a narrow cluster, \f$ p = t_c \f$, the integral is
-/// \f$ \arcsin(d/\delta) \f$ for \f$ d \le \delta \f$ and \f$ \pi/2 \f$ for larger d: a width equal
-/// to the depth already gives the largest value. The singularities of t(s) itself lie about twice
-/// as far from the real s axis as a singularity whose depth is the width of the cluster.
+/// error of the rule with the number of nodes; interpolants converge at half of the rate (chapter
+/// 01).
 /// @param  parameter  p, radians
 /// @param  depth      d, radians, > 0; may be infinite
-/// @return            rate, radians; d itself without clusters
+/// @return            radians; d itself without clusters
 /// @throws std::invalid_argument as graded_parameters()
 /// @par Accuracy  1e-14 relative; rates of convergence: @ref claim_01_16, @ref claim_01_18
 double graded_depth(const Grading& grading, double parameter, double depth);

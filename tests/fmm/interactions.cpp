@@ -17,13 +17,13 @@ namespace {
 Eigen::MatrixXi counts(const Quadtree& targets, const Quadtree& sources,
                        const Interactions& interactions) {
   Eigen::MatrixXi count = Eigen::MatrixXi::Zero(targets.size(), sources.size());
-  for (std::size_t t = 0; t < targets.boxes().size(); ++t) {
-    const Box& target = targets.boxes()[t];
+  for (std::size_t t = 0; t < targets.boxes.size(); ++t) {
+    const Box& target = targets.boxes[t];
     const auto add = [&](Index first, Index last) {
       count.block(target.first, first, target.size(), last - first).array() += 1;
     };
     for (const Index s : interactions.far.of(static_cast<Index>(t))) {
-      const Box& source = sources.boxes()[static_cast<std::size_t>(s)];
+      const Box& source = sources.boxes[static_cast<std::size_t>(s)];
       add(source.first, source.last);
       const double distance = std::abs(target.centre - source.centre);
       BOOST_TEST_REQUIRE(source.radius < 0.5 * (distance - target.radius) * (1.0 + 1e-14));
@@ -64,14 +64,14 @@ BOOST_AUTO_TEST_CASE(few_interactions_in_a_square) {
   const Index n = 20000;
   const Quadtree tree(test::random_vector(n, 1), {}, 40);
   const Interactions found = find_interactions(tree, tree, 0);
-  BOOST_TEST(found.far.entries.size() < 30 * tree.boxes().size());
+  BOOST_TEST(found.far.entries.size() < 30 * tree.boxes.size());
 }
 
 BOOST_AUTO_TEST_CASE(no_points) {
   const Quadtree empty({}, {}, 5), tree(test::random_vector(9, 1), {}, 5);
   BOOST_TEST(find_interactions(empty, tree, 0).near.entries.empty());
   const Interactions without_sources = find_interactions(tree, empty, 0);
-  for (std::size_t b = 0; b < tree.boxes().size(); ++b) {
+  for (std::size_t b = 0; b < tree.boxes.size(); ++b) {
     BOOST_TEST(without_sources.far.of(static_cast<Index>(b)).empty());
     BOOST_TEST(without_sources.near.of(static_cast<Index>(b)).empty());
   }
@@ -84,15 +84,14 @@ BOOST_AUTO_TEST_CASE(no_target_within_a_margin_is_far) {
   const Quadtree source_tree(sources, margins, 1), target_tree(test::random_vector(200, 3), {}, 1);
   const Interactions found = find_interactions(target_tree, source_tree, 0);
   Index far_pairs = 0;
-  for (std::size_t t = 0; t < target_tree.boxes().size(); ++t) {
-    const Box& target = target_tree.boxes()[t];
+  for (std::size_t t = 0; t < target_tree.boxes.size(); ++t) {
+    const Box& target = target_tree.boxes[t];
     for (const Index s : found.far.of(static_cast<Index>(t))) {
-      const Box& source = source_tree.boxes()[static_cast<std::size_t>(s)];
+      const Box& source = source_tree.boxes[static_cast<std::size_t>(s)];
       for (Index i = target.first; i < target.last; ++i) {
         for (Index j = source.first; j < source.last; ++j) {
-          const Complex r{target_tree.x()[i] - source_tree.x()[j],
-                          target_tree.y()[i] - source_tree.y()[j]};
-          const Index node = source_tree.order()[static_cast<std::size_t>(j)];
+          const Complex r{target_tree.x[i] - source_tree.x[j], target_tree.y[i] - source_tree.y[j]};
+          const Index node = source_tree.order[static_cast<std::size_t>(j)];
           BOOST_TEST_REQUIRE(std::abs(r) > margins[node]);
           ++far_pairs;
         }

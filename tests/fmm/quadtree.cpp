@@ -17,13 +17,13 @@ namespace {
 void check_tree(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size) {
   const Quadtree tree(points, margins, leaf_size);
   std::vector<int> in_leaves(static_cast<std::size_t>(points.size()), 0);
-  for (std::size_t b = 0; b < tree.boxes().size(); ++b) {
-    const Box& box = tree.boxes()[b];
+  for (std::size_t b = 0; b < tree.boxes.size(); ++b) {
+    const Box& box = tree.boxes[b];
     BOOST_TEST_REQUIRE(box.size() >= 1);
     double reach = 0.0;
     for (Index i = box.first; i < box.last; ++i) {
-      const Index point = tree.order()[static_cast<std::size_t>(i)];
-      BOOST_TEST_REQUIRE((Complex{tree.x()[i], tree.y()[i]} == points[point]));
+      const Index point = tree.order[static_cast<std::size_t>(i)];
+      BOOST_TEST_REQUIRE((Complex{tree.x[i], tree.y[i]} == points[point]));
       const double margin = margins.size() == 0 ? 0.0 : margins[point];
       reach = std::max(reach, std::abs(points[point] - box.centre) + margin);
       if (box.is_leaf()) ++in_leaves[static_cast<std::size_t>(point)];
@@ -32,7 +32,7 @@ void check_tree(const ComplexVector& points, const Eigen::VectorXd& margins, Ind
     BOOST_TEST(box.radius <= reach * (1.0 + 1e-15) + 1e-100);
     Index next = box.first;
     for (Index c = box.first_child; c < box.last_child; ++c) {
-      const Box& child = tree.boxes()[static_cast<std::size_t>(c)];
+      const Box& child = tree.boxes[static_cast<std::size_t>(c)];
       BOOST_TEST(child.parent == static_cast<Index>(b));
       BOOST_TEST(child.first == next);
       next = child.last;
@@ -43,7 +43,7 @@ void check_tree(const ComplexVector& points, const Eigen::VectorXd& margins, Ind
     }
   }
   for (const int count : in_leaves) BOOST_TEST_REQUIRE(count == 1);
-  BOOST_TEST(tree.levels().back() == static_cast<Index>(tree.boxes().size()));
+  BOOST_TEST(tree.levels.back() == static_cast<Index>(tree.boxes.size()));
 }
 
 }  // namespace
@@ -62,13 +62,13 @@ BOOST_AUTO_TEST_CASE(trees_hold_their_points) {
 
 BOOST_AUTO_TEST_CASE(leaves_are_small) {
   const Quadtree tree(test::random_vector(1000, 1), {}, 10);
-  for (const Box& box : tree.boxes()) BOOST_TEST((box.size() <= 10 || !box.is_leaf()));
+  for (const Box& box : tree.boxes) BOOST_TEST((box.size() <= 10 || !box.is_leaf()));
 }
 
 BOOST_AUTO_TEST_CASE(few_points_and_points_that_no_number_lies_between) {
   const Quadtree empty({}, {}, 5);
-  BOOST_TEST(empty.boxes().empty());
-  BOOST_TEST((empty.levels() == std::vector<Index>{0}));
+  BOOST_TEST(empty.boxes.empty());
+  BOOST_TEST((empty.levels == std::vector<Index>{0}));
   check_tree(ComplexVector::Constant(1, {2.0, 3.0}), {}, 1);
   const double next = std::nextafter(1.0, 2.0);
   check_tree(ComplexVector{{Complex{1.0, 0.0}, Complex{next, 0.0}, Complex{next, 0.0}}}, {}, 1);

@@ -1,6 +1,5 @@
 // Checks graded nodes: the map t(s) is the integral (01.11) at any width, and curves that are
 // sampled by the map keep the rule's geometric rate and have their nodes crowded at the clusters.
-#include "trapezoid/curve.hpp"
 #include "trapezoid/grading.hpp"
 
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/vectors.hpp"
+#include "trapezoid/curve.hpp"
 #include "trapezoid/fourier.hpp"
 #include "trapezoid/shape.hpp"
 

@@ -6,8 +6,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/vectors.hpp"
-#include "trapezoid/fourier.hpp"
 #include "trapezoid/curve.hpp"
+#include "trapezoid/fourier.hpp"
 #include "trapezoid/grading.hpp"
 
 using namespace stokesbook;

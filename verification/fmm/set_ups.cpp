@@ -103,7 +103,7 @@ FmmSettings of_order(int order) {
 double operations(const Fmm& plan, int order) {
   const double p = order;
   double pairs = 0.0, conversions = 0.0;
-  const std::vector<Box>& boxes = plan.targets().boxes();
+  const std::vector<Box>& boxes = plan.targets().boxes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     const auto box = static_cast<Index>(b);
     conversions += static_cast<double>(plan.interactions().far.of(box).size());
@@ -111,7 +111,7 @@ double operations(const Fmm& plan, int order) {
       pairs += static_cast<double>(boxes[b].size() * (range.last - range.first));
     }
   }
-  const auto moves = static_cast<double>(boxes.size() + plan.sources().boxes().size() - 2);
+  const auto moves = static_cast<double>(boxes.size() + plan.sources().boxes.size() - 2);
   const auto points = static_cast<double>(plan.targets().size() + plan.sources().size());
   return pairs + 0.5 * p * p * conversions + 0.25 * p * p * moves + 1.5 * p * points;
 }

@@ -88,7 +88,7 @@ Found direct(int) {
 Found near_field(int order) {
   const Fmm plan(sources().curves, {}, of_order(order));
   const StressletNodes nodes(sources().curves);
-  const std::vector<Index>& order_of = plan.sources().order();
+  const std::vector<Index>& order_of = plan.sources().order;
   ComplexVector velocity = ComplexVector::Zero(nodes.size());
   double pairs = 0.0;
   const auto add = [&](Index target, Index source) {
@@ -97,8 +97,8 @@ Found near_field(int order) {
     velocity[target] += std::numbers::pi * stresslet(r, {nodes.nx[source], nodes.ny[source]},
                                                      sources().density[source]);
   };
-  for (std::size_t b = 0; b < plan.targets().boxes().size(); ++b) {
-    const Box& box = plan.targets().boxes()[b];
+  for (std::size_t b = 0; b < plan.targets().boxes.size(); ++b) {
+    const Box& box = plan.targets().boxes[b];
     for (const Range range : plan.interactions().near.of(static_cast<Index>(b))) {
       pairs += static_cast<double>(box.size() * (range.last - range.first));
       for (Index i = box.first; i < box.last; ++i) {

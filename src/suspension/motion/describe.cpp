@@ -7,7 +7,7 @@
 #include <map>
 
 #include "double_layer/stresslet_sum.hpp"
-#include "fmm/fmm_settings.hpp"
+#include "fmm/fmm.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/plan_lines.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "fmm/fmm_settings.hpp"
+#include "fmm/fmm.hpp"
 #include "suspension/bodies/components.hpp"
 
 namespace stokesbook {

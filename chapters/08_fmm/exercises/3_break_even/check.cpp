@@ -21,7 +21,7 @@ Fmm plan_of(const ComplexVector& places, const FmmSettings& settings) {
 
 // Pairs that are summed directly: those that no far list has.
 double near_pairs(const Fmm& plan) {
-  const std::vector<Box>& boxes = plan.sources().boxes();
+  const std::vector<Box>& boxes = plan.sources().boxes;
   const auto n = static_cast<double>(plan.sources().size());
   double pairs = n * n;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
@@ -38,7 +38,7 @@ void check_operations() {
     for (const int p : {6, 18}) {
       const Fmm plan = plan_of(test::points_in_a_square(n), {p, 40});
       const double p2 = p * p, pairs = near_pairs(plan),
-                   boxes = static_cast<double>(plan.sources().boxes().size() - 1),
+                   boxes = static_cast<double>(plan.sources().boxes.size() - 1),
                    far = static_cast<double>(plan.interactions().far.entries.size()),
                    nodes = static_cast<double>(n);
       const double count = pairs + 0.5 * p2 * far + 0.5 * p2 * boxes + 3.0 * p * nodes;

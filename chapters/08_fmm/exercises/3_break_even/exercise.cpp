@@ -14,7 +14,7 @@ double operations(const Fmm& plan, int p) {
   //@ starter
   not_done(plan, p);  // your code instead of this line
   //@ solution
-  const std::vector<Box>& boxes = plan.sources().boxes();
+  const std::vector<Box>& boxes = plan.sources().boxes;
   const double p2 = p * p;
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.5 * p2 * static_cast<double>(boxes.size() - 1);
@@ -27,7 +27,7 @@ double operations(const Fmm& plan, int p) {
   }
   return count;
   //@ wrong one_way: expansions move up and down
-  const std::vector<Box>& boxes = plan.sources().boxes();
+  const std::vector<Box>& boxes = plan.sources().boxes;
   const double p2 = p * p;
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.25 * p2 * static_cast<double>(boxes.size() - 1);
@@ -40,7 +40,7 @@ double operations(const Fmm& plan, int p) {
   }
   return count;
   //@ wrong ranges: a range counts its nodes times those of the box
-  const std::vector<Box>& boxes = plan.sources().boxes();
+  const std::vector<Box>& boxes = plan.sources().boxes;
   const double p2 = p * p;
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.5 * p2 * static_cast<double>(boxes.size() - 1);
