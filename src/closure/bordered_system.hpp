@@ -25,7 +25,7 @@ enum class ClosureForm {
 struct DenseSystem {
   /// Rows and columns: interleaved node vectors, then 3 per inner component in the bordered forms.
   Eigen::MatrixXd matrix;
-  Eigen::VectorXd rhs;  ///< in the order of the rows
+  Eigen::VectorXd rhs;  ///< in the order of the rows; velocities, length / time, in those of nodes
 };
 
 /// Assembles a problem as a dense matrix by plain trapezoid sums, for teaching, tests and studies
@@ -34,8 +34,6 @@ struct DenseSystem {
 /// In unbounded fluid, the bordered forms require a gauge length if a component is prescribed.
 /// Enclosing walls are assembled without \f$ N_0 \f$, so that their matrix is singular: see
 /// null_space.
-/// @return  square matrix of 2n rows for n nodes, and 3 more per inner component in the bordered
-///          forms, with its right-hand side; velocities, length / time, in the rows of nodes
 /// @throws std::invalid_argument when the form is reduced and Closure rejects the problem
 /// @par Accuracy  geometric in the number of nodes, @ref claim_03_2, and in the distances of
 /// components over node spacings, @ref claim_03_31; the same in any unit of length in the scaled

@@ -3,6 +3,7 @@
 // free, the forces balance by construction (03.14).
 #include "closure/closure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -57,17 +58,16 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
 }
 
 Closure::Closure(const StokesProblem& problem)
-    : problem_(problem), offsets_(node_offsets(problem)), gauges_(stokeslet_gauges(problem)) {
-  nodes_.resize(offsets_.back());
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    const Component& component = problem.components[k];
-    nodes_.segment(offsets_[k], component.curve.size()) = component.curve.x;
+    : problem_(problem),
+      offsets_(node_offsets(problem)),
+      gauges_(stokeslet_gauges(problem)),
+      nodes_(all_nodes(curves_of(problem))),
+      prescribed_count_(std::ranges::count_if(problem.components, is_prescribed)),
+      free_uniform_velocity_(has_free_uniform_velocity(problem)) {
+  for (const Component& component : problem.components) {
     modes_.emplace_back();
-    if (!is_inner(component)) continue;
-    modes_.back().emplace(component.curve, component.centre);
-    prescribed_count_ += is_prescribed(component) ? 1 : 0;
+    if (is_inner(component)) modes_.back().emplace(component.curve, component.centre);
   }
-  free_uniform_velocity_ = has_free_uniform_velocity(problem);
   if (!is_bounded(problem) && !problem.gauge_length && prescribed_count_ == 0 &&
       has_net_force(problem)) {
     const Complex force = total_given_force(problem);

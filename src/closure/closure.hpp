@@ -18,13 +18,13 @@ struct Load {
 struct Completion {
   std::vector<RigidMotion> motions;  ///< motions of free bodies; zero for other components
   std::vector<Load> loads;           ///< loads of every component, also of the enclosing wall
-  Complex uniform_velocity;          ///< fluid at infinity, without the background, length / time
+  /// Fluid at infinity, without the background, length / time: that of Closure and the contribution
+  /// of different gauges of the Stokeslets, \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$.
+  Complex uniform_velocity;
 };
 
-/// Sets the load of an enclosing wall: the stress is free of divergence, so that the load of the
-/// wall balances the loads of all other components.
-///
-/// Changes nothing if no wall encloses the fluid.
+/// Sets the load of an enclosing wall, if there is one: the stress is free of divergence, so that
+/// the load of the wall balances the loads of all other components.
 Completion with_balance(const StokesProblem& problem, Completion completion);
 
 /// Chooses the gauge length of each component's Stokeslet.
@@ -46,17 +46,13 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 /// \f[ (-\tfrac12 + D)(I-P)\eta - [k\ \mathrm{free}]\,P\eta + \sum_w (S_w F_w + R_w L_w) + N_0\eta
 ///     + u_c = g_k - u_\infty - \sum_p (S_p F_p + R_p L_p), \f]
 /// where [k free] is 1 on free bodies and 0 elsewhere. The equation is of the second kind: on a
-/// circle every eigenvalue is -1/2 or -1. The exact value of \f$ D P \eta \f$ is
-/// \f$ \frac12 P\eta \f$ on the own curve and 0 in the fluid, so that
-/// \f$ (-\frac12 + D)P\eta = 0 \f$. The system leaves this term out, and thus the quadrature error
-/// of the term (03.11).
+/// circle every eigenvalue is -1/2 or -1. The term \f$ (-\frac12 + D)P\eta \f$, whose exact value is
+/// zero, is left out, and thus its quadrature error (03.11).
 ///
 /// In unbounded fluid with prescribed components and no gauge length, the total force is zero and a
 /// uniform velocity u_c is free (03.14). Both hold by construction, with the mean \f$ \bar U \f$ of
 /// U[P eta] over the prescribed components:
-/// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$. The velocity at
-/// infinity that a Completion reports contains the contribution of the different gauges of the
-/// Stokeslets: \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$ over all components.
+/// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$.
 ///
 /// All densities and velocities are those at all n nodes, component by component, length / time.
 /// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_03_2; a uniform
@@ -67,27 +63,22 @@ class Closure {
   /// Prepares the rigid motions of all inner components.
   ///
   /// @throws std::invalid_argument when an unbounded problem has a net force, and neither a gauge
-  ///                  length nor a prescribed component
+  ///         length nor a prescribed component
   explicit Closure(const StokesProblem& problem);
 
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
   ComplexVector without_rigid_part(const ComplexVector& density) const;
 
-  /// Evaluates the velocities that the closure adds at the nodes: \f$ -P\eta \f$ on free bodies,
-  /// and everywhere the singularities of prescribed components and the uniform velocity.
-  ///
-  /// These velocities are linear in the density.
+  /// Evaluates the velocities that the closure adds at the nodes, which are linear in the density:
+  /// \f$ -P\eta \f$ on free bodies, and everywhere the singularities of prescribed components and
+  /// the uniform velocity.
   ComplexVector velocity(const ComplexVector& density) const;
 
   /// Evaluates velocity() without its singularities, for operators that sum the singularities
-  /// themselves.
-  ///
-  /// @par Cost  O(n)
+  /// themselves, with O(n) operations.
   ComplexVector smooth_velocity(const ComplexVector& density) const;
 
   /// Extracts the loads of the singularities in velocity(): zero except for prescribed components.
-  ///
-  /// @par Cost  O(n)
   std::vector<Load> density_loads(const ComplexVector& density) const;
 
   /// Assembles the right-hand side of the system: velocities at all nodes.
@@ -100,11 +91,8 @@ class Closure {
   /// and the share of each prescribed component in the force that balances them.
   std::vector<Load> given_loads() const;
 
-  /// Evaluates the Stokeslets and rotlets of the given loads of every component.
-  ///
-  /// @param  targets  m points, length
-  /// @return          m velocities, length / time
-  /// @par Cost        a Stokeslet and a rotlet per target and loaded component
+  /// Evaluates the Stokeslets and rotlets of the given loads of every component, with a Stokeslet and
+  /// a rotlet per target and loaded component.
   ComplexVector singular_velocity(const std::vector<Load>& loads,
                                   const ComplexVector& targets) const;
 
@@ -115,11 +103,8 @@ class Closure {
   /// Completion::uniform_velocity without the contribution of the gauges, length / time.
   Complex uniform_velocity(const Completion& completion) const;
 
-  /// Evaluates the singularities and the uniform velocity of a solution away from the boundary.
-  ///
-  /// @param  targets  points in the fluid, length
-  /// @return          velocities without background and double layer, length / time
-  /// @par Cost        a Stokeslet and a rotlet per target and loaded component
+  /// Evaluates the singularities and the uniform velocity of a solution at points in the fluid, at
+  /// the same cost: velocities without background and double layer.
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:
@@ -135,8 +120,8 @@ class Closure {
   std::vector<std::optional<RigidModes>> modes_;  // none for an enclosing wall
   std::vector<double> gauges_;                    // Stokeslet gauge of each component
   ComplexVector nodes_;
-  Eigen::Index prescribed_count_ = 0;
-  bool free_uniform_velocity_ = false;
+  Eigen::Index prescribed_count_;
+  bool free_uniform_velocity_;
 };
 
 }  // namespace stokesbook

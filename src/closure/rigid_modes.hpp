@@ -20,17 +20,14 @@ struct RigidMotion {
 ///     a^2 = \langle|x-b|^2\rangle. \f]
 class RigidModes {
  public:
-  /// Prepares the projection of one curve with N nodes.
-  ///
-  /// @param  centre  c, the point about which motions are reported, length
-  /// @par Cost       O(N), the same as one projection
+  /// Prepares the projection of one curve with N nodes, onto motions about the centre c, with O(N)
+  /// operations.
   RigidModes(const Curve& curve, Complex centre);
 
-  /// Projects a density onto the rigid motion that is nearest in the mean square.
+  /// Projects a density at the nodes, length / time, onto the rigid motion that is nearest in the
+  /// mean square.
   ///
-  /// @param  density  at the N nodes, length / time
-  /// @return          rigid motion about the centre
-  /// @par Accuracy    that of the rule: geometric in N, @ref claim_03_14; exact for rigid motions
+  /// @par Accuracy  that of the rule: geometric in N, @ref claim_03_14; exact for rigid motions
   RigidMotion project(const Eigen::Ref<const ComplexVector>& density) const;
 
   /// Evaluates a rigid motion about the centre at the nodes: N velocities, length / time.

@@ -16,12 +16,11 @@ namespace stokesbook {
 ///
 /// The block turns with the component: \f$ A = Q \hat A Q^T \f$ with the rotation Q of every node
 /// vector (05.11). With the component's own gauge, the block does not depend on its size.
-/// @param  component  curve and centre in any one frame
-/// @param  gauge      Stokeslet gauge length of a prescribed component; if empty, its own gauge
-///                    \f$ \sqrt e\, a \f$
-/// @return            2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
-/// @par Cost          N^2 kernel evaluations, O(N^2) multiplications
-/// @par Not for       a gauge near the degenerate scale of a prescribed component,
+/// @param  gauge  Stokeslet gauge length of a prescribed component; if empty, its own gauge
+///                \f$ \sqrt e\, a \f$
+/// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, ...)
+/// @par Cost      N^2 kernel evaluations, O(N^2) multiplications
+/// @par Not for   a gauge near the degenerate scale of a prescribed component,
 /// \f$ a/\sqrt e \f$ for a circle: the block is singular there
 Eigen::MatrixXd self_block(const Component& component, std::optional<double> gauge = {});
 
@@ -33,8 +32,7 @@ Eigen::MatrixXd own_layer(const Component& component);
 /// closure depends on a density only through the rigid motions in the density.
 ///
 /// @param  modes  K of the component, 2N x 3
-/// @param  first  position of the component's first node among all nodes
-/// @param  n      number of all nodes
+/// @param  first  position of the component's first node among all n nodes
 /// @return        2n x 3, dimensionless
 /// @par Cost      three times that of Closure::velocity()
 Eigen::MatrixXd closed_modes(const Closure& closure, const Eigen::MatrixXd& modes,
@@ -51,9 +49,9 @@ using LayerBlock = std::function<Eigen::MatrixXd(std::size_t target, std::size_t
 /// into the frame of the reference and back (05.11).
 class BlockDiagonalPreconditioner {
  public:
-  /// One component: the inverse self block of its reference, 2N x 2N, and its orientation.
+  /// One component.
   struct Member {
-    std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< by invert_block()
+    std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< of its self block, by invert_block()
     double orientation = 0.0;  ///< radians, counter-clockwise, relative to the reference
   };
 

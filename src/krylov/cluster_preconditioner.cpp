@@ -215,7 +215,7 @@ ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, Clust
   for (std::size_t k = 0; k < alone.size(); ++k) {
     const bool is_free = problem.components[k].kind == ComponentKind::free_body;
     if (!is_free || form == ClusterForm::mobility) continue;
-    released_.push_back({k, system.modes(k).modes, system.modes(k).projection});
+    released_.push_back({k, system.modes(k)});
   }
   if (!released_.empty()) factorise_resistance(alone);
 }
@@ -229,15 +229,15 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alon
     const std::size_t own = released_[f].component;
     // R = Pi A_h^{-1} K (05.16), A_h^{-1} = A_0^{-1} (I + Q X Q^T) with the coupling X of a
     // cluster.
-    const MatrixXd weights = times_inverse(released_[f].projection, alone[own]);
+    const MatrixXd weights = times_inverse(released_[f].rigid.projection, alone[own]);
     const MatrixXd coupled = weights * bases_[own] * couplings_[own];
     Index first = 0;
     for (const std::size_t k : clusters_[own]) {
       const MatrixXd& basis = bases_[k];
       if (place[k] != none) {
         Eigen::Matrix3d block = coupled.middleCols(first, basis.cols()) *
-                                (basis.transpose() * released_[place[k]].modes);
-        if (k == own) block += weights * released_[f].modes;
+                                (basis.transpose() * released_[place[k]].rigid.modes);
+        if (k == own) block += weights * released_[f].rigid.modes;
         for (int i = 0; i < 3; ++i) {
           for (int j = 0; j < 3; ++j) {
             entries.emplace_back(3 * static_cast<int>(f) + i, 3 * static_cast<int>(place[k]) + j,
@@ -288,14 +288,14 @@ VectorXd ClusterPreconditioner::operator()(const VectorXd& v) const {
   // V from R V = Pi A_h^{-1} v, and then A_h^{-1} (v - K V) - K V (05.16).
   VectorXd loads(static_cast<Index>(3 * released_.size()));
   for (std::size_t f = 0; f < released_.size(); ++f) {
-    const MatrixXd& projection = released_[f].projection;
+    const MatrixXd& projection = released_[f].rigid.projection;
     loads.segment<3>(static_cast<Index>(3 * f)) =
         projection * solved.segment(offsets_[released_[f].component], projection.cols());
   }
   const VectorXd motions = resistance_->solve(loads);
   VectorXd velocity = VectorXd::Zero(v.size());
   for (std::size_t f = 0; f < released_.size(); ++f) {
-    const MatrixXd& modes = released_[f].modes;
+    const MatrixXd& modes = released_[f].rigid.modes;
     velocity.segment(offsets_[released_[f].component], modes.rows()) =
         modes * motions.segment<3>(static_cast<Index>(3 * f));
   }

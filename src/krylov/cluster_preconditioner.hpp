@@ -14,8 +14,7 @@ namespace stokesbook {
 /// a hundred times the largest radius of gyration a of all inner components.
 ///
 /// A cluster of radius R that moves as a whole at the velocity U exerts the force
-/// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With this gauge the force is about
-/// \f$ \pi\mu U \f$ for a body and its neighbours. With the own gauges \f$ \sqrt e\,a \f$ of the
+/// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With the own gauges \f$ \sqrt e\,a \f$ of the
 /// bodies, the force would be infinite for R = e a, and have the wrong sign for larger clusters.
 double held_gauge(const StokesProblem& problem);
 
@@ -25,10 +24,9 @@ enum class ClusterForm {
   resistance  ///< free bodies are held, then released together by a resistance problem
 };
 
-/// Assembles a component's own block in clusters.
-///
-/// A free body in the mobility form, and an enclosing wall, have their self_block(). Any other
-/// inner component has the self_block() of a prescribed component with the gauge of held_gauge().
+/// Assembles a component's own block in clusters: the self_block() of a free body in the mobility
+/// form and of an enclosing wall; for any other inner component the self_block() of a prescribed
+/// component with the gauge of held_gauge().
 Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
 
 /// A component in the cluster of another component.
@@ -43,27 +41,20 @@ struct Neighbour {
 /// them. A restricted additive Schwarz method replaces \f$ A^{-1} \f$: the rows of each component
 /// are those of the inverse of its cluster.
 ///
-/// The mobility form applies this method to A itself. Clusters leave out the far flow of the
-/// bodies' stresslets, which is weak, so that the number of iterations hardly grows with the number
-/// of bodies. Contacts that form a rigid network have collective modes, however, which clusters of
-/// free bodies do not contain.
-///
-/// The resistance form contains these modes. With all inner components held, the operator is
+/// The mobility form applies this method to A itself. Contacts that form a rigid network have
+/// collective modes, which clusters of free bodies do not contain. The resistance form contains
+/// these modes. With all inner components held, the operator is
 /// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$ (05.15), where \f$ \Pi\eta \f$ are the rigid motions
-/// in \f$ P = K\Pi \f$, and S are the flows of their loads. For free bodies f the operator is
-/// \f$ A = A_h - (S_f + K_f)\Pi_f \f$. Because \f$ A_h K_f = S_f \f$, exactly (05.16)
+/// in \f$ P = K\Pi \f$, and S are the flows of their loads. With the free bodies f, exactly (05.16)
 /// \f[ A^{-1}r = A_h^{-1}(r - K_f V) - K_f V, \qquad
 ///     \Pi_f A_h^{-1} K_f\, V = \Pi_f A_h^{-1} r: \f]
 /// the motions -V balance the loads of the held bodies under the data r. Held bodies screen the
 /// flow, so that \f$ A_h^{-1} \f$ is nearly local, and the Schwarz method replaces this inverse.
 /// The resistance matrix \f$ \Pi_f A_h^{-1} K_f \f$ is then sparse, with three unknowns per body.
-/// Motions in waves as long as the suspension meet little resistance; the part of the resistance
-/// that clusters leave out makes the number of iterations grow with the number of bodies.
 ///
 /// Let the operator, A or A_h, be \f$ (I + B)A_0 \f$, where \f$ A_0 \f$ consists of the own blocks.
-/// A component acts on its neighbours, and they on the component, in few directions Q. The clusters
-/// are solved in these directions only (05.18):
-/// \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
+/// The clusters are solved only in the few directions Q that couple a component to its neighbours
+/// (05.18): \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
 /// @par Accuracy  residuals fall by a digit or more per iteration on seven disks at gaps of 0.01,
 /// @ref claim_05_29; iterations for bodies that nearly touch, @ref claim_05_26; the forces that
 /// clusters leave out fall with the square of the distance, @ref claim_05_27
@@ -80,8 +71,7 @@ class ClusterPreconditioner {
   /// @param  layer       double layer between any two components of a cluster
   /// @throws std::domain_error when the resistance matrix is singular
   /// @par Cost  per component, for clusters of m components with N nodes each: some 3 m matrix
-  /// products of size 2N, an eigenvalue problem of size 2N, and a factorisation of size m q for q
-  /// directions
+  /// products and an eigenvalue problem of size 2N, and a factorisation of size m q for q directions
   ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
                         std::vector<BlockDiagonalPreconditioner::Member> alone,
                         const std::vector<std::vector<Neighbour>>& neighbours,
@@ -98,13 +88,11 @@ class ClusterPreconditioner {
   double mean_rank() const;
 
  private:
-  // These types are hidden, because Doxygen 1.9 links to a list of private nested types but does
-  // not write this list.
+  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
   /// @cond
   struct ReleasedBody {
     std::size_t component;
-    Eigen::MatrixXd modes;       // K, 2N x 3
-    Eigen::MatrixXd projection;  // Pi, 3 x 2N
+    RigidModeMatrices rigid;
   };
   using Resistance = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
   /// @endcond

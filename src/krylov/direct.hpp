@@ -14,8 +14,6 @@ namespace stokesbook {
 /// inner components, and \f$ P = K\Pi \f$ the projection onto these motions. The closure C depends
 /// on the rigid part of a density only, so that the system is
 /// \f[ A = L(I-P) + CP = L + (CK - LK)\Pi. \f]
-/// If the factorisation serves as a preconditioner, GMRES has to remove two errors only: the
-/// rounding of the factorisation, and the tolerance of the near corrections in the layer.
 /// @par Accuracy  that of the layer; iterations for bodies that nearly touch, @ref claim_05_30
 class DirectPreconditioner {
  public:

@@ -23,8 +23,8 @@ struct GmresResult {
   int applications = 0;      ///< applications of A
   bool converged = false;    ///< the residual of the recurrence meets the tolerance
   double residual = 0.0;     ///< true relative residual |b - A x| / |b|
-  std::vector<double>
-      history;  ///< relative residual by the recurrence, before and after each iteration
+  /// Relative residual by the recurrence, before and after each iteration.
+  std::vector<double> history;
 };
 
 /// Solves A x = b by GMRES without restart, preconditioned from the right:
@@ -32,18 +32,13 @@ struct GmresResult {
 ///
 /// With right preconditioning, the residual is that of A x = b. The solution is combined from the
 /// preconditioned basis, which is stored (flexible GMRES). Rounding errors of the preconditioner,
-/// of relative size \f$ 10^{-7} \f$ where large loads cancel, then do no harm.
-///
-/// The basis is orthogonalised by two passes of classical Gram-Schmidt. Its matrix-vector products
-/// are fast, and the second pass makes them accurate enough: at a tolerance of 1e-12 the number of
-/// iterations does not suffer from lost orthogonality.
+/// of relative size \f$ 10^{-7} \f$ where large loads cancel, then do no harm. The basis is
+/// orthogonalised by two passes of classical Gram-Schmidt, which are fast matrix-vector products.
 ///
 /// Eigen's GMRES (unsupported module) is not used, because it has no residual history, restarts by
 /// default, and preconditions from the left, so that its tolerance would depend on the
 /// preconditioner.
-/// @param  apply         x -> A x
 /// @param  precondition  r -> M^{-1} r; empty if there is no preconditioner
-/// @param  b             right-hand side, finite
 /// @param  guess         x_0, from which the iteration solves \f$ A d = b - A x_0 \f$ for the
 ///                       correction d; if empty or no better than zero, x_0 = 0
 /// @return               solution and history; a solution that has not converged is returned too

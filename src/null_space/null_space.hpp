@@ -12,14 +12,10 @@ namespace stokesbook {
 ///
 /// Double layers carry no net flux through the boundary:
 /// \f$ \int_{\partial\Omega} n\cdot(-\frac12+D)\eta\,ds = 0 \f$ (04.3). The operator
-/// \f$ -\frac12 + D \f$ is therefore singular, with the left null vector \f$ n\,ds \f$, and misses
-/// one dimension of boundary data. N_0 moves the eigenvalue 0 to -1, whatever the length of the
-/// wall, and leaves all other eigenvalues where they are.
-/// @param  density  at the nodes of the wall, length / time
-/// @return          velocities at the nodes of the wall, length / time
-/// @par Accuracy    that of the rule: geometric in N, @ref claim_04_4
-/// @par Cost        O(N)
-/// @par Not for     inner walls and bodies: the fix on the enclosing wall balances their flux
+/// \f$ -\frac12 + D \f$ is therefore singular. N_0 moves the eigenvalue 0 to -1, whatever the length
+/// of the wall, and leaves all other eigenvalues where they are.
+/// @par Accuracy  that of the rule: geometric in N, @ref claim_04_4
+/// @par Not for   inner walls and bodies: the fix on the enclosing wall balances their flux
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);
 
 /// Assembles the matrix of null_space_velocity(): 2N x 2N, of rank 1, dimensionless, interleaved.
@@ -31,7 +27,6 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall);
 /// The motions of rigid bodies carry no flux. An incompressible fluid inside an enclosing wall
 /// requires Q = 0. Otherwise the system with N_0 is solved for the data \f$ g - nQ/|\Gamma_0| \f$
 /// on the wall, and nothing in its solution shows that (04.7).
-/// @return        flux, length^2 / time
 /// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_04_18
 double net_flux(const StokesProblem& problem);
 
