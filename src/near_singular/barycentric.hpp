@@ -16,9 +16,8 @@ struct BarycentricValues {
 /// (06.14):
 /// \f[ w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
-/// The last term is 1 for a body and 0 for the enclosing wall. If the target is a node, then this
-/// node has the weight 1 and all others have the weight 0, so that the values are the limits from
-/// the fluid.
+/// The last term is 1 for a body and 0 for the enclosing wall. If the target is a node, then the
+/// node has the weight 1, and the values are the limits from the fluid.
 /// @par Accuracy  rounding at any distance, once the functions are resolved: @ref claim_06_1,
 /// @ref claim_06_12; side(): @ref claim_06_28
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
@@ -27,14 +26,10 @@ class Barycentric {
   /// Stores the N nodes of a curve and the factors of its Cauchy integrals.
   explicit Barycentric(const Curve& curve);
 
-  /// Evaluates both sums at targets on the fluid's side of the curve or on its nodes.
+  /// Evaluates both sums, from N values of each function at the nodes, at targets on the fluid's side
+  /// of the curve or on its nodes.
   ///
-  /// @param  f        N node values
-  /// @param  g        N node values
-  /// @param  h        N node values, unit of g / length
-  /// @param  targets  m points, length
-  /// @return          values at the m targets, units of f and g
-  /// @par Cost        35 N operations and N / 2 divisions per target
+  /// @par Cost  35 N operations and N / 2 divisions per target
   std::vector<BarycentricValues> operator()(const Eigen::Ref<const ComplexVector>& f,
                                             const Eigen::Ref<const ComplexVector>& g,
                                             const Eigen::Ref<const ComplexVector>& h,

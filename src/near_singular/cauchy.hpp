@@ -8,14 +8,11 @@
 namespace stokesbook {
 
 /// Node values of the three functions from which CauchyCurve evaluates the velocity of a double
-/// layer.
-///
-/// Each matrix has one column per density. \f$ \phi \f$ is the first Goursat function,
-/// \f$ \phi' = d\phi/dz \f$ is its derivative, and U is the limit of the velocity from the fluid.
+/// layer. Each matrix has one column per density.
 struct CauchyData {
-  Eigen::MatrixXcd limit;  ///< U, length / time
-  Eigen::MatrixXcd phi;    ///< length / time
-  Eigen::MatrixXcd dphi;   ///< 1 / time
+  Eigen::MatrixXcd limit;  ///< U, limit of the velocity from the fluid, length / time
+  Eigen::MatrixXcd phi;    ///< first Goursat function, length / time
+  Eigen::MatrixXcd dphi;   ///< \f$ \phi' = d\phi/dz \f$, 1 / time
 };
 
 /// Node values of the three functions from which CauchyCurve evaluates pressure, vorticity and
@@ -50,24 +47,21 @@ class CauchyCurve {
   /// 64 N^2 bytes.
   explicit CauchyCurve(const Curve& reference);
 
-  /// Computes the node values for densities in the curve's frame, one density per column.
+  /// Computes the node values for k densities, N x k, in the curve's frame.
   ///
-  /// @param  densities  N x k, length / time
-  /// @par Cost          12 N^2 k real multiplications
+  /// @par Cost  12 N^2 k real multiplications
   CauchyData data(const Eigen::MatrixXcd& densities) const;
 
-  /// Evaluates the velocity on the fluid's side, at any distance or on a node.
+  /// Evaluates the velocity of a density on the fluid's side, at any distance or on a node.
   ///
-  /// @param  targets  m points, in the curve's frame, length
-  /// @return          m velocities in the curve's frame, length / time
-  /// @par Cost        35 N operations and N / 2 divisions per target
+  /// @par Cost  35 N operations and N / 2 divisions per target
   ComplexVector velocity(const CauchyData& data, Eigen::Index column,
                          const ComplexVector& targets) const;
 
   /// Assembles the matrix that maps a density to the velocities at targets. The product with this
   /// matrix equals data() followed by velocity().
   ///
-  /// @param  targets  m points on the fluid's side or on nodes, in the curve's frame, length
+  /// @param  targets  m points on the fluid's side or on nodes
   /// @return          2m x 2N, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
   /// @par Cost        16 N^2 real multiplications per target, as matrix products
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
@@ -76,14 +70,11 @@ class CauchyCurve {
   /// O(N k log N) operations.
   CauchyDerivativeData derivative_data(const CauchyData& data) const;
 
-  /// Evaluates pressure, vorticity and strain on the fluid's side, at any distance or on a node. On
-  /// a node the values are the limits from the fluid.
+  /// Evaluates pressure, vorticity and strain on the fluid's side, at any distance or on a node,
+  /// where the values are the limits from the fluid. The cost is that of velocity().
   ///
-  /// @param  targets  m points, in the curve's frame, length
-  /// @return          m values in the curve's frame, 1 / time
   /// @par Accuracy  1e-11 relative at any distance, once the density is resolved: @ref claim_06_8,
   /// @ref claim_06_10
-  /// @par Cost      as velocity()
   std::vector<FlowDerivatives> derivatives(const CauchyDerivativeData& data, Eigen::Index column,
                                            const ComplexVector& targets) const;
 
@@ -91,13 +82,11 @@ class CauchyCurve {
   /// node: \f$ \mathrm{Re}\,\Delta > 1/2 \f$.
   ///
   /// @par Accuracy  the border between true and false is the curve, also between nodes, once the
-  /// shape is resolved: @ref claim_06_25; the distance of the border from the curve, as a function
-  /// of N: @ref claim_06_28
-  /// @par Cost      O(N)
+  /// shape is resolved: @ref claim_06_25; its distance from the curve, as a function of N:
+  /// @ref claim_06_28
   bool in_fluid(Complex point) const { return barycentric_.side(point) > 0.5; }
 
-  /// Returns the nodes, in the curve's own frame.
-  const Curve& curve() const { return curve_; }
+  const Curve& curve() const { return curve_; }  ///< returns the nodes, in the curve's own frame
 
  private:
   Curve curve_;

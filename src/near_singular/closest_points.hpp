@@ -17,11 +17,8 @@ struct SmoothCurve {
   double orientation = 0.0;                      ///< radians, counter-clockwise
   std::vector<GradedParameter> parameters = {};  ///< of the nodes; empty if they are equidistant
 
-  /// Returns the parameter of a node, radians.
-  double parameter(Eigen::Index node) const;
-
-  /// Evaluates x, x' and x'' at the parameter t, in the plane.
-  TrigonometricPolynomial::Jet at(double t) const;
+  double parameter(Eigen::Index node) const;        ///< returns the parameter of a node, radians
+  TrigonometricPolynomial::Jet at(double t) const;  ///< evaluates x, x' and x'' in the plane
 };
 
 /// Foot of the perpendicular from a point to a curve.
@@ -34,8 +31,6 @@ struct Foot {
 /// method for the minimum of \f$ |x(t)-z|^2 \f$. Where this function of t is not convex, each step
 /// goes in the direction in which the function decreases.
 ///
-/// @param  curve    as a function of its parameter, length
-/// @param  point    z, length
 /// @param  guess    parameter near that of the foot, radians
 /// @param  longest  longest step allowed, radians, for example the distance between nodes
 /// @par Accuracy    rounding of the positions, if the point is nearer to the curve than the centre
@@ -65,12 +60,10 @@ struct ClosestPoints {
 /// each node that may be next to the closest point
 ClosestPoints closest_points(const SmoothCurve& a, const SmoothCurve& b);
 
-/// Descends from a pair of points of two curves to a local minimum of the distance between them.
+/// Descends from the parameter s of curve a, and the parameter t of curve b near the foot of this
+/// point, to a local minimum of the distance between the curves, as accurately as closest_points().
 ///
-/// @param  s  parameter of a point of curve a, radians
-/// @param  t  parameter on curve b near the foot of this point, radians
-/// @par Accuracy  as closest_points(), @ref claim_06_36
-/// @par Cost      about five evaluations of the curves per Newton step
+/// @par Cost  about five evaluations of the curves per Newton step
 ClosestPoints closest_points_near(const SmoothCurve& a, const SmoothCurve& b, double s, double t);
 
 }  // namespace stokesbook

@@ -60,40 +60,35 @@ struct InterpolationData {
 /// Phys. 274 (2014), 403
 class InterpolationCurve {
  public:
-  /// Prepares fine nodes and limits of one curve of N nodes, in its own frame.
+  /// Prepares fine nodes and limits of one curve of N nodes, in its own frame: 8 (4 + sigma) N^2
+  /// bytes.
   ///
   /// @throws std::invalid_argument when a setting is out of its range
-  /// @par Cost          8 (4 + sigma) N^2 bytes
   InterpolationCurve(const Curve& reference, const InterpolationSettings& settings);
 
-  /// Computes fine densities and limits for densities in the curve's frame, one per column.
+  /// Computes fine densities and limits for k densities, N x k, in the curve's frame.
   ///
-  /// @param  densities  N x k, length / time
-  /// @par Cost          (4 + 2 sigma) N^2 k real multiplications
+  /// @par Cost  (4 + 2 sigma) N^2 k real multiplications
   InterpolationData data(const Eigen::MatrixXcd& densities) const;
 
-  /// Evaluates the velocity on the fluid's side, at any distance or on the curve.
+  /// Evaluates the velocity of a density on the fluid's side, at any distance or on the curve.
   ///
-  /// @param  targets  m points, in the curve's frame, length
-  /// @return          m velocities in the curve's frame, length / time
-  /// @par Cost        at most m sigma N kernel evaluations per target, m being the degree, and O(N)
+  /// @par Cost  at most m sigma N kernel evaluations per target, m being the degree, and O(N)
   ComplexVector velocity(const InterpolationData& data, Eigen::Index column,
                          const ComplexVector& targets) const;
 
   /// Assembles the matrix that maps a density to the velocities at targets. The product with this
   /// matrix equals data() followed by velocity().
   ///
-  /// @param  targets  m points on the fluid's side or on the curve, in the curve's frame, length
+  /// @param  targets  m points on the fluid's side or on the curve
   /// @return          2m x 2N, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
   /// @par Cost        4 sigma N^2 + 8 N^2 real multiplications per target, as matrix products
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
-  /// Returns the nodes, in the curve's own frame.
-  const Curve& curve() const { return curve_; }
+  const Curve& curve() const { return curve_; }  ///< returns the nodes, in the curve's own frame
 
  private:
-  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
-  // not write.
+  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
   /// @cond
   struct Stencil {
     double parameter;             // of the closest point

@@ -1,8 +1,10 @@
 // Plans and applies the near correction (06.17): a scheme of close evaluation minus the trapezoid
-// rule, summed over the curves that are near a target.
+// rule, summed over the curves that are near a target. Corrects pressure, vorticity and strain in
+// the same way by the Cauchy scheme (06.16).
 #include "near_singular/near_correction.hpp"
 
 #include <map>
+#include <stdexcept>
 
 #include "double_layer/double_layer.hpp"
 
@@ -28,6 +30,35 @@ bool rows_pay(const PlacedCurve& placed, Index near_targets) {
 
 ComplexVector turned(const ComplexVector& v, double angle) {
   return std::polar(1.0, angle) * v;
+}
+
+const CauchyCurve& cauchy_of(const PlacedCurve& placed) {
+  const auto* cauchy = std::get_if<std::shared_ptr<const CauchyCurve>>(&placed.scheme);
+  if (cauchy == nullptr) {
+    throw std::invalid_argument(
+        "pressure and strain near a curve require the Cauchy scheme, not the interpolation scheme");
+  }
+  return **cauchy;
+}
+
+// Evaluates Cauchy scheme minus trapezoid rule at the near targets of a curve (06.17), in the frame
+// of the plane: a turn of the frame does not change pressure and vorticity, and multiplies the
+// complex strain by turn^2.
+std::vector<FlowDerivatives> derivative_correction(const PlacedCurve& placed,
+                                                   const NearTargets& near,
+                                                   const ComplexVector& density) {
+  const CauchyCurve& cauchy = cauchy_of(placed);
+  const Complex turn = std::polar(1.0, placed.orientation);
+  const ComplexVector local_density = std::conj(turn) * density;
+  std::vector<FlowDerivatives> flow =
+      cauchy.derivatives(cauchy.derivative_data(cauchy.data(local_density)), 0, near.local);
+  const std::vector<FlowDerivatives> coarse =
+      StressletSum({cauchy.curve()}).derivatives(near.local, local_density);
+  for (std::size_t i = 0; i < flow.size(); ++i) {
+    flow[i] = {flow[i].pressure - coarse[i].pressure, flow[i].vorticity - coarse[i].vorticity,
+               (flow[i].strain - coarse[i].strain) * turn * turn};
+  }
+  return flow;
 }
 
 }  // namespace
@@ -114,6 +145,46 @@ Index NearCorrection::pair_count() const {
   Index count = 0;
   for (const NearTargets& near : near_) count += near.local.size();
   return count;
+}
+
+std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
+                                                         const ComplexVector& density,
+                                                         const ComplexVector& targets,
+                                                         double tolerance) {
+  for (const PlacedCurve& curve : curves) cauchy_of(curve);  // throws outside the parallel region
+  const std::vector<Index> offsets = node_offsets(curves);
+  const std::vector<NearTargets> near =
+      find_near_targets(curves, targets, Targets::points, tolerance);
+  std::vector<std::vector<FlowDerivatives>> corrections(curves.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (near[k].index.empty()) continue;
+    corrections[k] = derivative_correction(
+        curves[k], near[k], density.segment(offsets[k], offsets[k + 1] - offsets[k]));
+  }
+  // As for velocities, the corrections are added in the order of the curves.
+  std::vector<FlowDerivatives> sum(static_cast<std::size_t>(targets.size()));
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    for (std::size_t i = 0; i < corrections[k].size(); ++i) {
+      sum[static_cast<std::size_t>(near[k].index[i])] += corrections[k][i];
+    }
+  }
+  return sum;
+}
+
+std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
+                                                      const ComplexVector& density,
+                                                      const ComplexVector& targets,
+                                                      double tolerance) {
+  std::vector<FlowDerivatives> flow =
+      near_derivative_corrections(curves, density, targets, tolerance);
+  std::vector<Curve> placed;
+  for (const PlacedCurve& curve : curves) {
+    placed.push_back(place(curve.curve(), curve.position, curve.orientation));
+  }
+  const std::vector<FlowDerivatives> plain = StressletSum(placed).derivatives(targets, density);
+  for (std::size_t i = 0; i < flow.size(); ++i) flow[i] += plain[i];
+  return flow;
 }
 
 }  // namespace stokesbook

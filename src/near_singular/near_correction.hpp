@@ -32,9 +32,9 @@ class NearCorrection {
  public:
   /// Finds the near targets of every curve, and assembles the rows of the curves that store them.
   ///
-  /// @param  curves    placed curves, in the order of the densities
-  /// @param  targets   m points, length
-  /// @par Cost         that of find_near_targets(), and of the rows
+  /// @param  curves   in the order of the densities
+  /// @param  targets  m points, length
+  /// @par Cost        that of find_near_targets(), and of the rows
   NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets, Targets kind,
                  const NearSettings& settings);
 
@@ -51,8 +51,7 @@ class NearCorrection {
   Eigen::Index explicit_count() const { return static_cast<Eigen::Index>(rows_.size()); }
 
  private:
-  // The types are hidden because Doxygen 1.9 links to a list of private nested types that it does
-  // not write.
+  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
   /// @cond
   struct Rows {
     std::size_t curve;
@@ -74,5 +73,29 @@ class NearCorrection {
   std::vector<Group> groups_;          // of the other curves with near targets
   Eigen::Index target_count_;
 };
+
+/// Evaluates pressure, vorticity and strain of the double layers of several curves at any distance
+/// from the curves, 1 / time: by the trapezoid rule, or by the Cauchy scheme where this rule is too
+/// coarse. On a node of a curve the values are the limits from the fluid.
+///
+/// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
+/// @param  density    at all nodes, in the curves' order, length / time
+/// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
+/// @throws std::invalid_argument when a curve has another scheme
+/// @par Accuracy  1e-11 relative, once the densities are resolved: @ref claim_06_8
+/// @par Cost      m n kernel evaluations for m targets, O(N^2) per curve with near targets, 50 N
+/// operations per near target
+std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
+                                                      const ComplexVector& density,
+                                                      const ComplexVector& targets,
+                                                      double tolerance);
+
+/// Evaluates the difference between double_layer_derivatives() and StressletSum::derivatives(), for
+/// callers that evaluate the trapezoid sum by another method. Parameters and exceptions are the
+/// same. The difference is zero at targets that are not near.
+std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
+                                                         const ComplexVector& density,
+                                                         const ComplexVector& targets,
+                                                         double tolerance);
 
 }  // namespace stokesbook

@@ -8,10 +8,7 @@ namespace stokesbook {
 /// with \f$ x(t_j + s) = z \f$ for the continued curve, to second order in the distance (06.4).
 ///
 /// The error of the trapezoid rule at the target is about \f$ e^{-N|\mathrm{Im}\,s|} \f$.
-/// @param  curve   nodes
-/// @param  node    j, the nearest node for good accuracy
-/// @param  target  z, length
-/// @return         s, dimensionless
+/// @param  node  j, the nearest node for good accuracy
 /// @par Accuracy  second order in the distance over the radius of curvature: @ref claim_06_35
 Complex preimage(const Curve& curve, Eigen::Index node, Complex target);
 
@@ -33,17 +30,14 @@ double near_cut(double tolerance);
 /// has the error \f$ 1/|e^{-iNs/2} - 1| \f$ for this integral (06.2), and the square of this error
 /// is about \f$ e^{-N|\mathrm{Im}\,s|} \f$. The estimate also holds for curves and gradings for
 /// which preimage() is inaccurate.
-/// @param  curve    N nodes
-/// @param  target   point of the fluid, length
-/// @return          dimensionless, at most about 70 because of rounding; 0 to 1.4 on a node
-/// @par Accuracy    the error of the rule is at most 200 times the exponential: @ref claim_06_23,
+/// @return        at most about 70 because of rounding; 0 to 1.4 on a node
+/// @par Accuracy  the error of the rule is at most 200 times the exponential: @ref claim_06_23,
 /// @ref claim_06_24
-/// @par Cost        O(N)
+/// @par Cost      O(N)
 double preimage_depth(const Curve& curve, Complex target);
 
 /// Returns whether the trapezoid rule of a curve is too coarse at a target: whether
-/// preimage_depth() is at most near_cut(). The test requires no density; its accuracy is that of
-/// preimage_depth(), @ref claim_06_23.
+/// preimage_depth() is at most near_cut(). The test requires no density.
 bool is_near(const Curve& curve, Complex target, double tolerance);
 
 /// Returns a distance from the curve beyond which no target is near:
@@ -53,7 +47,6 @@ bool is_near(const Curve& curve, Complex target, double tolerance);
 ///
 /// The continuation of a curve grows at this rate on circles, and along graded nodes about a
 /// cluster.
-/// @par Cost  O(N)
 double near_reach(const Curve& curve, double tolerance);
 
 }  // namespace stokesbook

@@ -40,12 +40,9 @@ struct NearTargets {
 
 /// Finds for each curve the targets at which its trapezoid rule is too coarse, by is_near().
 ///
-/// @param  curves     placed curves, in the order of the densities
-/// @param  targets    m points, length
 /// @throws std::invalid_argument when a target is not finite
-/// @par Cost          a search in a RectangleIndex per curve, and O(N) per target within the
-/// near_reach() of a curve; the search excludes most targets only if consecutive points are
-/// neighbours, as on a grid
+/// @par Cost  a search in a RectangleIndex per curve, and O(N) per target within the near_reach() of
+/// a curve; the search excludes most targets only if consecutive points are neighbours, as on a grid
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance);

@@ -8,7 +8,6 @@
 
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/near_correction.hpp"
-#include "near_singular/near_derivatives.hpp"
 
 namespace stokesbook {
 

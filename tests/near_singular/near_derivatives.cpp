@@ -1,8 +1,6 @@
 // Checks pressure, vorticity and strain (06.16) of several curves: the values are those of an exact
 // flow at any distance and on the nodes, turn with the curves, and have the same bits for any
 // number of threads.
-#include "near_singular/near_derivatives.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 
+#include "near_singular/near_correction.hpp"
 #include "support/dirichlet.hpp"
 #include "support/exact_derivatives.hpp"
 #include "support/vectors.hpp"
