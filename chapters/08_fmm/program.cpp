@@ -155,10 +155,8 @@ Sum all_levels(const std::vector<Curve>& curves, const ComplexVector& density, i
   Sum sum{plan.velocity(density)};
   const std::vector<Box>& boxes = plan.targets().boxes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    const auto box = static_cast<Index>(b);
-    sum.operations +=
-        conversion(order) * static_cast<double>(plan.interactions().far.of(box).size());
-    for (const Range range : plan.interactions().near.of(box)) {
+    sum.operations += conversion(order) * static_cast<double>(plan.interactions().far[b].size());
+    for (const Range range : plan.interactions().near[b]) {
       sum.operations += static_cast<double>(boxes[b].size() * (range.last - range.first));
     }
   }
@@ -255,14 +253,14 @@ struct Seen {
 Seen seen_from(Index leaf, const Quadtree& tree) {
   const Interactions lists = find_interactions(tree, tree, 0);
   Seen seen;
-  for (const Range range : lists.near.of(leaf)) {
+  for (const Range range : lists.near[static_cast<std::size_t>(leaf)]) {
     for (const Box& box : leaves_of(tree)) {
       if (range.first <= box.first && box.last <= range.last) seen.near.push_back(box);
     }
   }
   for (Index b = leaf; b >= 0; b = tree.boxes[static_cast<std::size_t>(b)].parent) {
     seen.far.emplace_back();
-    for (const Index source : lists.far.of(b)) {
+    for (const Index source : lists.far[static_cast<std::size_t>(b)]) {
       seen.far.back().push_back(tree.boxes[static_cast<std::size_t>(source)]);
     }
   }

@@ -245,7 +245,8 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
   for (Index b = 0; b < box_count(targets()); ++b) {
     work.local_.clear(b);
     for (Index field = 0; field < fields; ++field) {
-      translations_.m2l(sources_.boxes, work.multipole_, interactions_.far.of(b), field,
+      translations_.m2l(sources_.boxes, work.multipole_,
+                        interactions_.far[static_cast<std::size_t>(b)], field,
                         boxes[static_cast<std::size_t>(b)], work.local_(b, field));
     }
   }
@@ -276,7 +277,7 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
   const VectorGroup group = group_of(targets().x, targets().y, first, box.last);
   const Index count = std::min<Index>(VectorGroup::size, box.last - first);
   std::array<VectorGroup, fields> sum{};
-  for (const Range range : interactions_.near.of(b)) {
+  for (const Range range : interactions_.near[static_cast<std::size_t>(b)]) {
     add_velocities<fields>(nodes(range, field, work), group, sum);
     for (Index f = 0; f < fields; ++f) {
       for (const PointForce& point : points(range, field + f, work)) {
@@ -321,7 +322,7 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
   const Box& box = targets().boxes[static_cast<std::size_t>(b)];
   const Complex z{targets().x[target], targets().y[target]};
   FlowDerivatives sum = l2p_derivatives(box, work.local_(b, field), z);
-  for (const Range range : interactions_.near.of(b)) {
+  for (const Range range : interactions_.near[static_cast<std::size_t>(b)]) {
     add_derivatives(nodes(range, field, work), z, sum);
     for (const PointForce& point : points(range, field, work)) {
       sum += stokeslet_derivatives(z - point.position, point.force, 1.0);

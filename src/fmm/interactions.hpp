@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "fmm/quadtree.hpp"
@@ -13,23 +12,10 @@ struct Range {
   Eigen::Index last;   ///< one beyond the last
 };
 
-/// Lists, one per box, in one array.
-template <class Entry>
-struct Lists {
-  std::vector<Eigen::Index> begin;  ///< first index of each list in entries, and the end of all
-  std::vector<Entry> entries;       ///< all lists after each other
-
-  /// Returns the list of a box.
-  std::span<const Entry> of(Eigen::Index box) const {
-    const auto k = static_cast<std::size_t>(box);
-    return {entries.data() + begin[k], entries.data() + begin[k + 1]};
-  }
-};
-
-/// The interactions between the boxes of two trees.
+/// The interactions between the boxes of two trees: two lists for each target box.
 struct Interactions {
-  Lists<Eigen::Index> far;  ///< for each target box the source boxes that are converted (M2L)
-  Lists<Range> near;        ///< for each target box the source points that are summed directly
+  std::vector<std::vector<Eigen::Index>> far;  ///< source boxes that are converted (M2L)
+  std::vector<std::vector<Range>> near;        ///< source points that are summed directly
 };
 
 /// Finds the interactions by a dual-tree traversal.

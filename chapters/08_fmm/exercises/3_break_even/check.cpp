@@ -25,7 +25,7 @@ double near_pairs(const Fmm& plan) {
   const auto n = static_cast<double>(plan.sources().size());
   double pairs = n * n;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    for (const Index source : plan.interactions().far.of(static_cast<Index>(b))) {
+    for (const Index source : plan.interactions().far[b]) {
       pairs -=
           static_cast<double>(boxes[b].size() * boxes[static_cast<std::size_t>(source)].size());
     }
@@ -39,13 +39,14 @@ void check_operations() {
       const Fmm plan = plan_of(test::points_in_a_square(n), {p, 40});
       const double p2 = p * p, pairs = near_pairs(plan),
                    boxes = static_cast<double>(plan.sources().boxes.size() - 1),
-                   far = static_cast<double>(plan.interactions().far.entries.size()),
                    nodes = static_cast<double>(n);
-      const double count = pairs + 0.5 * p2 * far + 0.5 * p2 * boxes + 3.0 * p * nodes;
-      double range_lengths = 0.0;
-      for (const Range range : plan.interactions().near.entries) {
-        range_lengths += static_cast<double>(range.last - range.first);
+      double far = 0.0, range_lengths = 0.0;
+      for (const auto& list : plan.interactions().far) far += static_cast<double>(list.size());
+      for (const auto& list : plan.interactions().near) {
+        for (const Range range : list)
+          range_lengths += static_cast<double>(range.last - range.first);
       }
+      const double count = pairs + 0.5 * p2 * far + 0.5 * p2 * boxes + 3.0 * p * nodes;
       expect({.what = std::to_string(n) + " nodes, order " + std::to_string(p),
               .got = operations(plan, p),
               .expected = count,

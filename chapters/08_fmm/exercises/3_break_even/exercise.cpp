@@ -19,9 +19,8 @@ double operations(const Fmm& plan, int p) {
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.5 * p2 * static_cast<double>(boxes.size() - 1);
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    const auto box = static_cast<Index>(b);
-    count += 0.5 * p2 * static_cast<double>(plan.interactions().far.of(box).size());
-    for (const Range range : plan.interactions().near.of(box)) {
+    count += 0.5 * p2 * static_cast<double>(plan.interactions().far[b].size());
+    for (const Range range : plan.interactions().near[b]) {
       count += static_cast<double>(boxes[b].size() * (range.last - range.first));
     }
   }
@@ -32,9 +31,8 @@ double operations(const Fmm& plan, int p) {
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.25 * p2 * static_cast<double>(boxes.size() - 1);
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    const auto box = static_cast<Index>(b);
-    count += 0.5 * p2 * static_cast<double>(plan.interactions().far.of(box).size());
-    for (const Range range : plan.interactions().near.of(box)) {
+    count += 0.5 * p2 * static_cast<double>(plan.interactions().far[b].size());
+    for (const Range range : plan.interactions().near[b]) {
       count += static_cast<double>(boxes[b].size() * (range.last - range.first));
     }
   }
@@ -45,9 +43,8 @@ double operations(const Fmm& plan, int p) {
   double count = 3.0 * p * static_cast<double>(plan.sources().size()) +
                  0.5 * p2 * static_cast<double>(boxes.size() - 1);
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    const auto box = static_cast<Index>(b);
-    count += 0.5 * p2 * static_cast<double>(plan.interactions().far.of(box).size());
-    for (const Range range : plan.interactions().near.of(box)) {
+    count += 0.5 * p2 * static_cast<double>(plan.interactions().far[b].size());
+    for (const Range range : plan.interactions().near[b]) {
       count += static_cast<double>(range.last - range.first);
     }
   }
