@@ -34,7 +34,6 @@ std::vector<double> power_of_loads(const SolvedFlow& flow);
 /// Integrates the dissipation \f$ \int 2\mu\,e:e\,dA \f$ over the fluid.
 ///
 /// @param  at_points  derivatives of the whole flow at the rule's points
-/// @return            force length / time per unit of depth
 /// @par Accuracy      that of the rule, once the flow is resolved: @ref claim_07_20
 double volume_dissipation(const FluidQuadrature& rule,
                           const std::vector<FlowDerivatives>& at_points, double mu);

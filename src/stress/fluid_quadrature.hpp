@@ -17,8 +17,6 @@ struct FluidQuadrature {
 /// Chooses the width of the strips of fluid_quadrature(): half of the smallest gap, but at most
 /// half of the smallest radius of curvature among points whose centre of curvature lies on the
 /// fluid's side.
-///
-/// @par Cost  that of closest_points() per pair of curves
 double strip_width(const std::vector<Curve>& curves);
 
 /// Makes a quadrature rule for smooth functions on the fluid between bodies and an enclosing wall.

@@ -48,40 +48,34 @@ class SolvedFlow {
   SolvedFlow(const StokesProblem& problem, std::vector<PlacedCurve> placed,
              const ComplexVector& density, FlowSettings settings = {});
 
-  /// Evaluates the velocity.
+  /// Evaluates the velocity at points of the fluid or its boundary, length / time.
   ///
-  /// @param  targets  m points of the fluid or its boundary, length
-  /// @return          m velocities, length / time
-  /// @par Cost        that of the sum, and of NearCorrection
+  /// @par Cost  that of the sum, and of NearCorrection
   ComplexVector velocity(const ComplexVector& targets) const;
 
-  /// Evaluates pressure, vorticity and strain; on a node they are the limits from the fluid.
+  /// Evaluates pressure, vorticity and strain at points of the fluid or its boundary, 1 / time; on a
+  /// node they are the limits from the fluid.
   ///
   /// In an unbounded fluid the pressure vanishes at infinity. In an enclosed fluid only differences
   /// of pressures have a meaning.
-  /// @param  targets  m points of the fluid or its boundary, length
-  /// @return          m values, 1 / time
   /// @throws std::invalid_argument when a component has no Cauchy scheme
-  /// @par Cost        that of the sum, and of near_derivative_corrections()
+  /// @par Cost  that of the sum, and of near_derivative_corrections()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets) const;
 
-  /// Returns all n nodes, component by component.
-  ComplexVector nodes() const;
+  ComplexVector nodes() const;  ///< returns all n nodes, component by component
 
   /// Returns the velocity of the boundary at all n nodes, including the background: the rigid
   /// motions of free bodies, and the prescribed velocities of all other components.
   ComplexVector boundary_velocity() const;
 
-  /// Returns the problem that was solved.
-  const StokesProblem& problem() const { return problem_; }
-
   /// Returns the density of the double layer at all n nodes, without its rigid part on bodies:
   /// \f$ (I-P)\eta \f$, length / time.
   const ComplexVector& density() const { return density_; }
 
-  /// Returns the relations between motions, loads and density of the problem.
-  const Closure& closure() const { return closure_; }
-
+  const StokesProblem& problem() const {
+    return problem_;
+  }                                                    ///< returns the problem that was solved
+  const Closure& closure() const { return closure_; }  ///< returns the problem's closure
   /// Returns the motions and loads of all components, computed from the density.
   const Completion& completion() const { return completion_; }
 
@@ -94,9 +88,8 @@ class SolvedFlow {
   FlowSettings settings_;
 };
 
-/// Prepares the curves of a problem for evaluation near them, by the Cauchy scheme.
+/// Prepares the curves of a problem for evaluation near them, by one CauchyCurve per component.
 ///
-/// @par Cost      that of one CauchyCurve per component
 /// @par Not for   many components of one shape, which can share a CauchyCurve
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem);
 

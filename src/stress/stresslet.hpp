@@ -12,7 +12,6 @@ namespace stokesbook {
 /// \f$ \oint (\sigma\nu)\otimes(x-c)\,ds \f$ with \f$ \nu = -n \f$ into the fluid. The rigid part
 /// of the density, the Stokeslet and the rotlet contribute nothing.
 /// @param  density  at the nodes, length / time
-/// @param  mu       viscosity, force time / length^2
 /// @return          S_11 + i S_12, force length per unit of depth
 /// @par Accuracy    that of the rule: geometric in N, @ref claim_07_23
 /// @par Not for     components with a force, whose dipole depends on the point c
@@ -25,9 +24,8 @@ inline Complex body_stresslet(const Curve& curve, const ComplexVector& density, 
 /// Computes the same stresslet from the traction of a rigid body,
 /// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product), by (07.14).
 ///
-/// @param  centre    c, where a force acts; length
-/// @param  traction  of the whole flow at its nodes, from boundary_traction(), force / length^2
-/// @return           S_11 + i S_12, force length per unit of depth
+/// @param  centre    c, where a force acts
+/// @param  traction  of the whole flow at the body's nodes, from boundary_traction()
 /// @par Accuracy     that of integrated tractions: geometric in N, @ref claim_07_17
 /// @par Not for      walls that deform, whose velocity contributes to the stresslet
 inline Complex stresslet_of_traction(const Curve& curve, Complex centre,

@@ -15,10 +15,7 @@ struct PreviousStep {
 /// Advances by Adams-Bashforth 2 with variable steps,
 /// \f$ q + h \left[(1 + \tfrac{r}{2}) f_n - \tfrac{r}{2} f_{n-1}\right],\ r = h/h_{n-1} \f$ (09.5).
 ///
-/// @param  start     start of the step, n numbers
-/// @param  dt        h, length of the step, time
-/// @param  previous  the previous step
-/// @return           state at t + h
+/// @return        state at t + h, where h = dt
 /// @par Accuracy  order 2, @ref claim_09_2
 /// @par Cost      one evaluation of f a step, by the caller
 /// @par Not for   the step after a jump of f: the extrapolation would reach across the jump
@@ -30,9 +27,8 @@ Eigen::VectorXd adams_bashforth2_step(const TimePoint& start, double dt,
 /// \f$ q_0 + h\left[\tfrac12(f_0 + f_1) - \tfrac16d\right] - q_1 \f$ with
 /// \f$ d = \frac{r}{1+r}\left[f_1 - f_0 - r(f_0 - f_{-1})\right],\ r = h/h_{-1} \f$ (09.16).
 ///
-/// @param  step      step that was taken, with the rates at both of its ends
-/// @param  previous  the previous step; none: the rate is interpolated by a straight line, d = 0
-/// @return           corrected end minus end of the step, n numbers
+/// @param  previous  none: the rate is interpolated by a straight line, d = 0
+/// @return           corrected end minus end of the step
 /// @par Accuracy  up to terms of the next order, the error of the step for methods of order 1 and,
 ///                with a previous step, of order 2: @ref claim_09_36 to @ref claim_09_38
 /// @par Cost      no evaluation of f

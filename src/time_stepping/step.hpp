@@ -31,8 +31,7 @@ struct Step {
   TimePoint end;                ///< later than the start
   Eigen::VectorXd bubble = {};  ///< beta of (09.10), n numbers; empty: no bubble
 
-  /// Returns the length h > 0 of the step, time.
-  double dt() const { return end.t - start.t; }
+  double dt() const { return end.t - start.t; }  ///< returns the length h > 0 of the step, time
 };
 
 /// Evaluates the solution at a time t within a step: the cubic through states and rates at both

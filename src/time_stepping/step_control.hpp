@@ -24,10 +24,9 @@ struct ErrorBound {
 ///
 /// The power of \f$ e_{n-1} \f$ damps the alternation of steps that are too long and too short.
 /// @param  error     e_n, the scaled error of the last step
-/// @param  previous  e_{n-1}, the scaled error of the step before the last, <= 1; less than 1e-4
-///                   counts as 1e-4
+/// @param  previous  e_{n-1} of the step before the last, <= 1; less than 1e-4 counts as 1e-4
 /// @param  order     k: a step's estimate is of order h^k
-/// @return           factor of the step's length; < 0.9 if e_n > 1
+/// @return           < 0.9 if e_n > 1
 /// @sa source: Gustafsson, ACM Trans. Math. Softw. 17 (1991), 533; Hairer, Wanner, Solving Ordinary
 ///             Differential Equations II, IV.2
 double step_factor(double error, double previous, int order);

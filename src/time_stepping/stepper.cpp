@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "time_stepping/prince_dormand.hpp"
 #include "time_stepping/runge_kutta.hpp"
 
 namespace stokesbook {

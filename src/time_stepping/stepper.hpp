@@ -28,8 +28,8 @@ struct ReducedSteps {
 struct StepMemory {
   std::optional<double> dt{};  ///< longest next step; none: that of the settings
   double error = 1.0;          ///< scaled error of the last step that was taken
-  std::optional<PreviousStep>
-      previous{};  ///< for methods of fixed steps, unless the rate has jumped
+  /// For methods of fixed steps, unless the rate has jumped.
+  std::optional<PreviousStep> previous{};
   std::optional<ReducedSteps> reduced{};  ///< for methods of fixed steps, while steps are halved
 };
 
@@ -62,18 +62,14 @@ double choose_step_end(double t, double event, double longest);
 ///
 /// The lengths of steps before an event are made equal, so that the last step ends at the event
 /// exactly. Embedded methods choose lengths by step_factor(), so that the scaled error of each step
-/// is at most one. The state advances by the weights of the higher order, while the estimate is the
-/// error of the lower order. Per step, the error of the state is therefore smaller than the
-/// estimate by a power of h, and the error at a given time is proportional to the tolerance. A step
-/// that meets an InadmissibleState is halved. Methods of fixed steps return to their length at the
-/// time at which the step that was halved would have ended.
+/// is at most one. A step that meets an InadmissibleState is halved. Methods of fixed steps return
+/// to their length at the time at which the step that was halved would have ended.
 ///
-/// Each step has an estimate of its error that costs no evaluation of f. For embedded methods,
-/// whose steps are adapted to the estimate, and for Runge-Kutta 4 the estimate is the error of a
-/// lower order, and larger than the error of the step. For the methods of Euler, Heun and
-/// Adams-Bashforth the estimate is adams_moulton_error(), which is close to the error of the step.
-/// A first step by Heun's method has no previous step, so that its estimate lacks one of two terms
-/// (d = 0).
+/// Each step has an estimate of its error that costs no evaluation of f. For embedded methods and
+/// for Runge-Kutta 4 the estimate is the error of a lower order, and larger than the error of the
+/// step, because the state advances by the weights of the higher order. For the methods of Euler,
+/// Heun and Adams-Bashforth the estimate is adams_moulton_error(), which is close to the error of
+/// the step.
 /// @par Accuracy  orders of SteppingMethod, @ref claim_09_1 to @ref claim_09_7; errors of embedded
 ///                methods are proportional to the bound, @ref claim_09_17 to @ref claim_09_19
 class Stepper {
@@ -86,8 +82,7 @@ class Stepper {
 
   /// Takes one step.
   ///
-  /// @param  start   start of the step, with its rate
-  /// @param  memory  memory of the previous step; a new StepMemory for the first step
+  /// @param  memory  that of the previous step; a new StepMemory for the first step
   /// @param  event   time > start.t that no step may pass; the step ends there if it is near enough
   /// @throws InadmissibleState when all steps down to dt_min meet such a state
   /// @throws StepError when all steps down to dt_min have errors above the bound

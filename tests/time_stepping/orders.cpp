@@ -7,7 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "problems.hpp"
-#include "time_stepping/prince_dormand.hpp"
+#include "time_stepping/runge_kutta.hpp"
 
 namespace stokesbook::test {
 
