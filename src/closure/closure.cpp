@@ -110,10 +110,10 @@ Complex Closure::mean_prescribed(const std::vector<RigidMotion>& rigid) const {
 }
 
 // F_w = -4 pi mu U_w and L_w = -4 pi mu a_w^2 omega_w on prescribed components; where a uniform
-// velocity is free, F_w = -4 pi mu (U_w - mean) - sum_p F_p / n_w (03.14). The given forces
-// F_p are left out if `with_data` is false.
-std::vector<Load> Closure::prescribed_loads(const std::vector<RigidMotion>& rigid,
-                                            bool with_data) const {
+// velocity is free, F_w = -4 pi mu (U_w - mean) - sum_p F_p / n_w (03.14). The given loads of free
+// bodies p are left out if `with_data` is false.
+std::vector<Load> Closure::inner_loads(const std::vector<RigidMotion>& rigid,
+                                       bool with_data) const {
   const double scale = -4.0 * std::numbers::pi * problem_.viscosity;
   Complex mean{}, share{};
   if (free_uniform_velocity_) {
@@ -122,7 +122,11 @@ std::vector<Load> Closure::prescribed_loads(const std::vector<RigidMotion>& rigi
   }
   std::vector<Load> loads(rigid.size());
   for (std::size_t k = 0; k < rigid.size(); ++k) {
-    if (!is_prescribed(problem_.components[k])) continue;
+    const Component& component = problem_.components[k];
+    if (component.kind == ComponentKind::free_body && with_data) {
+      loads[k] = {component.force, component.torque};
+    }
+    if (!is_prescribed(component)) continue;
     const double radius = modes_[k]->gyration_radius();
     loads[k] = {scale * (rigid[k].velocity - mean), scale * radius * radius * rigid[k].omega};
     if (with_data) loads[k].force -= share;
@@ -158,7 +162,7 @@ ComplexVector Closure::singular_velocity(const std::vector<Load>& loads,
 }
 
 std::vector<Load> Closure::density_loads(const ComplexVector& density) const {
-  return prescribed_loads(rigid_parts(density), false);
+  return inner_loads(rigid_parts(density), false);
 }
 
 // -P eta on free bodies, and u_c = -mean of U_w at all nodes.
@@ -179,12 +183,7 @@ ComplexVector Closure::velocity(const ComplexVector& density) const {
 }
 
 std::vector<Load> Closure::given_loads() const {
-  std::vector<Load> loads = prescribed_loads(std::vector<RigidMotion>(modes_.size()), true);
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    const Component& component = problem_.components[k];
-    if (component.kind == ComponentKind::free_body) loads[k] = {component.force, component.torque};
-  }
-  return loads;
+  return inner_loads(std::vector<RigidMotion>(modes_.size()), true);
 }
 
 ComplexVector Closure::boundary_data() const {
@@ -206,14 +205,10 @@ ComplexVector Closure::right_hand_side() const {
 Completion Closure::complete(const ComplexVector& density) const {
   const std::vector<RigidMotion> rigid = rigid_parts(density);
   Completion result;
-  result.loads = prescribed_loads(rigid, true);
+  result.loads = inner_loads(rigid, true);
   result.motions.resize(rigid.size());
   for (std::size_t k = 0; k < rigid.size(); ++k) {
-    const Component& component = problem_.components[k];
-    if (component.kind == ComponentKind::free_body) {
-      result.motions[k] = rigid[k];
-      result.loads[k] = {component.force, component.torque};
-    }
+    if (problem_.components[k].kind == ComponentKind::free_body) result.motions[k] = rigid[k];
   }
   if (free_uniform_velocity_) {
     result.uniform_velocity = gauge_velocity(result.loads) - mean_prescribed(rigid);

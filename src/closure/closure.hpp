@@ -108,7 +108,7 @@ class Closure {
   ComplexVector singular_velocity(const Completion& completion, const ComplexVector& targets) const;
 
  private:
-  std::vector<Load> prescribed_loads(const std::vector<RigidMotion>& rigid, bool with_data) const;
+  std::vector<Load> inner_loads(const std::vector<RigidMotion>& rigid, bool with_data) const;
   std::vector<RigidMotion> rigid_parts(const ComplexVector& density) const;
   Complex mean_prescribed(const std::vector<RigidMotion>& rigid) const;
   // Returns the uniform velocity at infinity of Stokeslets whose forces balance, but whose gauges

@@ -14,23 +14,20 @@ namespace stokesbook {
 /// Density and velocities are those at the nodes, length / time.
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density);
 
-/// Assembles the double layer (02.6) of a curve at its own nodes, \f$ D[\eta](x_i) \f$, by the
-/// trapezoid rule. The limit of the layer from the fluid is \f$ -\frac12\eta + D\eta \f$ (02.8).
+/// Assembles the double layer (02.6) of several curves at all their n nodes, \f$ D[\eta](x_i) \f$,
+/// by the trapezoid rule. The limit of the layer from the fluid is \f$ -\frac12\eta + D\eta \f$
+/// (02.8).
 ///
-/// @return        2N x 2N, dimensionless; vectors are interleaved (x_0, y_0, x_1, y_1, ...)
-/// @par Accuracy  geometric in N for analytic curves and densities: @ref claim_02_13; the diagonal:
-/// @ref claim_02_15
-/// @par Cost      N^2 kernel evaluations
-Eigen::MatrixXd double_layer_matrix(const Curve& curve);
-
-/// Assembles the double layer of several curves on all their nodes, by the trapezoid rule.
-///
-/// @param  curves  n nodes in all, no two nodes at the same place
-/// @return         2n x 2n, dimensionless; curve by curve, interleaved
-/// @par Accuracy  geometric in the distance of two curves over the node spacing: @ref claim_03_31
+/// @return        2n x 2n, dimensionless; curve by curve, interleaved (x_0, y_0, x_1, y_1, ...)
+/// @par Accuracy  geometric in n for analytic curves and densities, @ref claim_02_13, with the
+/// diagonal of @ref claim_02_15; geometric in the distance of two curves over the node spacing,
+/// @ref claim_03_31
 /// @par Cost      n^2 kernel evaluations
 /// @par Not for   curves nearer to each other than about 5 node spacings: use NearCorrection
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves);
+
+/// Assembles the double layer of one curve at its own nodes.
+Eigen::MatrixXd double_layer_matrix(const Curve& curve);
 
 /// Measures how well the nodes of a curve resolve the double layer of the curve on itself: returns
 /// the largest residual of \f$ (\frac{s}{2} + D) v = 0 \f$ (02.7) among the rigid motions v,

@@ -26,7 +26,7 @@ const Tableau& tableau_of(SteppingMethod method) {
       return bogacki_shampine32();
     case SteppingMethod::dormand_prince54:
       return dormand_prince54();
-    default:  // Adams-Bashforth begins with Heun's scheme
+    default:  // Adams-Bashforth begins with Heun's scheme; Prince and Dormand's pair needs none
       return heun();
   }
 }
@@ -46,40 +46,31 @@ double choose_step_end(double t, double event, double longest) {
   return steps > 1.0 ? t + (event - t) / steps : event;
 }
 
-// The end by (09.6), and an estimate of the form (09.7) that includes the rate at the end.
-StepResult Stepper::attempt_runge_kutta(const TimePoint& start, double t_end) const {
-  const Tableau& tableau = tableau_of(settings_.method);
+// The end by (09.5), (09.6) or GSL, and an estimate that includes the rate at the end: of the form
+// (09.7), or (09.16) if the method has no estimate of its own.
+StepResult Stepper::attempt(const TimePoint& start, double t_end, const StepMemory& memory) const {
   const double dt = t_end - start.t;
-  const MatrixXd stages = runge_kutta_stages(tableau, rates_.within, start, dt);
-  StepResult result{{start, {t_end, start.state + dt * (stages * tableau.b), {}}}};
+  const Tableau& tableau = tableau_of(settings_.method);
+  StepResult result{{start, {t_end, {}, {}}}};
   TimePoint& end = result.step.end;
+  MatrixXd stages;
+  if (settings_.method == SteppingMethod::prince_dormand87) {
+    EstimatedEnd estimated = prince_dormand87_step(rates_.within, start, dt);
+    end.state = std::move(estimated.end);
+    result.error = std::move(estimated.error);
+  } else if (settings_.method == SteppingMethod::adams_bashforth2 && memory.previous) {
+    end.state = adams_bashforth2_step(start, dt, *memory.previous);
+  } else {
+    stages = runge_kutta_stages(tableau, rates_.within, start, dt);
+    end.state = start.state + dt * (stages * tableau.b);
+  }
   end.rate = rates_.at_end(t_end, end.state);
   const auto combined = [&](const VectorXd& weights) -> VectorXd {
     return stages * weights.head(stages.cols()) + weights[stages.cols()] * end.rate;
   };
   if (tableau.error.size() > 0) result.error = dt * combined(tableau.error);
   if (tableau.bubble.size() > 0) result.step.bubble = combined(tableau.bubble);
-  return result;
-}
-
-StepResult Stepper::attempt(const TimePoint& start, double t_end, const StepMemory& memory) const {
-  const double dt = t_end - start.t;
-  StepResult result{{start, {t_end, {}, {}}}};
-  TimePoint& end = result.step.end;
-  if (settings_.method == SteppingMethod::prince_dormand87) {
-    EstimatedEnd estimated = prince_dormand87_step(rates_.within, start, dt);
-    end.state = std::move(estimated.end);
-    result.error = std::move(estimated.error);
-    end.rate = rates_.at_end(t_end, end.state);
-  } else if (settings_.method == SteppingMethod::adams_bashforth2 && memory.previous) {
-    end.state = adams_bashforth2_step(start, dt, *memory.previous);
-    end.rate = rates_.at_end(t_end, end.state);
-  } else {
-    result = attempt_runge_kutta(start, t_end);
-  }
-  if (result.error.size() == 0) {
-    result.error = adams_moulton_error(result.step, memory.previous);
-  }
+  if (result.error.size() == 0) result.error = adams_moulton_error(result.step, memory.previous);
   return result;
 }
 

@@ -91,9 +91,8 @@ class Stepper {
   StepResult advance(const TimePoint& start, StepMemory memory, double event) const;
 
  private:
-  // Try one step, without memory for the next step.
+  // Tries one step, without memory for the next step.
   StepResult attempt(const TimePoint& start, double t_end, const StepMemory& memory) const;
-  StepResult attempt_runge_kutta(const TimePoint& start, double t_end) const;
   double longest_step(const TimePoint& start, const StepMemory& memory) const;
   int order_of_estimate() const;  // the estimate of a step is of this order in h
   StepMemory update(StepMemory memory, const Step& step, double scaled_error, double longest,
