@@ -34,14 +34,18 @@ std::optional<ComplexVector> deformation(const Curve& curve, const RigidModes& m
 }  // namespace
 
 std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& traction) {
-  const ComplexVector velocity = flow.boundary_velocity();
+  const std::vector<Component>& components = flow.problem().components;
   std::vector<double> powers;
   Index first = 0;
-  for (const Component& component : flow.problem().components) {
-    const Index n = component.curve.size();
-    powers.push_back(
-        power(component.curve, velocity.segment(first, n), traction.segment(first, n)));
-    first += n;
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    const Component& component = components[k];
+    const Curve& curve = component.curve;
+    const ComplexVector velocity =
+        component.kind == ComponentKind::free_body
+            ? RigidModes(curve, component.centre).at_nodes(flow.completion().motions[k])
+            : component.velocity;
+    powers.push_back(power(curve, velocity, traction.segment(first, curve.size())));
+    first += curve.size();
   }
   return powers;
 }

@@ -84,21 +84,6 @@ ComplexVector SolvedFlow::nodes() const {
   return all_nodes(curves_of(problem_));
 }
 
-ComplexVector SolvedFlow::boundary_velocity() const {
-  ComplexVector velocity(density_.size());
-  Index first = 0;
-  for (std::size_t k = 0; k < problem_.components.size(); ++k) {
-    const Component& component = problem_.components[k];
-    const Index n = component.curve.size();
-    velocity.segment(first, n) =
-        component.kind == ComponentKind::free_body
-            ? RigidModes(component.curve, component.centre).at_nodes(completion_.motions[k])
-            : component.velocity;
-    first += n;
-  }
-  return velocity;
-}
-
 std::vector<PlacedCurve> cauchy_curves(const StokesProblem& problem) {
   std::vector<PlacedCurve> placed;
   for (const Component& component : problem.components) {

@@ -64,10 +64,6 @@ class SolvedFlow {
 
   ComplexVector nodes() const;  ///< returns all n nodes, component by component
 
-  /// Returns the velocity of the boundary at all n nodes, including the background: the rigid
-  /// motions of free bodies, and the prescribed velocities of all other components.
-  ComplexVector boundary_velocity() const;
-
   /// Returns the density of the double layer at all n nodes, without its rigid part on bodies:
   /// \f$ (I-P)\eta \f$, length / time.
   const ComplexVector& density() const { return density_; }
