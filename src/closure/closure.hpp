@@ -18,8 +18,8 @@ struct Load {
 struct Completion {
   std::vector<RigidMotion> motions;  ///< motions of free bodies; zero for other components
   std::vector<Load> loads;           ///< loads of every component, also of the enclosing wall
-  /// Fluid at infinity, without the background, length / time: that of Closure and the contribution
-  /// of different gauges of the Stokeslets, \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$.
+  /// Velocity of the fluid at infinity without the background, length / time: that of Closure, and
+  /// the contribution of different gauges, \f$ u_c + \frac{1}{4\pi\mu}\sum_k F_k\log\ell_k \f$.
   Complex uniform_velocity;
 };
 
@@ -46,8 +46,8 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 /// \f[ (-\tfrac12 + D)(I-P)\eta - [k\ \mathrm{free}]\,P\eta + \sum_w (S_w F_w + R_w L_w) + N_0\eta
 ///     + u_c = g_k - u_\infty - \sum_p (S_p F_p + R_p L_p), \f]
 /// where [k free] is 1 on free bodies and 0 elsewhere. The equation is of the second kind: on a
-/// circle every eigenvalue is -1/2 or -1. The term \f$ (-\frac12 + D)P\eta \f$, whose exact value is
-/// zero, is left out, and thus its quadrature error (03.11).
+/// circle every eigenvalue is -1/2 or -1. The term \f$ (-\frac12 + D)P\eta \f$, whose exact value
+/// is zero, is left out, and thus its quadrature error (03.11).
 ///
 /// In unbounded fluid with prescribed components and no gauge length, the total force is zero and a
 /// uniform velocity u_c is free (03.14). Both hold by construction, with the mean \f$ \bar U \f$ of
@@ -91,8 +91,8 @@ class Closure {
   /// and the share of each prescribed component in the force that balances them.
   std::vector<Load> given_loads() const;
 
-  /// Evaluates the Stokeslets and rotlets of the given loads of every component, with a Stokeslet and
-  /// a rotlet per target and loaded component.
+  /// Evaluates the Stokeslets and rotlets of the given loads of every component, with a Stokeslet
+  /// and a rotlet per target and loaded component.
   ComplexVector singular_velocity(const std::vector<Load>& loads,
                                   const ComplexVector& targets) const;
 

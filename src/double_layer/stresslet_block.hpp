@@ -45,8 +45,8 @@ struct VectorGroup {
   alignas(64) std::array<double, size> y = {};  ///< second components
 };
 
-/// Returns the vectors with the components x and y from `first` on as a group. If the vectors before
-/// `last` do not fill the group, then the last of them is repeated.
+/// Returns the vectors with the components x and y from `first` on as a group. If the vectors
+/// before `last` do not fill the group, then the last of them is repeated.
 VectorGroup group_of(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first,
                      Eigen::Index last);
 

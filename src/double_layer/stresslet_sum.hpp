@@ -36,8 +36,8 @@ class StressletSum {
   explicit StressletSum(const std::vector<Curve>& curves,
                         KernelStorage storage = KernelStorage::streamed);
 
-  /// Evaluates velocities at the nodes themselves, from a density at all nodes in the curves' order,
-  /// length / time.
+  /// Evaluates velocities at the nodes themselves, from a density at all nodes in the curves'
+  /// order, length / time.
   ///
   /// @par Cost  n^2 kernel evaluations, or 4 n^2 multiplications by the stored matrix
   ComplexVector operator()(const ComplexVector& density) const;

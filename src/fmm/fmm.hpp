@@ -64,9 +64,9 @@ struct FmmStrengths {
   FmmStrengths& operator=(const FmmStrengths&) = delete;
 
   Eigen::Ref<const Eigen::MatrixXcd> density;  ///< of the nodes, length / time
-  /// Of the points, over the viscosity, length / time; no rows if all are zero.
+  /// Forces of the points over the viscosity, length / time; no rows if all are zero.
   Eigen::Ref<const Eigen::MatrixXcd> force;
-  /// Of the points, over the viscosity, length^2 / time; no rows if all are zero.
+  /// Torques of the points over the viscosity, length^2 / time; no rows if all are zero.
   Eigen::Ref<const Eigen::MatrixXd> torque;
 };
 

@@ -24,9 +24,9 @@ struct Interactions {
 /// \f$ R_t < \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$ (08.8): every expansion then falls like
 /// \f$ 2^{-k} \f$. If a pair of boxes is not well separated, then the larger box is divided. Two
 /// leaves are summed directly, and so is a well separated pair whose target is a leaf and whose
-/// pairs of points, at most `direct_pairs`, cost less than a translation. The disk of a box contains
-/// the margins of its sources, so that the expansion of a source is never used at a target within
-/// the source's margin. Every pair of a target and a source is in exactly one interaction.
+/// pairs of points, at most `direct_pairs`, cost less than a translation. The disk of a box
+/// contains the margins of its sources, so that the expansion of a source is never used at a target
+/// within the source's margin. Every pair of a target and a source is in exactly one interaction.
 /// @par Cost  O(number of boxes)
 Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
                                Eigen::Index direct_pairs);

@@ -20,7 +20,7 @@ struct Box {
                         ///< at least 1e-100, so that divisions by it are finite, length
 
   Eigen::Index size() const { return last - first; }          ///< counts the points
-  bool is_leaf() const { return first_child == last_child; }  ///< is true without children
+  bool is_leaf() const { return first_child == last_child; }  ///< returns true without children
 };
 
 /// An adaptive quadtree. Boxes with too many points are divided at the middle of their points'

@@ -23,8 +23,8 @@ class Translations {
 
   int order() const { return order_; }  ///< returns the order p, the highest power
 
-  /// M2M: adds a multipole expansion, moved to the centre of another box `to`, which contains `from`
-  /// (08.12).
+  /// M2M: adds a multipole expansion, moved to the centre of another box `to`, which contains
+  /// `from` (08.12).
   ///
   /// @par Cost  2 p^2 real multiplications
   void m2m(const Box& from, Eigen::Ref<const Expansion> expansion, const Box& to,

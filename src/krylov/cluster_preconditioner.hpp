@@ -71,7 +71,8 @@ class ClusterPreconditioner {
   /// @param  layer       double layer between any two components of a cluster
   /// @throws std::domain_error when the resistance matrix is singular
   /// @par Cost  per component, for clusters of m components with N nodes each: some 3 m matrix
-  /// products and an eigenvalue problem of size 2N, and a factorisation of size m q for q directions
+  /// products and an eigenvalue problem of size 2N, and a factorisation of size m q for q
+  /// directions
   ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
                         std::vector<BlockDiagonalPreconditioner::Member> alone,
                         const std::vector<std::vector<Neighbour>>& neighbours,

@@ -26,8 +26,8 @@ class Barycentric {
   /// Stores the N nodes of a curve and the factors of its Cauchy integrals.
   explicit Barycentric(const Curve& curve);
 
-  /// Evaluates both sums, from N values of each function at the nodes, at targets on the fluid's side
-  /// of the curve or on its nodes.
+  /// Evaluates both sums, from N values of each function at the nodes, at targets on the fluid's
+  /// side of the curve or on its nodes.
   ///
   /// @par Cost  35 N operations and N / 2 divisions per target
   std::vector<BarycentricValues> operator()(const Eigen::Ref<const ComplexVector>& f,

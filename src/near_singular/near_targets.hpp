@@ -41,8 +41,8 @@ struct NearTargets {
 /// Finds for each curve the targets at which its trapezoid rule is too coarse, by is_near().
 ///
 /// @throws std::invalid_argument when a target is not finite
-/// @par Cost  a search in a RectangleIndex per curve, and O(N) per target within the near_reach() of
-/// a curve; the search excludes most targets only if consecutive points are neighbours, as on a grid
+/// @par Cost  a search in a RectangleIndex per curve, and O(N) per target within near_reach(); the
+/// search excludes most targets only if consecutive points are neighbours, as on a grid
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance);

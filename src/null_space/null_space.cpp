@@ -6,14 +6,18 @@
 
 namespace stokesbook {
 
-using Eigen::Index;
+namespace {
+
+// Integrates v . n over a curve.
+double flux(const Curve& curve, const ComplexVector& v) {
+  return normals(curve).conjugate().cwiseProduct(v).real().dot(weights(curve));
+}
+
+}  // namespace
 
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density) {
-  const Eigen::VectorXd w = weights(wall);
-  const ComplexVector normal = normals(wall);
   // N_0 eta = -n (1 / |Gamma_0|) int n . eta ds (04.6).
-  const double flux = (normal.conjugate().cwiseProduct(density)).real().dot(w);
-  return (-flux / w.sum()) * normal;
+  return (-flux(wall, density) / perimeter(wall)) * normals(wall);
 }
 
 Eigen::MatrixXd null_space_matrix(const Curve& wall) {
@@ -26,14 +30,12 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall) {
 
 double net_flux(const StokesProblem& problem) {
   // Q = int g . n ds over all curves (04.2); the motion of a free body carries no flux.
-  double flux = 0.0;
+  double sum = 0.0;
   for (const Component& component : problem.components) {
     if (component.kind == ComponentKind::free_body) continue;
-    const ComplexVector normal = normals(component.curve);
-    flux +=
-        (normal.conjugate().cwiseProduct(component.velocity)).real().dot(weights(component.curve));
+    sum += flux(component.curve, component.velocity);
   }
-  return flux;
+  return sum;
 }
 
 double flux_scale(const StokesProblem& problem) {

@@ -12,8 +12,8 @@ namespace stokesbook {
 ///
 /// Double layers carry no net flux through the boundary:
 /// \f$ \int_{\partial\Omega} n\cdot(-\frac12+D)\eta\,ds = 0 \f$ (04.3). The operator
-/// \f$ -\frac12 + D \f$ is therefore singular. N_0 moves the eigenvalue 0 to -1, whatever the length
-/// of the wall, and leaves all other eigenvalues where they are.
+/// \f$ -\frac12 + D \f$ is therefore singular. N_0 moves the eigenvalue 0 to -1, whatever the
+/// length of the wall, and leaves all other eigenvalues where they are.
 /// @par Accuracy  that of the rule: geometric in N, @ref claim_04_4
 /// @par Not for   inner walls and bodies: the fix on the enclosing wall balances their flux
 ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& density);

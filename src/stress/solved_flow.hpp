@@ -53,8 +53,8 @@ class SolvedFlow {
   /// @par Cost  that of the sum, and of NearCorrection
   ComplexVector velocity(const ComplexVector& targets) const;
 
-  /// Evaluates pressure, vorticity and strain at points of the fluid or its boundary, 1 / time; on a
-  /// node they are the limits from the fluid.
+  /// Evaluates pressure, vorticity and strain at points of the fluid or its boundary, 1 / time; on
+  /// a node they are the limits from the fluid.
   ///
   /// In an unbounded fluid the pressure vanishes at infinity. In an enclosed fluid only differences
   /// of pressures have a meaning.

@@ -37,13 +37,14 @@ class RectangleIndex {
 
   ~RectangleIndex();  ///< frees the tree
 
-  /// Adds a rectangle, whose number is the number of rectangles before it, with O(log n) operations.
+  /// Adds a rectangle, whose number is the number of rectangles before it, with O(log n)
+  /// operations.
   ///
   /// @throws std::invalid_argument when a corner is not finite
   void insert(const Rectangle& rectangle);
 
-  /// Returns the numbers, ascending, of the rectangles that intersect a given one, whose corners may
-  /// be infinite; a common border point suffices.
+  /// Returns the numbers, ascending, of the rectangles that intersect a given one, whose corners
+  /// may be infinite; a common border point suffices.
   ///
   /// @par Cost  O(log n + m log m) for m rectangles found, if each one overlaps few others
   std::vector<std::size_t> meeting(const Rectangle& rectangle) const;
