@@ -57,7 +57,7 @@ class StressletSum {
   /// \f$ \rho \f$ is bounded as for velocities, so that a near correction can subtract the terms
   /// again.
   /// @par Cost     m n kernel evaluations
-  /// @par Not for  targets nearer than about 6 node spacings: use double_layer_derivatives()
+  /// @par Not for  targets nearer than about 6 node spacings: add near_derivative_corrections()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets,
                                            const ComplexVector& density) const;
 

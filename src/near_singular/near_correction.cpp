@@ -172,19 +172,4 @@ std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<Place
   return sum;
 }
 
-std::vector<FlowDerivatives> double_layer_derivatives(const std::vector<PlacedCurve>& curves,
-                                                      const ComplexVector& density,
-                                                      const ComplexVector& targets,
-                                                      double tolerance) {
-  std::vector<FlowDerivatives> flow =
-      near_derivative_corrections(curves, density, targets, tolerance);
-  std::vector<Curve> placed;
-  for (const PlacedCurve& curve : curves) {
-    placed.push_back(place(curve.curve(), curve.position, curve.orientation));
-  }
-  const std::vector<FlowDerivatives> plain = StressletSum(placed).derivatives(targets, density);
-  for (std::size_t i = 0; i < flow.size(); ++i) flow[i] += plain[i];
-  return flow;
-}
-
 }  // namespace stokesbook

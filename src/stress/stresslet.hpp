@@ -21,19 +21,6 @@ inline Complex body_stresslet(const Curve& curve, const ComplexVector& density, 
   return -mu * weighted_normal.cwiseProduct(density).sum();
 }
 
-/// Computes the same stresslet from the traction of a rigid body,
-/// \f$ -\frac12\oint (\sigma n)(x-c)\,ds \f$ (complex product), by (07.14).
-///
-/// @param  centre    c, where a force acts
-/// @param  traction  of the whole flow at the body's nodes, from boundary_traction()
-/// @par Accuracy     that of integrated tractions: geometric in N, @ref claim_07_17
-/// @par Not for      walls that deform, whose velocity contributes to the stresslet
-inline Complex stresslet_of_traction(const Curve& curve, Complex centre,
-                                     const ComplexVector& traction) {
-  const ComplexVector force = traction.cwiseProduct(weights(curve));
-  return -0.5 * force.cwiseProduct((curve.x.array() - centre).matrix()).sum();
-}
-
 /// Computes the intrinsic viscosity of bodies in a linear flow: the relative increase of the
 /// viscosity that the bodies cause, divided by their area fraction \f$ \phi \f$ (07.17),
 /// \f[ [\mu] = \frac{S:E}{2\mu\,E:E\,A_b} = \frac{\mathrm{Re}(\bar q S)}{\mu|q|^2A_b},\qquad

@@ -37,14 +37,17 @@ std::vector<FlowDerivatives> whole(const SolvedFlow& flow, const FlowDerivatives
   return result;
 }
 
-// Returns the first body's stresslet by the density (07.14), and checks it against the traction's.
+// Returns the first body's stresslet by the density, and compares it with the stresslet by the
+// traction, -(1 / 2) oint (sigma n) (x - c) ds (07.14).
 Complex first_stresslet(const SolvedFlow& flow, const FlowDerivatives& linear) {
   const StokesProblem& problem = flow.problem();
   const Component& body = problem.components[0];
   const Index n = body.curve.size();
   const ComplexVector traction = boundary_traction(problem, whole(flow, linear, flow.nodes()));
   const Complex found = body_stresslet(body.curve, flow.density().head(n), problem.viscosity);
-  const Complex again = stresslet_of_traction(body.curve, body.centre, traction.head(n));
+  const ComplexVector force = traction.head(n).cwiseProduct(weights(body.curve));
+  const Complex again =
+      -0.5 * force.cwiseProduct((body.curve.x.array() - body.centre).matrix()).sum();
   BOOST_TEST(std::abs(found - again) < 1e-12 * std::abs(found));
   return found;
 }

@@ -70,7 +70,7 @@ Line line(const std::string& key, const std::string& id, const std::string& labe
                          .reason = "two derivatives of functions with N/2 modes amplify rounding "
                                    "by N^2/4, here by up to 7e4, times the density's rounding",
                          .api = {"stokesbook::CauchyCurve", "stokesbook::CauchyDerivativeData",
-                                 "stokesbook::double_layer_derivatives"}},
+                                 "stokesbook::near_derivative_corrections"}},
           .control = Control{defect, derivative_errors(set_up, plant)}};
 }
 

@@ -131,7 +131,7 @@ Line distance_line(const std::string& key, const std::string& id, const std::str
                                    "cancels in them; the rest is rounding times N, once a "
                                    "differentiation",
                          .api = {"stokesbook::CauchyCurve::derivatives",
-                                 "stokesbook::double_layer_derivatives"}},
+                                 "stokesbook::near_derivative_corrections"}},
           .control = Control{defect, over_distances(c, defective)}};
 }
 
