@@ -139,7 +139,7 @@ MatrixXd InterpolationCurve::velocity_rows(const ComplexVector& targets) const {
   const Index m = targets.size();
   MatrixXd of_limit = MatrixXd::Zero(m, curve_.size());
   MatrixXcd direct = MatrixXcd::Zero(m, fine_curve_.size()), conjugate = direct;
-  const Eigen::VectorXd fine_weights = stokesbook::weights(fine_curve_);
+  const Eigen::VectorXd fine_weights = weights(fine_curve_);
   const ComplexVector normal = normals(fine_curve_);
   for (Index i = 0; i < m; ++i) {
     const Stencil at = stencil(targets[i]);
