@@ -1,6 +1,6 @@
 // Groups the vertex events of two components into connected contacts, with the volume (10.6) and
-// the rows of each: gap (10.5), its derivative (10.9), and the balanced force (sections "Which number
-// stands for a contact" and "Forces" of chapter 10).
+// the rows of each: gap (10.5), its derivative (10.9), and the balanced force (sections "Which
+// number stands for a contact" and "Forces" of chapter 10).
 #include "stiv/contacts.hpp"
 
 #include <algorithm>

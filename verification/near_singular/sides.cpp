@@ -87,8 +87,8 @@ Line resolved_line(const std::string& key, const std::string& id, const std::str
           .control = control};
 }
 
-/// Largest distance between the curve and the line on which Re Delta has the value of the border, in
-/// local spacings.
+/// Largest distance between the curve and the line on which Re Delta has the value of the border,
+/// in local spacings.
 double border_displacement(const Ellipse& shape, Index n, double border) {
   const Curve curve = sample(shape, n, Side::fluid_outside);
   const Barycentric sums(curve);

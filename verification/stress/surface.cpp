@@ -218,8 +218,8 @@ double velocity_error(const CauchyCurve& cauchy, const CauchyData& data,
   return test::largest(cauchy.velocity(data, 0, targets) - exact) / test::largest(exact);
 }
 
-/// Largest error of a part of the derivatives, relative to its largest value. The other sign of phi'
-/// is a planted defect.
+/// Largest error of a part of the derivatives, relative to its largest value. The other sign of
+/// phi' is a planted defect.
 template <class Part>
 Quantity error_of(const Part& part, double sign = 1.0) {
   return [=](const CauchyCurve& cauchy, const CauchyData& data, const ComplexVector& targets) {

@@ -129,8 +129,8 @@ Measure second_revolutions(const CouetteProperty& property) {
   });
 }
 
-/// Change of a start's mean viscosity by another kind of run, relative to the 95 % interval of eight
-/// starts.
+/// Change of a start's mean viscosity by another kind of run, relative to the 95 % interval of
+/// eight starts.
 Measure changes(SmallRun kind) {
   return of_starts(2, 4, [=](unsigned seed) {
     const double usual = mean(small_run(seed, SmallRun::usual), viscosity, 1.0, 2.0),

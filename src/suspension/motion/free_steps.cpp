@@ -20,7 +20,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Largest distance of the polygons of PassingTest from their curves, over the smallest radius of gyration.
+// Largest distance of the polygons of PassingTest from their curves, over the smallest radius of
+// gyration.
 constexpr double sag_of_passing = 1e-3;
 
 // Depth of the deepest overlap that is not found, over this distance.

@@ -111,8 +111,8 @@ int rounded_nodes(double nodes);
 
 /// Recommends nodes for every component, so that shapes and gaps meet a tolerance.
 ///
-/// @return  multiples of 16, one per component; 0 if most_nodes_for_shape do not suffice, and no gap
-///          requires nodes
+/// @return  multiples of 16, one per component; 0 if most_nodes_for_shape do not suffice, and no
+///          gap requires nodes
 std::vector<int> recommended_nodes(const Discretisation& discretisation, double tolerance,
                                    const Configuration& configuration,
                                    const std::vector<Gap>& gaps);

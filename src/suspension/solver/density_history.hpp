@@ -17,8 +17,8 @@ namespace stokesbook {
 /// kept (09.15).
 class DensityHistory {
  public:
-  /// Creates an empty history, which keeps at most `most` >= 1 times; the polynomial's degree is one
-  /// less.
+  /// Creates an empty history, which keeps at most `most` >= 1 times; the polynomial's degree is
+  /// one less.
   explicit DensityHistory(std::size_t most) : most_(most) {}
 
   bool empty() const { return entries_.empty(); }  ///< returns whether no density is kept
@@ -42,7 +42,8 @@ class DensityHistory {
   /// Guesses the density at a time on nodes that may differ from those of earlier solutions.
   ///
   /// @return    guess at all n nodes, length / time; no rows if the history is empty
-  /// @par Cost  O(n) if the nodes are the same, O(N^2) for each component whose nodes crowd elsewhere
+  /// @par Cost  O(n) if the nodes are the same, O(N^2) for each component whose nodes crowd
+  /// elsewhere
   Eigen::MatrixXcd guess(double t, const Configuration& configuration,
                          const Discretisation& discretisation) const;
 

@@ -63,9 +63,9 @@ class SuspensionSolver {
   /// Estimates the error of a solution whose density and loads include contact forces.
   ///
   /// @param  gmres_tolerance  to which the contact forces were solved
-  /// @return                  the estimate, and resolutions and GMRES tolerance of the next solve if
-  ///                          the estimate exceeds the tolerance; those of `loaded` if more nodes
-  ///                          or a tighter tolerance would not help
+  /// @return  the estimate, and resolutions and GMRES tolerance of the next solve if the estimate
+  ///          exceeds the tolerance; those of `loaded` if more nodes or a tighter tolerance would
+  ///          not help
   LoadedCheck check_loaded(const Solution& loaded, double gmres_tolerance) const;
 
   /// Solves a configuration near one that was solved before, without an error estimate: for the

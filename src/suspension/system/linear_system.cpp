@@ -1,5 +1,6 @@
-// Assembles the linear system of an instant and solves it by GMRES (chapter 05). The operator (12.1)
-// is applied without a matrix; each of its lines adds the result of one chapter (chapter 12).
+// Assembles the linear system of an instant and solves it by GMRES (chapter 05). The operator
+// (12.1) is applied without a matrix; each of its lines adds the result of one chapter (chapter
+// 12).
 #include "suspension/system/linear_system.hpp"
 
 #include <stdexcept>
