@@ -39,9 +39,13 @@ void* __wrap_realloc(void* memory, std::size_t size) {
 }
 }
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocation_count;
-  if (void* memory = __real_malloc(size > 0 ? size : 1)) return memory;
+  return __real_malloc(size > 0 ? size : 1);
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
@@ -70,6 +74,7 @@ long allocations(const Work& work) {
 BOOST_AUTO_TEST_CASE(allocations_are_counted) {
   BOOST_TEST(allocations([] { std::vector<int> numbers(100); }) == 1);
   BOOST_TEST(allocations([] { Eigen::VectorXd numbers(100); }) == 1);
+  BOOST_TEST(allocations([] { delete new (std::nothrow) int(1); }) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(applications_do_not_allocate) {
