@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "experiments.hpp"
 #include "support/exact_gaps.hpp"
@@ -26,56 +27,32 @@ struct Vortices {
   RecordedRun run;
 };
 
-/// @param  parts  number of parts into which the longest published step is divided
-const Vortices& vortices(Size size, int parts) {
-  static Once<std::pair<Size, int>, Vortices> runs;
-  return runs({size, parts}, [&] {
+/// @param  parts       number of parts into which the longest published step is divided
+/// @param  separation  that contact keeps
+const Vortices& vortices(Size size, int parts, double separation = published_separation) {
+  static Once<std::tuple<Size, int, double>, Vortices> runs;
+  return runs({size, parts, separation}, [&] {
     Scene scene = ellipses_in_vortices(1e-3);
-    scene.contact = ContactSettings{published_separation};
+    scene.contact = ContactSettings{separation};
     scene = size == Size::full ? over(scene, 30.0, 0.025 / parts) : over(scene, 4.5, 0.25 / parts);
     scene.output.dt_write = size == Size::full ? 1.0 : 0.5;
     return Vortices{scene, recorded_run(scene)};
   });
 }
 
-/// What is missing of the separation in a frame, in separations.
-double shortfall(const Scene& scene, const Frame& frame) {
-  const double gap = least_exact_gap(placed_shapes(scene, frame), 0.05);
-  return std::max(0.0, 1.0 - gap / published_separation);
-}
-
-Measure lost_in_vortices() {
+/// What is missing of the published separation, in separations.
+Measure lost_in_vortices(double separation) {
   return [=](Size size) {
-    const auto& [scene, run] = vortices(size, 1);
+    const auto& [scene, run] = vortices(size, 1, separation);
     std::vector<Measurement> measurements;
     for (const Frame& frame : run.frames) {
-      if (frame.t > 0.0) measurements.push_back({.x = frame.t, .error = shortfall(scene, frame)});
+      if (frame.t == 0.0) continue;
+      const double gap = least_exact_gap(placed_shapes(scene, frame), 0.05);
+      measurements.push_back(
+          {.x = frame.t, .error = std::max(0.0, 1.0 - gap / published_separation)});
     }
     return measurements;
   };
-}
-
-/// A planted defect: one step of Euler's method without contact, from each of the last states.
-std::vector<Measurement> lost_without_contact(Size size) {
-  const auto& [scene, run] = vortices(size, 1);
-  std::vector<Measurement> measurements;
-  for (std::size_t i = run.frames.size() - 3; i < run.frames.size(); ++i) {
-    Frame frame = run.frames[i];
-    Scene free = scene;
-    free.contact.reset();
-    for (std::size_t k = 0; k < free.bodies.size(); ++k) {
-      free.bodies[k].position = frame.bodies[k].position;
-      free.bodies[k].orientation = frame.bodies[k].orientation;
-    }
-    const SuspensionSolver solver(free);
-    const Solution solution = solver.solve(solver.start());
-    for (std::size_t k = 0; k < free.bodies.size(); ++k) {
-      frame.bodies[k].position += *scene.time->dt * solution.motions[k].velocity;
-      frame.bodies[k].orientation += *scene.time->dt * solution.motions[k].omega;
-    }
-    measurements.push_back({.x = frame.t, .error = shortfall(scene, frame)});
-  }
-  return measurements;
 }
 
 Measure iterations_so_far(int parts) {
@@ -190,7 +167,7 @@ Experiment taylor_green_in_contact() {
           .lines = {
               {.key = "lost",
                .label = "shortfall of the narrowest gap, relative to the separation",
-               .measure = lost_in_vortices(),
+               .measure = lost_in_vortices(published_separation),
                .claim = Claim{.id = "12_21",
                               .statement = "The published run in vortices reaches its end with all "
                                            "gaps resolved, none below the separation.",
@@ -198,7 +175,8 @@ Experiment taylor_green_in_contact() {
                               .reason = "contact is resolved with the mobility of all bodies "
                                         "together, and nodes crowd where gaps are narrow",
                               .api = {"stokesbook::SuspensionContact"}},
-               .control = Control{"a step without contact", lost_without_contact}},
+               .control = Control{"contact keeps 99 % of the separation",
+                                  lost_in_vortices(0.99 * published_separation)}},
               {.key = "iterations",
                .label = "contact iterations so far; published 290 at t = 30",
                .measure = iterations_so_far(1)},
