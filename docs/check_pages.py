@@ -193,17 +193,11 @@ def member_violations(member, owner):
     lacks += [f"a text below {paragraph.findtext('title')}"
               for paragraph in member.findall(".//simplesect[@kind='par']")
               if not has_text(paragraph.find("para"))]
-    if member.get("kind") == "function":
-        documented = {item.findtext(".//parametername") for item in member.findall(
-            ".//parameterlist[@kind='param']/parameteritem")
-            if has_text(item.find("parameterdescription"))}
-        lacks += [f"@param {parameter.findtext('declname')}"
-                  for parameter in member.findall("param")
-                  if parameter.findtext("declname")
-                  and parameter.findtext("declname") not in documented]
-        result = "".join(member.find("type").itertext()).strip()
-        if result not in ("", "void") and member.find(".//simplesect[@kind='return']") is None:
-            lacks.append("@return")
+    lacks += [f"a text after @param {item.findtext('.//parametername')}"
+              for item in member.findall(".//parameterlist[@kind='param']/parameteritem")
+              if not has_text(item.find("parameterdescription"))]
+    lacks += ["a text after @return" for result in member.findall(".//simplesect[@kind='return']")
+              if not has_text(result)]
     return [f"{name} lacks {lack}" for lack in lacks]
 
 

@@ -49,7 +49,7 @@ REPORT = r"""
     const name = picture.getAttribute("src") || picture.getAttribute("class") || picture.tagName;
     if (picture.tagName === "IMG" && !(picture.complete && picture.naturalWidth)) {
       found.push("a picture is missing: " + name);
-    } else if (box.width < 10 || box.height < 10) {
+    } else if (box.width < 8 || box.height < 8) {
       found.push("a picture has no size: " + name);
     }
   }

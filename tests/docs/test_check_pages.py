@@ -117,12 +117,18 @@ class PublicApi(unittest.TestCase):
         self.assertEqual(self.violations(self.function()), [])
 
     def test_undocumented(self):
-        self.assertEqual(self.violations(self.function(parameter="")),
-                         ["stokesbook::f lacks @param x"])
-        self.assertEqual(self.violations(self.function(result="")), ["stokesbook::f lacks @return"])
         self.assertEqual(self.violations(self.MEMBER.format(brief="", details="")),
-                         ["stokesbook::f lacks a description", "stokesbook::f lacks @param x",
-                          "stokesbook::f lacks @return"])
+                         ["stokesbook::f lacks a description"])
+
+    def test_tag_that_is_left_out(self):
+        self.assertEqual(self.violations(self.MEMBER.format(brief="Computes.", details="")), [])
+
+    def test_tag_without_text(self):
+        self.assertEqual(self.violations(self.function(parameter="")),
+                         ["stokesbook::f lacks a text after @param x"])
+        self.assertEqual(self.violations(self.function(
+            result='<para><simplesect kind="return"><para/></simplesect></para>')),
+            ["stokesbook::f lacks a text after @return"])
 
     def test_text_taken_for_a_title(self):
         paragraph = '<para><simplesect kind="par"><title>Cost{}</title>{}</simplesect></para>'
