@@ -44,12 +44,13 @@ REPORT = r"""
     }
   }
   for (const picture of document.querySelectorAll(".contents img, .contents svg")) {
-    if (picture.closest(".MathJax_SVG, .MathJax_SVG_Display, details:not([open])")) continue;
+    if (picture.closest(
+        ".MathJax_SVG, .MathJax_SVG_Display, details:not([open]), .inherit_header")) continue;
     const box = picture.getBoundingClientRect();
     const name = picture.getAttribute("src") || picture.getAttribute("class") || picture.tagName;
     if (picture.tagName === "IMG" && !(picture.complete && picture.naturalWidth)) {
       found.push("a picture is missing: " + name);
-    } else if (box.width < 8 || box.height < 8) {
+    } else if (box.width < 10 || box.height < 10) {
       found.push("a picture has no size: " + name);
     }
   }
