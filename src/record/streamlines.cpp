@@ -2,14 +2,12 @@
 // direction of the flow by the explicit midpoint rule. Lengths are in cells until the end.
 #include "record/streamlines.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
-
-#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -39,27 +37,39 @@ std::optional<Complex> direction(const Field& field, Complex x) {
   return velocity / speed;
 }
 
-/// The points of all lines.
+/// The points of all lines, sorted into square buckets whose side is the separation.
 class Neighbourhood {
  public:
+  explicit Neighbourhood(double separation) : separation_(separation) {}
+
   void add(const std::vector<Complex>& line) {
-    for (const Complex point : line) {
-      points_.push_back(point);
-      index_.insert({point, point});
-    }
+    for (const Complex point : line) buckets_[bucket(point)].push_back(point);
   }
 
-  /// Returns whether a point is at least a distance away from all lines.
+  /// Returns whether a point is at least a distance away from all lines; the distance must not
+  /// exceed the separation.
   bool is_free(Complex point, double distance) const {
-    const Rectangle square = square_about(point, 1.01 * distance);  // no loss by rounding
-    return std::ranges::all_of(index_.meeting(square), [&](std::size_t k) {
-      return std::abs(points_[k] - point) >= distance;
-    });
+    const auto [column, row] = bucket(point);
+    for (Index j = row - 1; j <= row + 1; ++j) {
+      for (Index i = column - 1; i <= column + 1; ++i) {
+        const auto found = buckets_.find({i, j});
+        if (found == buckets_.end()) continue;
+        for (const Complex other : found->second) {
+          if (std::abs(other - point) < distance) return false;
+        }
+      }
+    }
+    return true;
   }
 
  private:
-  std::vector<Complex> points_;
-  RectangleIndex index_;  // of the points, as rectangles of size zero
+  std::pair<Index, Index> bucket(Complex point) const {
+    const auto index = [&](double x) { return static_cast<Index>(std::floor(x / separation_)); };
+    return {index(point.real()), index(point.imag())};
+  }
+
+  double separation_;
+  std::map<std::pair<Index, Index>, std::vector<Complex>> buckets_;
 };
 
 /// Follows the flow from a point, downstream (sign +1) or upstream (-1), and keeps a distance from
@@ -114,7 +124,7 @@ std::vector<Streamline> streamlines(const Field& field, double separation) {
     throw std::invalid_argument("streamlines: the field has no velocity");
   }
   const double cells = separation / grid.spacing;
-  Neighbourhood neighbours;
+  Neighbourhood neighbours(cells);
   std::vector<Streamline> lines;
   for (Index row = 0; row < grid.rows; ++row) {
     for (Index column = 0; column < grid.columns; ++column) {
