@@ -34,6 +34,10 @@ ComponentView component_of(const Scene& scene, std::size_t k) {
       nullptr, &wall, number, kind, wall.shape, wall.n_nodes, {wall.position, wall.orientation}};
 }
 
+std::string name_pair(const Scene& scene, std::size_t a, std::size_t b) {
+  return component_of(scene, a).name() + " and " + component_of(scene, b).name();
+}
+
 Side side_of(ComponentKind kind) {
   return kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
 }

@@ -44,6 +44,9 @@ ComponentCounts count_components(const Scene& scene);
 /// Returns component k of a scene; bodies come first, then walls, in the scene's order.
 ComponentView component_of(const Scene& scene, std::size_t k);
 
+/// Names two components of a scene for messages: "body 3 and wall 0".
+std::string name_pair(const Scene& scene, std::size_t a, std::size_t b);
+
 /// Returns the side of a component's curve on which the fluid lies: inside an enclosing wall,
 /// outside all other components.
 Side side_of(ComponentKind kind);

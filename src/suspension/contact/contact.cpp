@@ -115,11 +115,6 @@ SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
   polygon_separation_ = separation_ + 2.0 * sag;
 }
 
-std::string SuspensionContact::names(std::size_t a, std::size_t b) const {
-  return component_of(solver_.scene(), a).name() + " and " +
-         component_of(solver_.scene(), b).name();
-}
-
 // Finds the gaps of pairs that forces can move apart, and all overlaps.
 std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
   std::vector<PolygonGap> gaps = polygon_gaps(shapes_, configuration, polygon_separation_);
@@ -145,7 +140,7 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
   std::vector<std::string> overlaps, narrow;
   CloserPairs closer;
   for (const PolygonGap& found : gaps(configuration)) {
-    const std::string pair = names(found.a, found.b);
+    const std::string pair = name_pair(solver_.scene(), found.a, found.b);
     if (found.gap <= 0.0) {
       overlaps.push_back(pair + " by " + short_number(-found.gap));
     } else {
@@ -188,7 +183,8 @@ std::string SuspensionContact::too_close(const Configuration& configuration,
     // found from other starting points.
     const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
     if (gap >= least) continue;
-    pairs.push_back(names(found.a, found.b) + " are " + short_number(gap) + " apart");
+    pairs.push_back(name_pair(solver_.scene(), found.a, found.b) + " are " + short_number(gap) +
+                    " apart");
   }
   return joined(pairs);
 }
@@ -231,7 +227,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
       .name =
           [&](const ContactKey& key) {
             const GapConstraint& constraint = constraints.at(key);
-            return names(constraint.a, constraint.b);
+            return name_pair(solver_.scene(), constraint.a, constraint.b);
           }};
   ContactOutcome outcome{};
   const auto attempt = [&] {

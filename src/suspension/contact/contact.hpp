@@ -83,7 +83,6 @@ class SuspensionContact {
   std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
 
  private:
-  std::string names(std::size_t a, std::size_t b) const;
   std::vector<PolygonGap> gaps(const Configuration& configuration) const;
   double curve_gap(const PolygonGap& found, const Configuration& configuration) const;
   ConstraintRules constraint_rules(const CloserPairs& closer) const;

@@ -74,8 +74,7 @@ std::string PassingTest::describe_passing(const Configuration& start, const Conf
       interferences(shapes_, straight_paths(start, displacement, 1.0), rules);
   const auto passing = std::ranges::find_if(found.contacts, &Contact::is_violated);
   if (passing == found.contacts.end()) return {};
-  return component_of(solver_.scene(), passing->a).name() + " and " +
-         component_of(solver_.scene(), passing->b).name() +
+  return name_pair(solver_.scene(), passing->a, passing->b) +
          " overlap or pass through each other within a step: take smaller steps, or give [contact]";
 }
 

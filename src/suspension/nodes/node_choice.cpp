@@ -50,7 +50,7 @@ int multiple_of_16(double n) {
 
 void require_positive(double value, const std::string& what) {
   if (!(value > 0.0)) {
-    throw std::invalid_argument(what + " must be positive, got " + std::to_string(value));
+    throw std::invalid_argument(what + " must be positive, got " + short_number(value));
   }
 }
 

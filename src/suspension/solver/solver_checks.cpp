@@ -30,11 +30,6 @@ std::string name_of(const Scene& scene, std::size_t component) {
   return component_of(scene, component).name();
 }
 
-// Names the components of a gap: "body 0 and wall 1".
-std::string pair_of(const Scene& scene, const Gap& gap) {
-  return name_of(scene, gap.a) + " and " + name_of(scene, gap.b);
-}
-
 // Returns " (nearest: body 3, 0.01 apart)", or an empty text if no component is near.
 std::string nearest_neighbour(const Scene& scene, std::size_t component,
                               const std::vector<Gap>& gaps) {
@@ -74,7 +69,7 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap,
   };
   const double worst = std::max(error(gap.a, gap.points.point_b), error(gap.b, gap.points.point_a));
   if (worst <= scene.solver.tolerance) return {};
-  return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
+  return name_pair(scene, gap.a, gap.b) + " are " + short_number(gap.points.gap) +
          " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
          ", " + tolerance_of(scene) + "; set solver.near_singular = \"auto\"";
 }
@@ -84,7 +79,7 @@ std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution&
     return "n_nodes of " + name_of(scene, component) + " to at least " +
            std::to_string(nodes_for_decay(decay, scene.solver.tolerance));
   };
-  return pair_of(scene, gap) + " are " + short_number(gap.points.gap) +
+  return name_pair(scene, gap.a, gap.b) + " are " + short_number(gap.points.gap) +
          " apart, too close for their nodes: estimated error " + short_number(resolution.error) +
          " of the velocities, " + tolerance_of(scene) + "; set " +
          advice(gap.a, resolution.decay.a) + ", and " + advice(gap.b, resolution.decay.b);
@@ -219,7 +214,8 @@ std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
   // Curves touch if their distance is at most the rounding error of their positions.
   const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
   if (!(gap.points.gap <= 1e-14 * size)) return {};
-  return pair_of(scene, gap) + " overlap, touch or lie on the wrong side of each other, by about " +
+  return name_pair(scene, gap.a, gap.b) +
+         " overlap, touch or lie on the wrong side of each other, by about " +
          short_number(-gap.points.gap) + " near (" + short_number(point.real()) + ", " +
          short_number(point.imag()) +
          "): move them apart, or take smaller steps if this happened during a run";

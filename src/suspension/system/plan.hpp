@@ -9,7 +9,7 @@
 namespace stokesbook {
 
 /// The parts and tolerances of the solver that a scene requires, decided from the scene alone. The
-/// solver builds nothing else. plan_lines() explains the decisions.
+/// solver builds nothing else. describe() explains the decisions.
 struct Plan {
   bool null_space_fix = false;                                   ///< a wall encloses the fluid
   bool near_correction = false;                                  ///< components may come close
