@@ -176,7 +176,7 @@ Index find_widest_with_force(const ContactResult& result, double tolerance) {
 class ContactLoop {
  public:
   ContactLoop(const ContactStep& step, const ContactLoopOptions& options)
-      : step_{step}, options_{options} {
+      : step_{step}, options_{options}, name_{step.name ? step.name : contact_point} {
     result_.force = VectorXd::Zero(step.free_velocity.size());
     move_to(step.free_velocity);
   }
@@ -301,13 +301,9 @@ class ContactLoop {
     result_.reason = std::move(reason);
   }
 
-  std::string name(const ContactKey& key) const {
-    return step_.name ? step_.name(key) : contact_point(key);
-  }
-
   std::string describe_unresponsive_row(Index i) const {
     std::ostringstream reason;
-    reason << name(result_.keys[static_cast<std::size_t>(i)])
+    reason << name_(result_.keys[static_cast<std::size_t>(i)])
            << ": a unit force opens its own gap by " << result_.response[i]
            << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
               "neither body can move there";
@@ -320,7 +316,7 @@ class ContactLoop {
            << result_.keys.size() << " rows was not solved, its residual is " << solution.residual
            << ":";
     for (Index i = 0; i < result_.response.size(); ++i) {
-      reason << (i == 0 ? " " : ", ") << name(result_.keys[static_cast<std::size_t>(i)])
+      reason << (i == 0 ? " " : ", ") << name_(result_.keys[static_cast<std::size_t>(i)])
              << " (a unit force opens its own gap by " << result_.response[i] << ")";
     }
     return reason.str();
@@ -328,7 +324,7 @@ class ContactLoop {
 
   std::string describe_force_across_gap(Index i) const {
     std::ostringstream reason;
-    reason << name(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
+    reason << name_(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
            << result_.multipliers[i] << " acts across ";
     if (std::isinf(result_.gaps[i])) {
       reason << "a contact that has no row any more";
@@ -353,7 +349,7 @@ class ContactLoop {
     const char* before = " ";
     for (const auto& [contact, row] : worst) {
       const ContactKey& key = rows_.keys[static_cast<std::size_t>(row)];
-      reason << std::exchange(before, ", ") << name(key) << " by " << -rows_.gap[row];
+      reason << std::exchange(before, ", ") << name_(key) << " by " << -rows_.gap[row];
       const auto known = std::ranges::find(result_.keys, key);
       if (known == result_.keys.end()) continue;
       reason << " (a unit force opens it by " << result_.response[known - result_.keys.begin()]
@@ -364,6 +360,7 @@ class ContactLoop {
 
   const ContactStep& step_;
   const ContactLoopOptions& options_;
+  std::function<std::string(const ContactKey&)> name_;  // names a row in messages
   ContactResult result_;
   ContactRows rows_;            // at the velocity of the result
   LinearisedGaps violated_;     // of rows that were violated in earlier iterations
