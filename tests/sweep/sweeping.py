@@ -104,14 +104,18 @@ class Sweeping(unittest.TestCase):
         return process
 
     def kill_all(self, process):
-        """Kills the group of a sweep, GNU parallel with it, and its workers, if they still run."""
+        """Kills the processes of a sweep: GNU parallel, and the shells and workers that it started."""
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
-        for worker in self.workers().values():
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(worker, signal.SIGKILL)
         process.communicate()
-        self.wait_until("the end of all workers", lambda: not self.workers())
+
+        def killed():
+            left = self.processes()
+            for number in left:
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(number, signal.SIGKILL)
+            return not left
+        self.wait_until("the end of all processes", killed)
 
     def results(self, out):
         return (self.folder / out / "results.csv").read_bytes()
@@ -121,17 +125,24 @@ class Sweeping(unittest.TestCase):
         return {path.parent.name: (path.stat().st_ino, path.stat().st_mtime_ns)
                 for path in (self.folder / out).glob("runs/*/run.json") if has_ended(path)}
 
+    def processes(self):
+        """Returns the words of each process that works in this folder, by the process's number.
+
+        A sanitizer may run as a second process of a worker, with the same words.
+        """
+        found, unique = {}, self.folder.name.split()[-1]
+        for process in pathlib.Path("/proc").iterdir():
+            with contextlib.suppress(OSError):  # no process, or a process that has just ended
+                command = (process / "cmdline").read_bytes().decode()
+                if unique in command:
+                    found[int(process.name)] = command.split("\0")
+        return found
+
     def workers(self):
         """Returns the process of each task that runs in this folder, by the task's number."""
-        found = {}
-        for process in pathlib.Path("/proc").iterdir():
-            try:
-                words = (process / "cmdline").read_bytes().decode().split("\0")
-            except OSError:
-                continue  # no process, or a process that has just ended
-            if words[0] == PROGRAM and "--task" in words and str(self.folder / "sweep.toml") in words:
-                found[int(words[words.index("--task") + 1])] = int(process.name)
-        return found
+        return {int(words[words.index("--task") + 1]): number
+                for number, words in self.processes().items()
+                if words[0] == PROGRAM and "--task" in words}
 
     def wait_until(self, what, value, seconds=60):
         """Waits for the first value that is true, and returns it."""
