@@ -63,7 +63,7 @@ struct FmmStrengths {
   FmmStrengths(const FmmStrengths&) = delete;
   FmmStrengths& operator=(const FmmStrengths&) = delete;
 
-  Eigen::Ref<const Eigen::MatrixXcd> density;  ///< of the nodes, length / time
+  Eigen::Ref<const Eigen::MatrixXcd> density;  ///< density of the nodes, length / time
   /// Forces of the points over the viscosity, length / time; no rows if all are zero.
   Eigen::Ref<const Eigen::MatrixXcd> force;
   /// Torques of the points over the viscosity, length^2 / time; no rows if all are zero.

@@ -15,8 +15,8 @@ struct Box {
   Eigen::Index parent = -1;      ///< index of the parent; -1 for the root
   Eigen::Index first_child = 0;  ///< index of the first child
   Eigen::Index last_child = 0;   ///< one beyond that of the last child
-  Complex centre;                ///< of the points' bounding rectangle, length
-  double radius = 0.0;  ///< of the disk about the centre that contains every point with its margin;
+  Complex centre;                ///< centre of the points' bounding rectangle, length
+  double radius = 0.0;  ///< radius of the disk about the centre that holds all points with margins;
                         ///< at least 1e-100, so that divisions by it are finite, length
 
   Eigen::Index size() const { return last - first; }          ///< counts the points
@@ -38,10 +38,10 @@ struct Quadtree {
 
   Eigen::Index size() const { return x.size(); }  ///< counts the points
 
-  std::vector<Eigen::Index> order;         ///< of the points in the tree: indices into the points
-  Eigen::VectorXd x;                       ///< first coordinates in this order, length
-  Eigen::VectorXd y;                       ///< second coordinates, length
-  std::vector<Box> boxes;                  ///< level by level, the root first
+  std::vector<Eigen::Index> order;  ///< order of the points in the tree: indices into the points
+  Eigen::VectorXd x;                ///< first coordinates in this order, length
+  Eigen::VectorXd y;                ///< second coordinates, length
+  std::vector<Box> boxes;           ///< level by level, the root first
   std::vector<Eigen::Index> levels = {0};  ///< first box of each level, and the end of all boxes
 };
 

@@ -137,7 +137,7 @@ namespace {
 // Real and imaginary parts of the coefficients of phi and psi, each for a register of boxes; Rows
 // has a row for each power.
 using Parts = std::array<Lanes, 4>;
-constexpr int rows_at_once = lane_count == 8 ? 4 : 2;  // as many as have sums in registers
+constexpr int rows_at_once = lane_count == 8 ? 4 : 2;  // the sums of these rows fit into registers
 using Rows = std::array<Parts, most_columns + rows_at_once>;
 
 // Computes Y = H X, the matrix product of (08.10).

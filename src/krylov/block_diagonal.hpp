@@ -51,7 +51,7 @@ class BlockDiagonalPreconditioner {
  public:
   /// One component.
   struct Member {
-    std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< of its self block, by invert_block()
+    std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< inverse of its self block
     double orientation = 0.0;  ///< radians, counter-clockwise, relative to the reference
   };
 

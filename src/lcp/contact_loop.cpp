@@ -363,7 +363,7 @@ class ContactLoop {
   std::function<std::string(const ContactKey&)> name_;  // names a row in messages
   ContactResult result_;
   ContactRows rows_;            // at the velocity of the result
-  LinearisedGaps violated_;     // of rows that were violated in earlier iterations
+  LinearisedGaps violated_;     // linearisations of rows that were violated in earlier iterations
   bool restores_rows_ = false;  // whether the linear problem includes the rows of violated_
 };
 

@@ -82,12 +82,12 @@ struct ContactResult {
   std::string reason{};            ///< why the loop failed, with contacts and numbers; else empty
   Eigen::VectorXd velocity;        ///< U, n velocities; the last iterate if not resolved
   Eigen::VectorXd multipliers{};   ///< lambda >= 0 of the rows, forces; 0 if not found
-  std::vector<ContactKey> keys{};  ///< of the rows of the latest linear problem
+  std::vector<ContactKey> keys{};  ///< keys of the rows of the latest linear problem
   GapGradient force_gradient{};    ///< J_f of these rows
   Eigen::VectorXd response{};      ///< N_ii of these rows, length / force
   Eigen::VectorXd gaps{};  ///< least gap of each row's contact at U; infinite if it has no row at U
   Eigen::VectorXd force{};  ///< \f$ J_f^T \lambda \f$, n forces and torques on the bodies
-  double power = 0.0;       ///< of these forces
+  double power = 0.0;       ///< power of these forces
   /// Largest violation or largest \f$ \min(g_i, N_{ii}\lambda_i) \f$, whichever is larger, a
   /// length.
   double kkt_residual = 0.0;

@@ -20,8 +20,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int side_changes = 40;          // at most so many indices change sides after pivoting
-constexpr double rounding = 1e-15;        // of z and w, in units in which max |q_i| = 1
+constexpr int side_changes = 40;    // at most so many indices change sides after pivoting
+constexpr double rounding = 1e-15;  // rounding errors of z and w, in units in which max |q_i| = 1
 constexpr double smallest_pivot = 1e-11;  // relative to the largest entry of its column
 constexpr double tie = 1e-13;             // relative to the largest of the compared numbers
 

@@ -26,9 +26,9 @@ enum class LcpStatus {
 
 /// Determines when a solver stops, and where it begins.
 struct LcpOptions {
-  double tolerance = 1e-10;             ///< of the residual, see lcp_residual()
+  double tolerance = 1e-10;             ///< tolerance of the residual, see lcp_residual()
   std::optional<int> max_iterations{};  ///< empty: the default limit of the solver
-  Eigen::VectorXd guess{};              ///< of z, m numbers; empty: zero; not used by lemke()
+  Eigen::VectorXd guess{};              ///< guess of z, m numbers; empty: zero; not used by lemke()
 };
 
 /// The result of a solver.
@@ -36,7 +36,7 @@ struct LcpResult {
   Eigen::VectorXd z;                      ///< m numbers >= 0; a solution only if solved
   LcpStatus status = LcpStatus::stalled;  ///< how it ended
   int iterations = 0;                     ///< pivots, Newton steps, sweeps, or products with M
-  double residual = 0.0;                  ///< of z, see lcp_residual()
+  double residual = 0.0;                  ///< residual of z, see lcp_residual()
   int degenerate = 0;                     ///< number of i with z_i = w_i = 0, to 1e-9 when scaled
   Eigen::VectorXd ray{};                  ///< direction of a ray, m numbers >= 0; otherwise empty
 };

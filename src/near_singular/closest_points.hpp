@@ -15,7 +15,7 @@ struct SmoothCurve {
   std::shared_ptr<const Parametrisation> shape;  ///< curve in its own frame
   Complex position;                              ///< origin of this frame in the plane, length
   double orientation = 0.0;                      ///< radians, counter-clockwise
-  std::vector<GradedParameter> parameters = {};  ///< of the nodes; empty if they are equidistant
+  std::vector<GradedParameter> parameters = {};  ///< parameters of nodes that are not equidistant
 
   double parameter(Eigen::Index node) const;        ///< returns the parameter of a node, radians
   TrigonometricPolynomial::Jet at(double t) const;  ///< evaluates x, x' and x'' in the plane
@@ -41,8 +41,8 @@ Foot find_foot(const Parametrisation& curve, Complex point, double guess, double
 /// The closest points of two curves, and the gap between them.
 struct ClosestPoints {
   double gap = 0.0;  ///< distance through the fluid; about minus the depth if the curves overlap
-  double parameter_a = 0.0,  ///< of point_a on curve a, radians
-      parameter_b = 0.0;     ///< of point_b on curve b, radians
+  double parameter_a = 0.0,  ///< parameter of point_a on curve a, radians
+      parameter_b = 0.0;     ///< parameter of point_b on curve b, radians
   Complex point_a,           ///< on curve a, length
       point_b;               ///< on curve b, length
 };

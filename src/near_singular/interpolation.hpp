@@ -91,10 +91,10 @@ class InterpolationCurve {
   // Doxygen 1.9 links to a list of private types that it does not write: hidden.
   /// @cond
   struct Stencil {
-    double parameter;             // of the closest point
+    double parameter;             // parameter of the closest point
     double limit_weight;          // weight of the velocity's limit at the closest point
     std::vector<Complex> points;  // at which the fine rule is evaluated
-    std::vector<double> weights;  // of the fine rule's values
+    std::vector<double> weights;  // weights of the fine rule's values
   };
   /// @endcond
   Stencil stencil(Complex target) const;
@@ -103,7 +103,7 @@ class InterpolationCurve {
   Curve fine_curve_;
   InterpolationSettings settings_;
   double mean_spacing_;
-  TrigonometricPolynomial shape_;  // of the curve
+  TrigonometricPolynomial shape_;  // shape of the curve
   StressletSum fine_sum_;
   Eigen::MatrixXd refine_;  // node values -> fine node values
   Eigen::MatrixXd limit_;   // -1/2 + D, interleaved

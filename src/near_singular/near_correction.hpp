@@ -15,7 +15,7 @@ enum class NearStorage {
 
 /// Parameters of a near correction.
 struct NearSettings {
-  double tolerance = 1e-14;                      ///< of velocities relative to densities, > 0
+  double tolerance = 1e-14;  ///< tolerance of velocities relative to densities, > 0
   NearStorage storage = NearStorage::automatic;  ///< data that are stored
 };
 
@@ -68,9 +68,9 @@ class NearCorrection {
 
   std::vector<PlacedCurve> curves_;
   std::vector<Eigen::Index> offsets_;  // first node of each curve, and the total
-  std::vector<NearTargets> near_;      // of each curve
-  std::vector<Rows> rows_;             // of the curves with explicit rows
-  std::vector<Group> groups_;          // of the other curves with near targets
+  std::vector<NearTargets> near_;      // near targets of each curve
+  std::vector<Rows> rows_;             // rows of the curves with explicit rows
+  std::vector<Group> groups_;          // groups of the other curves with near targets
   Eigen::Index target_count_;
 };
 

@@ -57,7 +57,7 @@ std::string data_block(const std::string& kind, std::string json) {
 std::string animation_head(const std::string& title, const Outlines& outlines) {
   using nlohmann::json;
   std::vector<std::string> shapes;
-  std::map<std::string, std::size_t> numbers;  // of the shapes, in order of appearance
+  std::map<std::string, std::size_t> numbers;  // numbers of the shapes, in order of appearance
   const auto shape_of = [&](const Outline& outline) {
     const std::string shape = list(outline.points, [](Complex point) { return array(point); });
     const auto [entry, is_new] = numbers.try_emplace(shape, shapes.size());

@@ -17,7 +17,7 @@ struct BodyState {
   Complex velocity;          ///< length / time
   double omega = 0.0;        ///< counter-clockwise, 1 / time
   Complex force;             ///< force of the body on the fluid, force / length
-  double torque = 0.0;       ///< of the body on the fluid, about position, counter-clockwise, force
+  double torque = 0.0;       ///< torque on the fluid about position, counter-clockwise, force
 };
 
 /// A wall at one time, in the user's units.
@@ -25,7 +25,7 @@ struct WallLoad {
   Complex position;          ///< length
   double orientation = 0.0;  ///< radians, counter-clockwise
   Complex force;             ///< force of the wall on the fluid, force / length
-  double torque = 0.0;       ///< of the wall on the fluid, about position, counter-clockwise, force
+  double torque = 0.0;       ///< torque on the fluid about position, counter-clockwise, force
 };
 
 /// Properties of the whole suspension; a property that the scene does not define is not a number.
@@ -36,8 +36,8 @@ struct Rheology {
   double torque_ratio = undefined;          ///< Couette cells: torque with over without bodies
   double order_parameter = undefined;       ///< 1: long axes along the flow, -1: across it
   Complex stresslet{undefined, undefined};  ///< S_11 + i S_12, sum over all components, force
-  Complex uniform_velocity{undefined, undefined};  ///< of the fluid at infinity, in addition to
-                                                   ///< the background, if it is solved for
+  Complex uniform_velocity{undefined, undefined};  ///< velocity of the fluid at infinity beside the
+                                                   ///< background, if it is solved for
 };
 
 /// A body or wall in contact.
@@ -66,7 +66,7 @@ struct Frame {
   double t = 0.0;                        ///< time
   std::vector<BodyState> bodies;         ///< in the scene's order
   std::vector<WallLoad> walls;           ///< in the scene's order
-  Rheology rheology{};                   ///< of the whole suspension
+  Rheology rheology{};                   ///< rheology of the whole suspension
   std::vector<ContactForce> contacts{};  ///< contact forces of the step that begins at t
   std::optional<Field> field{};          ///< none unless the scene requests fields
 };
@@ -97,7 +97,7 @@ void require_outlines(const Frame& frame, const Outlines& outlines);
 struct StepInfo {
   double t = 0.0;                 ///< time at the end of the step
   double dt = 0.0;                ///< length of the step, time
-  int gmres_iterations = 0;       ///< of all solves of the step
+  int gmres_iterations = 0;       ///< GMRES iterations of all solves of the step
   int matvecs = 0;                ///< applications of the operator
   int ncp_iterations = 0;         ///< iterations of the contact solver; 0 without contact
   int contacts = 0;               ///< number of pairs in contact

@@ -18,7 +18,7 @@ namespace stokesbook {
 struct RunContents {
   std::string title;      ///< title of pictures and animation
   std::string scene;      ///< resolved scene text; a run resumes only with the same text
-  Outlines outlines;      ///< of all bodies and walls
+  Outlines outlines;      ///< outlines of all bodies and walls
   bool csv = true;        ///< trajectory.csv and rheology.csv, and walls.csv when there are walls
   bool vtk = false;       ///< bodies.pvd and one .vtp for each frame
   bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields

@@ -30,9 +30,9 @@ struct RunTotals {
 
 /// Numbers of nodes and error estimates of a run.
 struct RunResolution {
-  std::vector<int> first_nodes;      ///< of each component at the first solve: bodies, then walls
-  std::vector<int> most_nodes;       ///< of each component, largest number in all solves
-  double velocity_error = 0.0;       ///< largest estimate of all solves, relative
+  std::vector<int> first_nodes;  ///< nodes of each component at the first solve: bodies, then walls
+  std::vector<int> most_nodes;   ///< largest number of nodes of each component in all solves
+  double velocity_error = 0.0;   ///< largest estimate of all solves, relative
   double configuration_error = 0.0;  ///< largest component of the sum of all estimated step errors:
                                      ///< positions in radii, angles in radians
   std::map<std::string, double, std::less<>> field_errors{};  ///< largest of all frames,
@@ -41,22 +41,22 @@ struct RunResolution {
 
 /// Origin, plan, results and end of a run, for `run.json`.
 struct RunInfo {
-  std::string version;            ///< of the program
+  std::string version;            ///< version of the program
   std::string git_hash;           ///< commit of the sources
   std::string compiler;           ///< name and version
-  std::string flags;              ///< of the compiler
+  std::string flags;              ///< flags of the compiler
   std::string machine;            ///< name of the processor
   int threads = 1;                ///< in parallel regions
   std::vector<std::string> plan;  ///< one line for each decision and its reason
   bool has_contact = false;       ///< whether contact is resolved; if so, its totals are written
   RunTotals totals;               ///< cost of the run
   RunResolution resolution;       ///< nodes and error estimates
-  std::optional<Complex> uniform_velocity;  ///< of the fluid at infinity at the last frame, if it
-                                            ///< is solved for, length / time
-  double wall_seconds = 0.0;                ///< wall time since the last start
-  long long peak_memory = 0;                ///< largest resident set since the last start, bytes
-  std::optional<int> exit_status;           ///< of the program; none while it runs
-  std::string message;                      ///< description of how the run ended
+  /// Velocity of the fluid at infinity at the last frame, if it is solved for, length / time.
+  std::optional<Complex> uniform_velocity;
+  double wall_seconds = 0.0;       ///< wall time since the last start
+  long long peak_memory = 0;       ///< largest resident set since the last start, bytes
+  std::optional<int> exit_status;  ///< exit status of the program; none while it runs
+  std::string message;             ///< description of how the run ended
 };
 
 /// Returns the text of `run.json`: a JSON object in UTF-8, keys in the order of the struct. Bytes

@@ -130,7 +130,7 @@ struct Body {
 /// A request for equal bodies at random places without overlap, reproducible by the seed.
 struct Fill {
   Shape shape{};                          ///< shape of each body, in its own frame
-  std::optional<double> area_fraction{};  ///< of the region's area, in (0, 1); none: count is given
+  std::optional<double> area_fraction{};  ///< part of the region, in (0, 1); none: count is given
   std::optional<int> count{};             ///< number of bodies, >= 1; none: area_fraction is given
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
@@ -190,10 +190,10 @@ struct SolverSettings {
   double tolerance = 1e-8;  ///< error allowed in velocities, relative to Solution::velocity_scale
   std::optional<double> gmres_tol{};           ///< relative residual; none: follows from tolerance
   int gmres_max_iterations = 500;              ///< a solve that needs more is refused
-  Summation summation = Summation::automatic;  ///< of the double-layer sums
+  Summation summation = Summation::automatic;  ///< method of the double-layer sums
   NearSingular near_singular = NearSingular::automatic;               ///< corrections near curves
-  PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< of GMRES
-  Coupling coupling = Coupling::global;                               ///< of components
+  PreconditionerKind preconditioner = PreconditionerKind::automatic;  ///< preconditioner of GMRES
+  Coupling coupling = Coupling::global;                               ///< coupling of components
   bool operator==(const SolverSettings&) const = default;             ///< compares all members
 };
 

@@ -14,7 +14,7 @@ namespace stokesbook::scene_text {
 /// A word of the scene file and its meaning.
 template <class T>
 struct Word {
-  std::string_view name;  ///< as it is written
+  std::string_view name;  ///< the word as it is written
   T meaning;              ///< the value that the word stands for
 };
 

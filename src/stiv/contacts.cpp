@@ -34,7 +34,7 @@ struct Event : VertexEvent {
 };
 
 using Events = std::vector<Event>;
-using Run = Events;  // of consecutive vertices of one polygon, in the order of the curve
+using Run = Events;  // events of consecutive vertices of one polygon, in the order of the curve
 
 // Splits the events of one polygon with m vertices whose gaps are less than `limit` into runs.
 std::vector<Run> split_into_runs(const std::vector<VertexEvent>& events, Index m, bool of_a,

@@ -39,21 +39,21 @@ struct RowKey {
 /// with the centres at the start of the step, `derivative` with the centres at its end
 /// (10.10).
 struct ContactRow {
-  RowKey key;             ///< of the vertex, or of the deepest one if the row is a mean
-  double gap;             ///< g at the end of the step, length
-  double time;            ///< at which gap and normal were taken: see VertexEvent::time
-  Complex point;          ///< at which the contact force acts, in the plane, length
-  Complex normal;         ///< of the force on a, in the plane, unit
-  PairWrench force;       ///< of a unit multiplier, about the centres at the start of the step
-  PairWrench derivative;  ///< of g with respect to the poses at the end of the step (10.9)
+  RowKey key;        ///< key of the vertex, or of the deepest one if the row is a mean
+  double gap;        ///< g at the end of the step, length
+  double time;       ///< at which gap and normal were taken: see VertexEvent::time
+  Complex point;     ///< at which the contact force acts, in the plane, length
+  Complex normal;    ///< normal of the force on a, in the plane, unit
+  PairWrench force;  ///< force of a unit multiplier, about the centres at the start of the step
+  PairWrench derivative;  ///< derivative of g by the poses at the end of the step (10.9)
 };
 
 /// The paths of the two components of a contact.
 struct PathPair {
   std::size_t a;     ///< number of one component, less than b
   std::size_t b;     ///< number of the other component
-  RigidPath path_a;  ///< of a
-  RigidPath path_b;  ///< of b
+  RigidPath path_a;  ///< path of a
+  RigidPath path_b;  ///< path of b
 };
 
 /// Selects the rows that a contact has. All choices admit the same poses.
@@ -77,11 +77,11 @@ struct Contact {
 /// The vertex events of two components: vertices of each against the polygon of the other.
 struct PairEvents {
   PathPair paths;                     ///< numbers and paths of both
-  const ContactShape& shape_a;        ///< of a
-  const ContactShape& shape_b;        ///< of b
-  std::vector<VertexEvent> events_a;  ///< of a's vertices against b's polygon, ascending by vertex
-  std::vector<VertexEvent> events_b;  ///< of b's vertices against a's polygon, ascending by vertex
-  SearchCost cost;                    ///< of both searches
+  const ContactShape& shape_a;        ///< shape of a
+  const ContactShape& shape_b;        ///< shape of b
+  std::vector<VertexEvent> events_a;  ///< a's vertices against b's polygon, ascending by vertex
+  std::vector<VertexEvent> events_b;  ///< b's vertices against a's polygon, ascending by vertex
+  SearchCost cost;                    ///< cost of both searches
 };
 
 /// Follows the vertices of each of two components past the other: the narrow phase.

@@ -10,8 +10,8 @@ namespace stokesbook {
 
 /// Distances that components must keep, and options of the search for contacts.
 struct ContactRules {
-  Separation separation;                ///< of the polygons
-  double tolerance;                     ///< of gaps, length, > 0; e.g. 1e-3 of the separation
+  Separation separation;  ///< separation of the polygons
+  double tolerance;       ///< tolerance of gaps, length, > 0; e.g. 1e-3 of the separation
   RowChoice rows = RowChoice::deepest;  ///< rows that violated contacts have
   double allowed_intrusion = 0.5;       ///< see Clearance, 0 to 1
 };
@@ -19,7 +19,7 @@ struct ContactRules {
 /// The contacts of a step.
 struct Interferences {
   std::vector<Contact> contacts;  ///< ascending by pair
-  SearchCost cost;                ///< of the search
+  SearchCost cost;                ///< cost of the search
 
   /// Returns whether no contact is violated, so that the step may be taken unchanged.
   bool admits_step() const { return std::ranges::none_of(contacts, &Contact::is_violated); }

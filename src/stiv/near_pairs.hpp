@@ -22,7 +22,7 @@ using CloserPairs = std::map<ComponentPair, double>;
 /// The gap of two curves is narrower than the gap of their polygons by at most the sum of the two
 /// sags. To keep the curves delta apart, pass delta plus both sags.
 struct Separation {
-  double everywhere;     ///< of pairs in general, length, > 0
+  double everywhere;     ///< separation of pairs in general, length, > 0
   CloserPairs closer{};  ///< pairs with a smaller separation
 
   /// Returns the separation of two components in either order, at most @c everywhere, length.

@@ -76,7 +76,7 @@ class Polygon {
   Side side_;
   std::size_t leaf_count_ = 1;    // a power of two
   std::vector<EdgeRun> runs_;     // one for each leaf; copies of the last edge fill the last run
-  std::vector<Rectangle> boxes_;  // of nodes 1, 2, ...: 2 k and 2 k + 1 are the children of node k
+  std::vector<Rectangle> boxes_;  // boxes of nodes 1, 2, ...; node k has the children 2 k, 2 k + 1
 };
 
 }  // namespace stokesbook

@@ -10,8 +10,8 @@ namespace stokesbook {
 
 /// Records how a vertex of a component A comes near the polygon of a component B in a step.
 struct VertexEvent {
-  Eigen::Index vertex;  ///< of A
-  Eigen::Index edge;    ///< of B, closest to the vertex at this time
+  Eigen::Index vertex;  ///< vertex of A
+  Eigen::Index edge;    ///< edge of B, closest to the vertex at this time
   double weight;        ///< w_s of (10.6): half the lengths of the two edges at the vertex
   double time;          ///< tau_I, from 0 to 1, at which gap, point and normal were taken: start of
                         ///< the contact if the vertex goes deep; otherwise 1, the end of the step
@@ -40,8 +40,9 @@ struct SearchCost {
 /// The distance that two components must keep, and options of the search.
 struct Clearance {
   double separation;  ///< delta, length, > 0
-  double tolerance;   ///< of gaps, length, > 0: contact is found at most this much too early
-  double reach;       ///< vertices that end nearer to the other component are listed, length
+  /// Tolerance of gaps, length, > 0: contact is found at most this much too early.
+  double tolerance;
+  double reach;  ///< vertices that end nearer to the other component are listed, length
   /// Part of the separation into which a vertex may intrude within a step, 0 to 1.
   double allowed_intrusion = 0.5;
 };
@@ -49,7 +50,7 @@ struct Clearance {
 /// The events of one component's vertices, and the work of finding them.
 struct VertexEvents {
   std::vector<VertexEvent> events;  ///< ascending by vertex, at most one per vertex
-  SearchCost cost;                  ///< of this search
+  SearchCost cost;                  ///< cost of this search
 };
 
 /// Follows the vertices of a component A along their paths relative to a component B. This is one

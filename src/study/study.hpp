@@ -59,16 +59,16 @@ Experiment left_to_full(Experiment experiment);
 
 /// The study of one method, with all claims of its chapter.
 struct Study {
-  std::string number;                   ///< of the chapter, "02"
-  std::string name;                     ///< of the method, "double_layer"
-  std::string title;                    ///< of the page
+  std::string number;                   ///< number of the chapter, "02"
+  std::string name;                     ///< name of the method, "double_layer"
+  std::string title;                    ///< title of the page
   std::vector<Experiment> experiments;  ///< in the order of the page
 };
 
 /// Results of a control.
 struct ControlResult {
-  std::vector<Measurement> measurements;  ///< of the defective method
-  Verdict verdict;                        ///< of the same check
+  std::vector<Measurement> measurements;  ///< measurements of the defective method
+  Verdict verdict;                        ///< verdict of the same check
 
   /// Returns whether the check has found the defect; false also if the control was inconclusive.
   bool is_rejected() const { return verdict.outcome == Outcome::fails; }
@@ -78,8 +78,8 @@ struct ControlResult {
 struct LineResult {
   Line line;                                   ///< the line
   std::vector<Measurement> measurements = {};  ///< ascending in x
-  std::optional<Verdict> verdict = {};         ///< of its claim; none if the line is left out
-  std::optional<ControlResult> control = {};   ///< of its control
+  std::optional<Verdict> verdict = {};  ///< verdict of its claim; none if the line is left out
+  std::optional<ControlResult> control = {};  ///< result of its control
 
   /// Returns whether the claim holds and its control was rejected; true also if the line has no
   /// claim, or if this size leaves the line out.
@@ -104,9 +104,9 @@ std::vector<CostMeasure> measured_costs(const ExperimentResult& result);
 
 /// Results of a study.
 struct StudyResult {
-  std::string number;                         ///< of the chapter, "02"
-  std::string name;                           ///< of the method, "double_layer"
-  std::string title;                          ///< of the page
+  std::string number;                         ///< number of the chapter, "02"
+  std::string name;                           ///< name of the method, "double_layer"
+  std::string title;                          ///< title of the page
   std::vector<ExperimentResult> experiments;  ///< in the order of the page
 
   /// Returns whether all claims hold and all controls were rejected; false also if a check was

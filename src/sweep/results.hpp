@@ -29,7 +29,7 @@ double value_of(const std::filesystem::path& run, const Quantity& quantity);
 /// The mean of independent runs and its uncertainty.
 struct MeanEstimate {
   double mean;            ///< nan without runs
-  double standard_error;  ///< of the mean; nan with fewer than two runs
+  double standard_error;  ///< standard error of the mean; nan with fewer than two runs
   double interval;        ///< half the width of Student's 95 % confidence interval; nan as above
 };
 

@@ -47,7 +47,7 @@ struct Quantity {
 struct Sweep {
   std::filesystem::path scene;       ///< scene file
   std::vector<Axis> axes;            ///< all combinations are run; the last axis varies fastest
-  Axis seeds{"seed", "seed", {}};    ///< of each combination; empty: the seed of the scene
+  Axis seeds{"seed", "seed", {}};    ///< seeds of each combination; empty: the seed of the scene
   std::vector<Quantity> quantities;  ///< quantities to collect
 };
 

@@ -35,7 +35,7 @@ inline Complex perp(Complex a) {
 
 /// Position and orientation of the frame of a curve or a component.
 struct Pose {
-  Complex position;          ///< of the frame's origin, length
+  Complex position;          ///< position of the frame's origin, length
   double orientation = 0.0;  ///< radians, counter-clockwise
 };
 

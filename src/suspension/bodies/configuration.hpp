@@ -13,7 +13,7 @@ using Configuration = std::vector<Pose>;
 
 /// The data on which the flow of an instant depends, in addition to the scene.
 struct Instant {
-  Configuration configuration;  ///< where the components are
+  Configuration configuration;  ///< poses of the components
   double amplitude = 1.0;  ///< flow amplitude: factor of the background flow, of the velocities
                            ///< of walls and held bodies, and of the loads; -1 after a reversal
 };

@@ -20,7 +20,7 @@ namespace stokesbook {
 /// The number of nodes of a component, and their grading.
 struct Resolution {
   int n_nodes = 0;    ///< collocation nodes, even
-  Grading grading{};  ///< where nodes crowd; without clusters: nowhere
+  Grading grading{};  ///< clusters of nodes; without clusters the nodes are equidistant
 
   /// Returns whether nodes crowd anywhere.
   bool is_graded() const { return !grading.clusters.empty(); }
@@ -40,10 +40,10 @@ struct DiscretisedShape {
   ComponentKind kind;                                      ///< determines the side of the fluid
   std::vector<GradedParameter> parameters;                 ///< parameters of the nodes
   Curve curve;                                             ///< nodes
-  std::shared_ptr<const Parametrisation> parametrisation;  ///< of the shape
+  std::shared_ptr<const Parametrisation> parametrisation;  ///< parametrisation of the shape
   /// From shape_residual(); for graded nodes from rigid_motion_residual().
   double shape_residual = 0.0;
-  double gyration_radius = 0.0;  ///< of the curve about its centroid, length
+  double gyration_radius = 0.0;  ///< gyration radius of the curve about its centroid, length
   /// Null unless near corrections are planned.
   std::shared_ptr<const CauchyCurve> cauchy{};
   /// Null unless the scene selects the interpolation scheme.
@@ -56,7 +56,7 @@ struct DiscretisedShape {
 struct DiscretisationNeeds {
   bool cauchy = false;                            ///< the Cauchy scheme of near corrections
   std::optional<double> interpolation_tolerance;  ///< none: no interpolation scheme
-  std::optional<double> gauge_length;  ///< of Stokeslets in an unbounded fluid, see self_block()
+  std::optional<double> gauge_length;  ///< gauge length in an unbounded fluid, see self_block()
 };
 
 /// Measures how well the equidistant nodes of a curve, by sample(), resolve its shape.

@@ -30,9 +30,9 @@ Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
 /// The contact of a stage.
 struct ContactOutcome {
   ContactResult result;              ///< mean velocity, multipliers, and the end of the loop
-  std::vector<ContactForce> forces;  ///< of all constraints with a force
-  Imbalance imbalance{0.0, 0.0};     ///< of the forces of all pairs
-  double kkt_residual = 0.0;         ///< of the result, over the separation
+  std::vector<ContactForce> forces;  ///< forces of all constraints with a force
+  Imbalance imbalance{0.0, 0.0};     ///< imbalance of the forces of all pairs
+  double kkt_residual = 0.0;         ///< KKT residual of the result, over the separation
   int iterations = 0;                ///< linear problems, including those with inaccurate columns
   double correction = 0.0;           ///< ContactMobility::relative_correction() of resolved forces
   /// Pairs whose nodes do not resolve the contact forces: their own force does not open the gap, or

@@ -18,7 +18,7 @@ namespace stokesbook {
 struct MobilityColumns {
   Eigen::MatrixXd loads;      ///< 3K x m, as ContactMobility takes them, but in components' frames
   Eigen::VectorXd rhs_norms;  ///< norms of their right-hand sides, m numbers, length / time
-  DensityHistory densities{1};  ///< of their solutions, a column each
+  DensityHistory densities{1};  ///< densities of their solutions, a column each
   /// Relative residual that a reused column is assumed to have one step later, if its load has
   /// turned by a tenth at most.
   static constexpr double most_tolerance = 0.1;
@@ -132,7 +132,7 @@ class ContactMobility {
     ComplexVector density;
     std::vector<RigidMotion> motions{};
     double tolerance = 1.0;  // estimated relative residual
-    double rhs_norm = 0.0;   // of reused columns: that of the earlier right-hand side
+    double rhs_norm = 0.0;   // norm of the right-hand side; of the earlier one for reused columns
   };
   /// @endcond
   std::size_t find_or_add(Column column);
@@ -150,17 +150,17 @@ class ContactMobility {
   const SuspensionSolver& solver_;
   Solution solution_;
   MobilityColumns earlier_;
-  double combination_tolerance_;             // relative residual of combinations
-  double column_tolerance_;                  // relative residual of columns
-  double flow_norm_;                         // norm of the scene's own right-hand side
-  Eigen::VectorXd load_scales_;              // factors from loads to scaled loads
-  std::vector<Column> earlier_columns_;      // of earlier configurations, on the nodes of this one
-  std::vector<Column> columns_;              // of all loads so far
+  double combination_tolerance_;         // relative residual of combinations
+  double column_tolerance_;              // relative residual of columns
+  double flow_norm_;                     // norm of the scene's own right-hand side
+  Eigen::VectorXd load_scales_;          // factors from loads to scaled loads
+  std::vector<Column> earlier_columns_;  // columns of earlier configurations, on the present nodes
+  std::vector<Column> columns_;          // columns of all loads so far
   std::vector<std::size_t> latest_columns_;  // columns of the loads of the latest call
-  Eigen::MatrixXd velocities_;               // of these columns
-  Eigen::MatrixXd correction_;               // of these velocities, by definite_correction()
-  double most_correction_;  // largest motion of the correction, over the velocity scale
-  bool corrects_ = true;    // false: columns are used without a correction
+  Eigen::MatrixXd velocities_;               // velocities of these columns
+  Eigen::MatrixXd correction_;  // correction of these velocities, by definite_correction()
+  double most_correction_;      // largest motion of the correction, over the velocity scale
+  bool corrects_ = true;        // false: columns are used without a correction
   Eigen::VectorXd combination_weights_;  // weights of the latest combination that was solved for
   double combination_residual_ = 0.0;    // residual of that combination before its solve
   double allowed_residual_ = 0.0;        // residual that it may have

@@ -29,12 +29,12 @@ bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::s
 /// The mean velocity of the step is `known_velocity`, plus `share` times the velocity of the flow
 /// and of contact at `acting`. Velocities are packed by to_state().
 struct ContactStage {
-  std::size_t index;                ///< in its step, 0 or 1
-  double t;                         ///< time at which the forces act
-  double dt;                        ///< length of the step
-  Configuration start;              ///< where the step begins
-  Configuration acting;             ///< where forces act, and where the mobility is evaluated
-  double share;                     ///< part of the step during which the forces act, 1 or 1/2
+  std::size_t index;     ///< in its step, 0 or 1
+  double t;              ///< time at which the forces act
+  double dt;             ///< length of the step
+  Configuration start;   ///< configuration at the beginning of the step
+  Configuration acting;  ///< configuration in which forces act and the mobility is evaluated
+  double share;          ///< part of the step during which the forces act, 1 or 1/2
   Eigen::VectorXd known_velocity;   ///< from the stage before; zero in the first stage
   const CloserPairs& closer;        ///< pairs that may be closer than the separation
   int most_iterations;              ///< largest number of linear complementarity problems
@@ -52,9 +52,9 @@ struct UnitForce {
 struct GapConstraint {
   std::size_t a,                          ///< a component
       b;                                  ///< another component, b > a
-  ContactRow row;                         ///< of the polygons
+  ContactRow row;                         ///< row of the polygons
   double gap = 0.0;                       ///< at the end of the step, minus the separation; length
-  std::optional<ClosestPoints> points{};  ///< of the curves there, if they measure the gap
+  std::optional<ClosestPoints> points{};  ///< points of the curves there, if they measure the gap
   UnitForce force_on_a{};                 ///< by the curves
 };
 
@@ -106,7 +106,7 @@ class GapConstraints {
   const ContactShapes& shapes_;
   const ConstraintRules& rules_;
   std::set<ComponentPair> active_;                     // pairs violated at some velocity
-  std::map<ComponentPair, std::vector<RowKey>> keys_;  // of the pairs' constraints so far
+  std::map<ComponentPair, std::vector<RowKey>> keys_;  // keys of the pairs' constraints so far
   std::map<ContactKey, GapConstraint> constraints_;    // returned so far
 };
 

@@ -9,7 +9,7 @@ namespace stokesbook {
 struct StageContact {
   ContactOutcome outcome{};  ///< forces, and how their iteration ended
   Solution solution{};       ///< with the contact forces, where they are resolved
-  SolveCost cost{};          ///< of the forces, and of the flow on more nodes
+  SolveCost cost{};          ///< cost of the forces, and of the flow on more nodes
   double seconds = 0.0;      ///< wall time of the same
 };
 

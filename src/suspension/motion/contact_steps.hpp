@@ -37,9 +37,9 @@ class ContactSteps : public Steps {
   /// @cond
   // The second stage of a step by Heun's method.
   struct SecondStage {
-    StepInfo info;           // of the step so far
+    StepInfo info;           // data of the step so far
     ContactOutcome outcome;  // with the mean velocity of the step
-    Eigen::VectorXd error;   // of the first half
+    Eigen::VectorXd error;   // error of the first half
     double scaled_error;     // largest distance of a boundary point, over what is allowed
   };
   /// @endcond

@@ -102,7 +102,7 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
     return to_rate(stage.solution);
   };
   const auto at_end = [&](double t, const VectorXd& q) {
-    if (last) info = with_solve(info, last->solution, last->seconds);  // of a rejected step
+    if (last) info = with_solve(info, last->solution, last->seconds);  // the step was rejected
     const Configuration there = to_configuration(q);
     const std::string passing = passing_.describe_passing(here, there, closest);
     if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);

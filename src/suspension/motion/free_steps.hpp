@@ -24,7 +24,7 @@ class PassingTest {
 
  private:
   const SuspensionSolver& solver_;
-  double sag_;  // of polygons, at most
+  double sag_;  // largest sag of the polygons
   ContactShapes shapes_;
 };
 

@@ -40,7 +40,7 @@ class OutputSchedule {
   std::optional<double> dt_write_;
   std::vector<double> reverse_at_;
   bool interpolates_;
-  double rounding_;  // of written times
+  double rounding_;  // rounding error of written times
 };
 
 }  // namespace stokesbook

@@ -12,15 +12,15 @@
 
 namespace stokesbook {
 
-/// What a solve takes from the solves before it.
+/// The results of earlier solves with which a solve begins.
 struct SolveMemory {
   DensityHistory densities;   ///< from which GMRES begins
-  MobilityColumns columns{};  ///< of the contact mobility in the stage before
+  MobilityColumns columns{};  ///< columns of the contact mobility in the stage before
   std::array<Eigen::VectorXd, 2>
       contact_velocities{};           ///< velocities that contact added in a step's stages
-  Resolutions contact_resolutions{};  ///< that the contact forces require; empty: none
+  Resolutions contact_resolutions{};  ///< nodes that the contact forces require; empty: none
   int steps_kept = 0;                 ///< steps taken with these resolutions
-  double gmres_tolerance = 0.0;       ///< that the contact forces require
+  double gmres_tolerance = 0.0;       ///< tolerance that the contact forces require
   double error_estimate = 0.0;        ///< the latest
   int solves_since_estimate = 0;      ///< solves since the latest error estimate
 };
@@ -28,8 +28,8 @@ struct SolveMemory {
 /// All that the rest of a run depends on.
 struct RunState {
   TimePoint now;       ///< time and configuration, without a rate
-  double amplitude;    ///< of the flow from now on
-  StepMemory steps{};  ///< of the steps so far
+  double amplitude;    ///< amplitude of the flow from now on
+  StepMemory steps{};  ///< memory of the steps so far
   SolveMemory solves;  ///< before the solve at `now`, which a resumed run takes again
   std::optional<CloserPairs> closer{};  ///< pairs that began closer than contact allows, and their
                                         ///< gaps; none in scenes without contact

@@ -15,7 +15,7 @@
 
 namespace stokesbook {
 
-/// What a run has cost, how finely it was resolved, and how wrong it may be.
+/// The cost of a run, its resolution, and its estimated errors.
 struct RunStatistics {
   RunTotals totals{};          ///< counts of work
   RunResolution resolution{};  ///< numbers of nodes, and estimates of errors

@@ -22,9 +22,9 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver);
 
 /// A step that is about to be taken.
 struct StepStart {
-  TimedSolution flow;                     ///< where the step begins, without contact forces
-  double t_end;                           ///< planned end
-  std::optional<StageContact> contact{};  ///< that acts from the beginning, in scenes with contact
+  TimedSolution flow;  ///< flow at the beginning of the step, without contact forces
+  double t_end;        ///< planned end
+  std::optional<StageContact> contact{};  ///< contact at the beginning, in scenes with contact
 
   /// Returns what a frame shows: the solution with the contact forces, if there are any.
   const Solution& solution() const { return contact ? contact->solution : flow.solution; }
@@ -36,7 +36,7 @@ struct TakenStep {
   StepMemory memory;                    ///< for the next step
   TimedSolution end;                    ///< the flow at the end
   std::optional<CloserPairs> closer{};  ///< pairs that are still closer than contact allows
-  StepInfo info;                        ///< what the step did
+  StepInfo info;                        ///< results and cost of the step
   Eigen::VectorXd error;                ///< estimated, of the state
 };
 

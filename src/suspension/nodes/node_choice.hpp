@@ -62,7 +62,7 @@ DensityDecay density_decay(const SmoothCurve& a, const SmoothCurve& b, const Clo
 
 /// The rates at which densities decay at a gap, and how well the nodes of its curves resolve them.
 struct GapResolution {
-  DensityDecay decay;  ///< of the densities on gap.a and gap.b
+  DensityDecay decay;  ///< decay of the densities on gap.a and gap.b
   double error;        ///< estimate for the present nodes, relative to the velocity scale:
                        ///< \f$ 150\,\alpha\, e^{-\alpha n} \f$ for n nodes
 };
@@ -80,7 +80,7 @@ int nodes_for_decay(double decay, double tolerance);
 
 /// The requirement of one gap on the nodes of one of its curves.
 struct GapRequirement {
-  double parameter;  ///< of the closest point, radians
+  double parameter;  ///< parameter of the closest point, radians
   double depth;      ///< the density's rate of decay there, from density_decay(); may be infinite
 };
 

@@ -48,10 +48,10 @@ FieldErrors field_differences(const Field& p, const Field& q);
 
 /// A field with its estimated errors.
 struct EstimatedField {
-  Field field;         ///< as evaluate_field() returns it
+  Field field;         ///< the result of evaluate_field()
   FieldErrors errors;  ///< estimates, relative to the largest value of each quantity
   int solves = 0;      ///< number of solves on more nodes
-  SolveCost cost{};    ///< of these solves
+  SolveCost cost{};    ///< cost of these solves
 };
 
 /// Evaluates the quantities that a scene requests, and estimates their errors.

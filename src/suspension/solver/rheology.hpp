@@ -51,8 +51,8 @@ class Rheometer {
   double excess_dissipation(const Solution& solution, const std::vector<Complex>& stresslets) const;
 
   const SuspensionSolver& solver_;
-  std::vector<std::optional<double>> long_axes_;  // of the bodies, in their own frames
-  std::optional<double> empty_torque_;            // of a Couette cell's inner wall
+  std::vector<std::optional<double>> long_axes_;  // long axes of the bodies, in their own frames
+  std::optional<double> empty_torque_;  // torque of a Couette cell's inner wall without bodies
 };
 
 }  // namespace stokesbook

@@ -13,7 +13,7 @@ namespace stokesbook {
 
 /// The work for a solution, including attempts with fewer nodes.
 struct SolveCost {
-  int gmres_iterations = 0;  ///< of all solves for motions and loads
+  int gmres_iterations = 0;  ///< GMRES iterations of all solves for motions and loads
   int matvecs = 0;           ///< applications of the operator, including those of error estimates
 
   /// Adds the work of another solve.
@@ -30,18 +30,18 @@ struct Solution {
   Discretisation discretisation;                 ///< nodes of the density
   std::shared_ptr<const LinearSystem> system{};  ///< on these nodes; none if it was dropped
   ComplexVector density{};  ///< at all nodes, components in order, length / time
-  std::vector<RigidMotion>
-      motions{};                ///< of every component about its position: solved on free bodies,
-                                ///< prescribed for held bodies and rigid walls, else zero
-  std::vector<Load> loads{};    ///< of every component on the fluid, about its position
-  Complex uniform_velocity{};   ///< of the fluid at infinity beside the background
-  GmresResult gmres{};          ///< of the linear system, converged
+  /// Motions of every component about its position: solved on free bodies, prescribed for held
+  /// bodies and rigid walls, else zero.
+  std::vector<RigidMotion> motions{};
+  std::vector<Load> loads{};    ///< loads of every component on the fluid, about its position
+  Complex uniform_velocity{};   ///< uniform velocity of the fluid at infinity beside the background
+  GmresResult gmres{};          ///< result of GMRES, converged
   double velocity_scale = 0.0;  ///< largest velocity in the data of the problem, which exclude
                                 ///< background_rigid_motion(); length / time
-  double error_estimate = 0.0;  ///< of motions and loads, as relative_change() measures them; NaN
-                                ///< if the error was not estimated
-  std::vector<Gap> gaps{};      ///< close pairs in ascending order, the closest pair first
-  SolveCost cost{};             ///< work for this solution
+  /// Error of motions and loads, as relative_change() measures them; NaN if it was not estimated.
+  double error_estimate = 0.0;
+  std::vector<Gap> gaps{};  ///< close pairs in ascending order, the closest pair first
+  SolveCost cost{};         ///< work for this solution
 };
 
 /// Returns the velocity of the frame in which an enclosed problem is solved: that of a container

@@ -19,7 +19,7 @@ using DensityGuess = std::function<ComplexVector(const Discretisation&)>;
 
 /// The judgement of a solution that includes contact forces.
 struct LoadedCheck {
-  ErrorEstimate estimate;  ///< of its motions and loads
+  ErrorEstimate estimate;  ///< estimate for its motions and loads
   Resolutions needed;      ///< resolutions required; those of the solution if they suffice
   double gmres_tolerance;  ///< tolerance required: tighter than that of the solution if the nodes
                            ///< suffice but the tolerance does not
@@ -179,7 +179,7 @@ class SuspensionSolver {
   std::shared_ptr<DiscretisationCache>
       cache_;  // shared by copies; solve() is const, and may fill it
   Discretisation discretisation_;
-  Resolutions least_;  // that resolve the softest mode of each component, for estimates
+  Resolutions least_;  // nodes that resolve the softest mode of each component, for estimates
 };
 
 }  // namespace stokesbook

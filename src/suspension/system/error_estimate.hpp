@@ -23,7 +23,7 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
 
 /// The estimated error of a solution, and the cost of the estimate.
 struct ErrorEstimate {
-  double error = 0.0;  ///< of motions and loads, as relative_change() measures them
+  double error = 0.0;  ///< error of motions and loads, as relative_change() measures them
   int matvecs = 0;     ///< applications of the fine operator
 };
 
@@ -47,7 +47,7 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
 
 /// An error estimate from the Fourier modes of a computed density.
 struct TailEstimate {
-  double error;  ///< of velocities, relative to their scale
+  double error;  ///< error of velocities, relative to their scale
   double decay;  ///< rate of decay per mode number in the middle of the spectrum, >= 0
 };
 

@@ -12,7 +12,7 @@ namespace stokesbook {
 bool Plan::is_fast(Eigen::Index nodes, std::optional<Eigen::Index> targets) const {
   if (targets == 0) return false;
   if (summation != Summation::automatic) return summation == Summation::fmm;
-  constexpr double rounding = 1e-14;  // of a fast sum, relative to the sum
+  constexpr double rounding = 1e-14;  // rounding error of a fast sum, relative to the sum
   if (sum_tolerance < rounding) return false;
   const auto n = static_cast<double>(nodes), m = static_cast<double>(targets.value_or(0));
   const double least = static_cast<double>(break_even(FmmSettings::for_tolerance(sum_tolerance)));

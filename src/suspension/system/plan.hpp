@@ -14,12 +14,12 @@ struct Plan {
   bool null_space_fix = false;                                   ///< a wall encloses the fluid
   bool near_correction = false;                                  ///< components may come close
   PreconditionerKind preconditioner = PreconditionerKind::none;  ///< if no gaps are tight
-  bool direct_at_tight_gaps = false;           ///< factorise small systems where gaps are tight
-  bool clusters_at_tight_gaps = false;         ///< precondition by clusters where gaps are tight
-  double gmres_tolerance = 0.0;                ///< relative residual
-  double near_tolerance = 0.0;                 ///< of the near corrections, relative to the density
-  double sum_tolerance = 0.0;                  ///< of fast sums, relative in the 2-norm
-  Summation summation = Summation::automatic;  ///< as the scene selects it
+  bool direct_at_tight_gaps = false;    ///< factorise small systems where gaps are tight
+  bool clusters_at_tight_gaps = false;  ///< precondition by clusters where gaps are tight
+  double gmres_tolerance = 0.0;         ///< relative residual
+  double near_tolerance = 0.0;  ///< tolerance of the near corrections, relative to the density
+  double sum_tolerance = 0.0;   ///< tolerance of fast sums, relative in the 2-norm
+  Summation summation = Summation::automatic;  ///< the choice of the scene
 
   /// Returns whether FastSum evaluates the flow of n nodes faster than the direct sum: at the nodes
   /// themselves if n is above break_even(), and at m targets, where every sum is planned anew, if
