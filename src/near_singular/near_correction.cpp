@@ -162,7 +162,7 @@ std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<Place
     corrections[k] = derivative_correction(
         curves[k], near[k], density.segment(offsets[k], offsets[k + 1] - offsets[k]));
   }
-  // As for velocities, the corrections are added in the order of the curves.
+  // The corrections are added in the order of the curves, like those of velocities.
   std::vector<FlowDerivatives> sum(static_cast<std::size_t>(targets.size()));
   for (std::size_t k = 0; k < curves.size(); ++k) {
     for (std::size_t i = 0; i < corrections[k].size(); ++i) {

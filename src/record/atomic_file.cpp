@@ -33,6 +33,12 @@ std::uintmax_t size_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw RecordError(path, "making the directory", error);
+}
+
 void write_atomically(const std::filesystem::path& path, std::string_view text, SafeFrom danger) {
   std::filesystem::path partial = path;
   partial += partial_extension;

@@ -7,6 +7,9 @@
 
 namespace stokesbook {
 
+/// Makes a folder, and the folders in which it lies, unless they exist.
+void make_folder(const std::filesystem::path& path);
+
 /// The event that a new file must survive. Safety from a power cut costs some milliseconds.
 enum class SafeFrom {
   kill,      ///< the program is killed at any moment

@@ -128,10 +128,9 @@ RunDirectory::RunDirectory(FileLock lock, const fs::path& path, RunContents cont
 
 RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
                                   ExistingRun existing) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw RecordError(path, "making the directory", error);
+  make_folder(path);
   FileLock lock = FileLock::of_folder(path);
+  std::error_code error;
   if (existing == ExistingRun::refuse) {
     require_no_run(path, "--resume, --overwrite");
   } else if (existing == ExistingRun::restart && !fs::exists(path / steps_name, error)) {

@@ -224,9 +224,7 @@ std::string field_vti(const Field& field) {
 }
 
 std::string FrameFiles::name(std::size_t frame) const {
-  const std::string digits = std::to_string(frame);
-  const std::string zeros(6 - std::min<std::size_t>(6, digits.size()), '0');
-  return std::string(stem) + '_' + zeros + digits + std::string(extension);
+  return std::string(stem) + '_' + padded_number(frame, 6) + std::string(extension);
 }
 
 std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {

@@ -2,11 +2,12 @@
 #include "study/study.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <ostream>
 #include <set>
 #include <stdexcept>
+
+#include "text/word_list.hpp"
 
 namespace stokesbook::study {
 
@@ -16,27 +17,21 @@ void require(bool condition, const std::string& what) {
   if (!condition) throw std::logic_error("study: " + what);
 }
 
-bool is_key(const std::string& text) {
-  return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_';
-  });
-}
-
 /// Finds mistakes in the declaration of a study before anything is measured.
 void validate(const Study& study) {
   std::set<std::string> experiments, ids;
   for (const Experiment& experiment : study.experiments) {
-    require(is_key(experiment.key), "key of an experiment: '" + experiment.key + "'");
+    require(is_name(experiment.key), "key of an experiment: '" + experiment.key + "'");
     require(experiments.insert(experiment.key).second, "two experiments " + experiment.key);
     std::set<std::string> lines;
     for (const Line& line : experiment.lines) {
       const std::string name = experiment.key + '.' + line.key;
-      require(is_key(line.key), "key of a line: '" + name + "'");
+      require(is_name(line.key), "key of a line: '" + name + "'");
       require(lines.insert(line.key).second, "two lines " + name);
       require(line.claim.has_value() == line.control.has_value(),
               name + ": a claim and its control belong together");
       if (!line.claim) continue;
-      require(line.claim->id.starts_with(study.number + '_') && is_key(line.claim->id),
+      require(line.claim->id.starts_with(study.number + '_') && is_name(line.claim->id),
               name + ": the claim's id must be " + study.number + "_ and a number");
       require(ids.insert(line.claim->id).second, "two claims " + line.claim->id);
     }

@@ -3,7 +3,6 @@
 #include "sweep/results.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -28,12 +27,8 @@ struct Column {
 };
 
 double number_in(std::string_view cell, const std::filesystem::path& path) {
-  double number = 0.0;
-  const auto [end, status] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (status != std::errc{} || end != cell.data() + cell.size()) {
-    throw RecordError(path, "holds '" + std::string(cell) + "' where a number should be");
-  }
-  return number;
+  if (const auto number = parse_number<double>(cell)) return *number;
+  throw RecordError(path, "holds '" + std::string(cell) + "' where a number should be");
 }
 
 /// Reads the first column, which is time, and the column of a quantity. If the quantity has an

@@ -2,7 +2,6 @@
 #include "sweep/sweep.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -42,10 +41,7 @@ constexpr Requirement<std::string> scene_key{
       return !key.empty() && key.find_first_of(" =\"'") == std::string::npos;
     }};
 constexpr Requirement<std::string> column_name{
-    "a name of letters, digits and _", [](const std::string& name) {
-      const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-      return !name.empty() && std::ranges::all_of(name, fits);
-    }};
+    "a name of letters, digits and _", [](const std::string& name) { return is_name(name); }};
 /// Largest number of tasks: queues of clusters accept no more, and each task has a folder.
 constexpr int most_tasks = 100'000;
 constexpr Requirement<int> several{"an integer from 2 to 100000",

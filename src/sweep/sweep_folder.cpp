@@ -14,17 +14,12 @@
 #include "scene/write.hpp"
 #include "sweep/task.hpp"
 #include "text/fingerprint.hpp"
+#include "text/number_text.hpp"
 #include "text/text_file.hpp"
 
 namespace stokesbook {
 
 namespace {
-
-void make_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw RecordError(path, "making the directory", error);
-}
 
 std::filesystem::path manifest_file(const std::filesystem::path& out) {
   return out / "tasks.csv";
@@ -122,8 +117,7 @@ std::filesystem::path sweep_lock(const std::filesystem::path& out) {
 }
 
 std::string TaskFolder::name(std::size_t task) {
-  const std::string digits = std::to_string(task);
-  return "runs/" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
+  return "runs/" + padded_number(task, 4);
 }
 
 void TaskFolder::make() const {

@@ -1,6 +1,7 @@
 // Writes numbers as text by std::to_chars, which does not depend on the locale.
 #include "text/number_text.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace stokesbook {
@@ -22,6 +23,11 @@ void append_number(std::string& text, double x) {
 
 std::string short_number(double x, int digits) {
   return general(x + 0.0, digits);  // -0 becomes 0
+}
+
+std::string padded_number(std::size_t number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return std::string(digits - std::min(digits, text.size()), '0') + text;
 }
 
 }  // namespace stokesbook

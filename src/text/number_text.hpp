@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ void append_number(std::string& text, std::integral auto n) {
 /// Writes a number for messages and pictures, rounded to a number of significant digits and without
 /// trailing zeros: `0.0125`, `1.25e-10`.
 std::string short_number(double x, int digits = 3);
+
+/// Writes an integer with at least the given number of digits, led by zeros: `0007`.
+std::string padded_number(std::size_t number, std::size_t digits);
 
 /// Reads a number from a text that contains nothing else; none for other texts.
 /// @param  format  std::chars_format of a floating-point number, general by default

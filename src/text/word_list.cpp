@@ -1,7 +1,8 @@
-// Splits texts, and finds the valid word nearest to a misspelt one by Levenshtein's edit distance.
+// Splits texts, checks names, and finds the valid word nearest to a misspelt one by Levenshtein's edit distance.
 #include "text/word_list.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace stokesbook {
@@ -35,6 +36,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     begin = end + 1;
   }
   return parts;
+}
+
+bool is_name(std::string_view text) {
+  const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !text.empty() && std::ranges::all_of(text, fits);
 }
 
 std::optional<std::string_view> nearest_word(std::string_view word,

@@ -25,6 +25,9 @@ std::string joined(const auto& items, std::string_view separator = ", ", ToWord 
 /// Splits a text at every separator. The parts are views of the text.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Returns whether a text is a name: not empty, of letters, digits and _ only.
+bool is_name(std::string_view text);
+
 /// Returns the candidate that is nearest to a misspelt word by single-letter insertions, deletions
 /// and replacements; none if it requires more of them than a third of the word's letters.
 std::optional<std::string_view> nearest_word(std::string_view word,

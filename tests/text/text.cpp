@@ -31,6 +31,16 @@ BOOST_AUTO_TEST_CASE(short_numbers_are_rounded) {
   BOOST_TEST(short_number(std::numeric_limits<double>::infinity()) == "inf");
 }
 
+BOOST_AUTO_TEST_CASE(numbers_fill_their_text) {
+  BOOST_TEST((parse_number<double>("1.5e-3") == std::optional(1.5e-3)));
+  BOOST_TEST((parse_number<int>("-12") == std::optional(-12)));
+  for (const char* text : {"", " 1", "1 ", "1x", "x"}) {
+    BOOST_TEST(!parse_number<double>(text).has_value(), text);
+  }
+  BOOST_TEST(padded_number(7, 4) == "0007");
+  BOOST_TEST(padded_number(123456, 4) == "123456");
+}
+
 /// The expected values are the test vectors of the authors of FNV-1a.
 BOOST_AUTO_TEST_CASE(fingerprints) {
   BOOST_TEST(fingerprint("") == "cbf29ce484222325");

@@ -29,6 +29,14 @@ BOOST_AUTO_TEST_CASE(splits_at_every_separator) {
   BOOST_TEST((stokesbook::split("", ',') == Parts{""}));
 }
 
+BOOST_AUTO_TEST_CASE(names_have_letters_digits_and_underscores) {
+  for (const char* name : {"a", "_", "time_dt", "12_3"})
+    BOOST_TEST(stokesbook::is_name(name), name);
+  for (const char* text : {"", "a b", "time.dt", "-", "\xc3\xa4"}) {
+    BOOST_TEST(!stokesbook::is_name(text), text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(finds_what_was_meant) {
   BOOST_TEST(guess("radis") == "radius");    // a letter left out
   BOOST_TEST(guess("radiuss") == "radius");  // a letter too many

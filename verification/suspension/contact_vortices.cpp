@@ -40,7 +40,7 @@ const Vortices& vortices(Size size, int parts, double separation = published_sep
   });
 }
 
-/// What is missing of the published separation, in separations.
+/// Measures by how much gaps fall short of the published separation, relative to it.
 Measure lost_in_vortices(double separation) {
   return [=](Size size) {
     const auto& [scene, run] = vortices(size, 1, separation);

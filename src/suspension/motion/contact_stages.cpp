@@ -20,10 +20,6 @@ constexpr int most_refinements = 8;
 // that lasts may not require them any more, and they make each step slower.
 constexpr int most_steps_kept = 8;
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 }  // namespace
 
 StageSolution ContactStages::resolve(const ContactStage& problem, StageSolution stage) {

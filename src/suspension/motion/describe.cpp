@@ -113,12 +113,11 @@ PlanLine gmres_line(const Plan& plan, const SolverSettings& solver) {
 
 PlanLine fields_line(const FieldSettings& fields) {
   const FieldGrid grid = field_grid(fields);
-  std::vector<std::string_view> names;
-  for (const FieldQuantity quantity : fields.quantities) {
-    names.push_back(scene_text::name_of(quantity, scene_text::field_quantities));
-  }
+  const auto to_name = [](FieldQuantity quantity) {
+    return scene_text::name_of(quantity, scene_text::field_quantities);
+  };
   return {"fields", std::to_string(grid.columns) + " x " + std::to_string(grid.rows) + " points",
-          joined(names) + " at every written time"};
+          joined(fields.quantities, ", ", to_name) + " at every written time"};
 }
 
 PlanLine contact_line(const Scene& scene) {

@@ -60,8 +60,7 @@ TimedSolution InstantSolver::solve(double t, const Instant& instant, bool estima
   memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;
   statistics_.add_resolution(solution);
   statistics_.add_solve(solution);
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  return {std::move(solution), std::move(before), passed.count(), estimated};
+  return {std::move(solution), std::move(before), seconds_since(start), estimated};
 }
 
 Solution InstantSolver::solve_from_guess(double t, const Instant& instant, bool estimated) const {

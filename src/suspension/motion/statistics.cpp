@@ -17,6 +17,10 @@ void add_cost(auto& counts, const SolveCost& cost) {
 
 }  // namespace
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 void RunStatistics::add_solve(const Solution& solution) {
   ++totals.solves;
   add_cost(totals, solution.cost);

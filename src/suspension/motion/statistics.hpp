@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "time_stepping/step_control.hpp"
 
 namespace stokesbook {
+
+/// Returns the wall time that has passed since a start.
+double seconds_since(std::chrono::steady_clock::time_point start);
 
 /// The cost of a run, its resolution, and its estimated errors.
 struct RunStatistics {
