@@ -13,6 +13,9 @@ import unittest
 
 PROGRAM, SWEEPS = sys.argv[1], pathlib.Path(sys.argv[2])
 
+# If a shell starts the tests in the background, they and their children ignore SIGINT otherwise.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
 SCENE = """
 [flow]
 kind = "shear"
