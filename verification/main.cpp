@@ -12,7 +12,7 @@
 #include <omp.h>
 
 #include "cli/build_info.hpp"
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 #include "studies.hpp"
 #include "study/report.hpp"
 

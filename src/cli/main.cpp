@@ -16,7 +16,7 @@
 #include "cli/message.hpp"
 #include "cli/run_command.hpp"
 #include "cli/sweep_command.hpp"
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 #include "scene/scene.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "text/word_list.hpp"

@@ -16,7 +16,6 @@
 #include "cli/build_info.hpp"
 #include "cli/run_report.hpp"
 #include "record/atomic_file.hpp"
-#include "record/record_error.hpp"
 #include "record/run_directory.hpp"
 #include "scene/parse.hpp"
 #include "scene/write.hpp"

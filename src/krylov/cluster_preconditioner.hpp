@@ -89,14 +89,11 @@ class ClusterPreconditioner {
   double mean_rank() const;
 
  private:
-  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
-  /// @cond
   struct ReleasedBody {
     std::size_t component;
     RigidModeMatrices rigid;
   };
   using Resistance = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
-  /// @endcond
 
   void factorise_resistance(const std::vector<BlockDiagonalPreconditioner::Member>& alone);
   Eigen::VectorXd solve_clusters(const Eigen::VectorXd& v) const;

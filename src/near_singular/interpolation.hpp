@@ -88,15 +88,12 @@ class InterpolationCurve {
   const Curve& curve() const { return curve_; }  ///< returns the nodes, in the curve's own frame
 
  private:
-  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
-  /// @cond
   struct Stencil {
     double parameter;             // parameter of the closest point
     double limit_weight;          // weight of the velocity's limit at the closest point
     std::vector<Complex> points;  // at which the fine rule is evaluated
     std::vector<double> weights;  // weights of the fine rule's values
   };
-  /// @endcond
   Stencil stencil(Complex target) const;
 
   Curve curve_;

@@ -51,8 +51,6 @@ class NearCorrection {
   Eigen::Index explicit_count() const { return static_cast<Eigen::Index>(rows_.size()); }
 
  private:
-  // Doxygen 1.9 links to a list of private types that it does not write: hidden.
-  /// @cond
   struct Rows {
     std::size_t curve;
     Eigen::MatrixXd matrix;  // density -> scheme minus trapezoid rule, interleaved, curve's frame
@@ -61,7 +59,6 @@ class NearCorrection {
     std::vector<std::size_t> curves;  // curves that share a scheme
     StressletSum trapezoid;
   };
-  /// @endcond
   ComplexVector local_density(const ComplexVector& density, std::size_t curve) const;
   void evaluate(const Group& group, const ComplexVector& density,
                 std::vector<ComplexVector>& corrections) const;

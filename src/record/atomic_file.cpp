@@ -12,8 +12,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "record/record_error.hpp"
-
 namespace stokesbook {
 
 namespace {

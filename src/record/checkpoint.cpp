@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "record/atomic_file.hpp"
-#include "record/record_error.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
 

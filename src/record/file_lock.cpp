@@ -8,7 +8,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 
 namespace stokesbook {
 

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "record/animation.hpp"
+#include "record/atomic_file.hpp"
 #include "record/csv.hpp"
 #include "record/picture.hpp"
-#include "record/record_error.hpp"
 #include "record/vtk.hpp"
 #include "text/fingerprint.hpp"
 

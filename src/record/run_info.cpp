@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "record/atomic_file.hpp"
-#include "record/record_error.hpp"
 
 namespace stokesbook {
 

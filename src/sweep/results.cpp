@@ -12,7 +12,6 @@
 #include <gsl/gsl_cdf.h>
 
 #include "record/atomic_file.hpp"
-#include "record/record_error.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "sweep/task.hpp"
 #include "text/number_text.hpp"

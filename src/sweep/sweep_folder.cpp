@@ -8,7 +8,6 @@
 
 #include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
-#include "record/record_error.hpp"
 #include "record/run_info.hpp"
 #include "scene/scene.hpp"
 #include "scene/write.hpp"

@@ -51,9 +51,7 @@ class RectangleIndex {
 
  private:
   // The tree is hidden, because Boost.Geometry compiles slowly: one source file includes it.
-  /// @cond
   struct Tree;
-  /// @endcond
   std::unique_ptr<Tree> tree_;
 };
 

@@ -8,7 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "folder.hpp"
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 #include "text/fingerprint.hpp"
 
 using namespace stokesbook;

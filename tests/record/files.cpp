@@ -4,7 +4,6 @@
 
 #include "folder.hpp"
 #include "record/atomic_file.hpp"
-#include "record/record_error.hpp"
 
 using namespace stokesbook;
 using namespace stokesbook::test;

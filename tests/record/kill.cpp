@@ -16,7 +16,6 @@
 #include "folder.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
-#include "record/record_error.hpp"
 #include "sample_run.hpp"
 
 using namespace stokesbook;

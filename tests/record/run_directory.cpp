@@ -11,7 +11,6 @@
 #include "folder.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
-#include "record/record_error.hpp"
 #include "record/vtk.hpp"
 #include "sample_run.hpp"
 

@@ -11,7 +11,7 @@
 #include <numeric>
 #include <vector>
 
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 

@@ -1,7 +1,7 @@
 // Tests folders of sweeps and tasks, and their locks.
 
+#include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
-#include "record/record_error.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 

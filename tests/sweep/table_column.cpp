@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "record/record_error.hpp"
+#include "record/atomic_file.hpp"
 #include "sweep/results.hpp"
 #include "sweep_files.hpp"
 

@@ -124,8 +124,6 @@ class ContactMobility {
   int solves() const { return solves_; }  ///< counts the columns and combinations solved for
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
-  /// @cond
   struct Column {
     Eigen::SparseVector<double> load;
     Eigen::SparseVector<double> scaled_load;  // torques over the radius of gyration
@@ -134,7 +132,6 @@ class ContactMobility {
     double tolerance = 1.0;  // estimated relative residual
     double rhs_norm = 0.0;   // norm of the right-hand side; of the earlier one for reused columns
   };
-  /// @endcond
   std::size_t find_or_add(Column column);
   void reuse_similar(Column& column) const;
   void solve_by_factors(Column& column) const;

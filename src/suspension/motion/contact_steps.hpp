@@ -33,8 +33,6 @@ class ContactSteps : public Steps {
   TakenStep advance(const RunState& state, StepStart start) override;
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
-  /// @cond
   // The second stage of a step by Heun's method.
   struct SecondStage {
     StepInfo info;           // data of the step so far
@@ -42,7 +40,6 @@ class ContactSteps : public Steps {
     Eigen::VectorXd error;   // error of the first half
     double scaled_error;     // largest distance of a boundary point, over what is allowed
   };
-  /// @endcond
   double planned_end(const RunState& state) const;
   double shorten(double t, double t_end, double factor, const std::string& reason);
   StepStart begin(const RunState& state, TimedSolution flow, double t_end);

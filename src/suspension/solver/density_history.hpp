@@ -54,15 +54,11 @@ class DensityHistory {
   void unpack(const std::vector<Eigen::VectorXd>& packed, std::size_t components);
 
  private:
-  // The type is hidden, because Doxygen 1.9 links to a list of private nested types that it does
-  // not write.
-  /// @cond
   struct Entry {
     double t;
     Resolutions resolutions;
     Eigen::MatrixXcd densities;  // each component's in its own frame
   };
-  /// @endcond
 
   std::size_t most_;
   std::deque<Entry> entries_;

@@ -152,14 +152,11 @@ class SuspensionSolver {
   const Discretisation& discretisation() const { return discretisation_; }
 
  private:
-  // Hidden, because Doxygen 1.9 links to a list of private nested types that it does not write.
-  /// @cond
   struct Effort {
     Resolutions resolutions;
     double gmres_tolerance;
     bool operator==(const Effort&) const = default;
   };
-  /// @endcond
   std::vector<Gap> find_open_gaps(const Configuration& configuration) const;
   std::shared_ptr<const LinearSystem> assemble(const StokesProblem& problem,
                                                const Configuration& configuration,
