@@ -23,7 +23,7 @@ struct Steps {
 };
 
 constexpr Steps steps_of(Size size) {
-  return size == Size::full ? Steps{6, 12} : Steps{4, 8};
+  return size == Size::full ? Steps{6, 12} : Steps{3, 6};
 }
 
 struct ClusterRun {

@@ -179,7 +179,7 @@ const Tallies& tallies(Size size, Contact contact) {
       const auto drive = static_cast<int>(seed / crowds) % drives,
                  crowd = static_cast<int>(seed % crowds);
       Scene scene = crowded_scene({static_cast<Drive>(drive), static_cast<Crowd>(crowd)}, seed,
-                                  few ? 15 : 200);
+                                  few ? 10 : 200);
       const double separation = scene.contact->minimum_separation;
       if (contact == Contact::left_out) {
         scene.contact.reset();
