@@ -1,17 +1,17 @@
 """Checks that the pages keep the rules of the book.
 
-check_pages.py sources ROOT     texts of chapters and exercises, before Doxygen
-check_pages.py xml FOLDER       what Doxygen read of the public API
-check_pages.py html FOLDER      the pages that Doxygen wrote
+check_pages.py sources ROOT     checks texts of chapters and exercises, before Doxygen runs
+check_pages.py xml FOLDER       checks the comments of the public API that Doxygen has read
+check_pages.py html FOLDER      checks the pages that Doxygen has written
 
 Every check returns its findings as text; the program prints them and fails if there are any.
 
-Results are not typed. In the prose of a chapter, these are refused:
+Results must not be typed by hand. In the prose of a chapter, the program refuses:
 - scientific notation: 1e-12, 10^-12, 10<sup>-12</sup>;
 - decimal fractions of four significant digits or more: 0.1234, 12.34;
 - counts and times with their unit: 47 iterations, 2.5 s.
-In formulas, a decimal mantissa times a power of ten is: 1.3 \\cdot 10^{-12}.
-Allowed are therefore definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
+In formulas, it refuses a decimal mantissa times a power of ten: 1.3 \\cdot 10^{-12}.
+It therefore accepts definitions (N = 32, a radius of 0.5, \\f$ \\varepsilon = 10^{-12} \\f$),
 tolerances and parameters as code (`1e-12`), numbers of headings and of equations, (01.10), and
 aliases, which carry the results.
 """
@@ -28,9 +28,9 @@ SHELL = {"sh", "console"}
 HEADING = re.compile(r"^(#{1,6}) ")
 FORMULA = re.compile(r"\\f\$(.*?)\\f\$|\\f\[(.*?)\\f\]|\\f\{(.*?)\\f\}|\$\$(.+?)\$\$", re.DOTALL)
 UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX)\b|\?\?\?")
-# Up to the next command of the comment, which begins its line, or the comment's end.
+# The text ends before the next command that begins a line, or at the end of the comment.
 ACCURACY = re.compile(r"@par Accuracy.*\n(?:\s*///(?! *@).*\n|\s*/// *@ref.*\n)*")
-# A line that Markdown takes for an item of a list when the result is a whole number.
+# Markdown takes such a line for an item of a list if the result is a whole number.
 AS_ITEM = re.compile(r"\s*[@\\]val_\w+\.\s")
 CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
 
@@ -44,12 +44,12 @@ TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
 
 
 def blanked(match):
-    """The same number of lines, and nothing on them."""
+    """Returns as many line breaks as the match contains, and no text."""
     return "\n" * match[0].count("\n")
 
 
 def fenced(text):
-    """Numbers of the lines of fenced blocks, and the language of each block with its line."""
+    """Returns the line numbers of fenced blocks, and the line and language of each block."""
     numbers, languages, fence = set(), [], None
     for number, line in enumerate(text.splitlines(), 1):
         found = FENCE.match(line)
@@ -65,14 +65,17 @@ def fenced(text):
 
 
 def without_code(text):
-    """The text with blank lines instead of fenced blocks."""
+    """Returns the text with blank lines instead of fenced blocks."""
     code = fenced(text)[0]
     return "".join(f"{'' if number in code else line}\n"
                    for number, line in enumerate(text.splitlines(), 1))
 
 
 def indented_code(text):
-    """Lines that Markdown takes for code: indented by four, after a blank line, and in no list."""
+    """Returns the lines that Markdown takes for code.
+
+    Such a line is indented by four, follows a blank line, and is not in a list.
+    """
     found, blank, in_list = [], True, False
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip():
@@ -90,8 +93,11 @@ def indented_code(text):
 
 
 def empty_headings(text):
-    """Headings followed by no text before the next heading of their level or above, or the end."""
-    found, open_headings = [], []  # the latter: (level, line), each without text so far
+    """Returns the lines of the headings without text.
+
+    The text must come before the next heading of their level or above, or before the end.
+    """
+    found, open_headings = [], []  # (level, line) of headings without text so far
     code = fenced(text)[0]
     for number, line in enumerate(text.splitlines(), 1):
         heading = HEADING.match(line)
@@ -106,7 +112,7 @@ def empty_headings(text):
 
 
 def typed_results(text):
-    """Results in prose or formulas, each with its line."""
+    """Returns the results in prose or formulas, each with its line."""
     found = []
 
     def look(pattern, part, offset):
@@ -115,7 +121,7 @@ def typed_results(text):
 
     for formula in FORMULA.finditer(text):
         look(TYPED_MANTISSA, formula[0], formula.start())
-    # What is no prose is overwritten, so that the rest keeps its place.
+    # Parts that are not prose are overwritten, so that the prose keeps its place.
     prose = text
     for pattern in [FORMULA, re.compile(r"`[^`\n]*`"), re.compile(r"\]\([^)]*\)|<https?:[^>]*>"),
                     EQUATION_NUMBER, re.compile(r"\{#\w+\}|[@\\]\w+")]:
@@ -130,13 +136,13 @@ def unfinished(name, text):
 
 
 def text_violations(name, text):
-    """Breaches in any text of the book."""
+    """Returns the violations of the rules that hold for any text of the book."""
     return unfinished(name, text) + [f"{name}:{line}: a heading with nothing under it"
                                      for line in empty_headings(text)]
 
 
 def chapter_violations(name, text):
-    """Breaches of the rules in one chapter.md."""
+    """Returns the violations of the rules in one chapter.md."""
     if not re.match(r"# \S.* \{#chapter_\d\d\}\n", text):
         return [f"{name}:1: the first line must be a title and anchor: # Title {{#chapter_NN}}"]
     prose, languages = without_code(text), fenced(text)[1]
@@ -156,7 +162,7 @@ def chapter_violations(name, text):
 
 
 def unproved_accuracy(name, text):
-    """Statements on accuracy that name no claim, in a header of a room that has a study."""
+    """Returns statements on accuracy without a claim, in a header of a room that has a study."""
     return [f"{name}:{text.count(chr(10), 0, match.start()) + 1}: an accuracy without its claim: "
             "add @ref claim_NN_k" for match in ACCURACY.finditer(text)
             if "@ref claim_" not in match[0]]
@@ -179,7 +185,7 @@ def has_text(element):
 
 
 def member_violations(member, owner):
-    """What the comment of one public member lacks."""
+    """Returns the texts that the comment of one public member lacks."""
     name = f"{owner}::{member.findtext('name')}"
     lacks = []
     if not has_text(member.find("briefdescription")) and not has_text(
@@ -202,13 +208,13 @@ def member_violations(member, owner):
 
 
 def is_implicit(member):
-    """Defaulted and deleted functions say all themselves, and so do destructors and friends."""
+    """Defaulted and deleted functions, friends among them, and destructors need no comment."""
     arguments = member.findtext("argsstring") or ""
     return arguments.endswith(("=default", "=delete")) or member.findtext("name").startswith("~")
 
 
 def api_violations(folder):
-    """Public types, functions and variables of namespace stokesbook without their comment."""
+    """Returns the public types, functions and variables of stokesbook that lack a comment."""
     violations, seen = [], set()
     for path in sorted(folder.glob("*.xml")):
         for compound in xml.etree.ElementTree.parse(path).getroot().findall("compounddef"):
@@ -233,13 +239,13 @@ def api_violations(folder):
 
 
 class Page(html.parser.HTMLParser):
-    """Anchors, links, prose and folded texts of one page."""
+    """Collects the anchors, links, prose and folded texts of one page."""
 
     def __init__(self, text):
         super().__init__()
         self.anchors, self.links, self.prose = set(), [], []
         self.folded = self.summaries = 0
-        self._silent = []  # open elements whose text is no prose
+        self._silent = []  # open elements whose text is not prose
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
@@ -269,7 +275,7 @@ LEAK = re.compile(r"[@\\][A-Za-z]\w+|\\f[$\[]|\?\?\?")
 
 
 def html_violations(folder):
-    """Broken links and anchors, missing pictures, and commands that show."""
+    """Returns broken links and anchors, missing pictures, and Doxygen commands that are visible."""
     pages = {path.name: Page(path.read_text()) for path in folder.glob("*.html")}
     if "index.html" not in pages:
         return [f"{folder}: no pages"]

@@ -1,7 +1,7 @@
-// The conventions of the book as identities: each pins a sign or a scale, computed both
-// ways.
-// conventions [FOLDER] prints them all, and writes each to FOLDER/conventions_NAME.txt for the page
-// of conventions. The exit status tells whether all hold.
+// Checks the conventions of the book by identities. Each identity fixes a sign or a scale, which is
+// computed in two ways.
+// conventions [FOLDER] prints all identities, and writes each to FOLDER/conventions_NAME.txt for
+// the page of conventions. The exit status is 0 if all hold.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -90,12 +90,12 @@ class Identities {
   bool all_hold_ = true;
 };
 
-// Integral over arclength, int f ds, by the trapezoid rule.
+// Returns the integral over arclength, int f ds, by the trapezoid rule.
 Complex integral(const Curve& curve, const ComplexVector& f) {
   return weights(curve).cwiseProduct(f).sum();
 }
 
-// Flux of a velocity out of the fluid, int u.n ds.
+// Returns the flux of a velocity out of the fluid, int u.n ds.
 double flux(const Curve& curve, const ComplexVector& u) {
   return integral(curve, normals(curve).conjugate().cwiseProduct(u)).real();
 }
@@ -104,7 +104,7 @@ ComplexVector rigid_motion(const ComplexVector& x) {
   return (Complex{0.6, -0.8} + 1.5 * imaginary * x.array()).matrix();
 }
 
-// A smooth density without symmetry.
+// Returns a smooth density without symmetry.
 ComplexVector some_density(Eigen::Index n) {
   ComplexVector eta(n);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -114,14 +114,14 @@ ComplexVector some_density(Eigen::Index n) {
   return eta;
 }
 
-// D eta on the curve itself, the principal value.
+// Returns D eta on the curve itself, the principal value.
 ComplexVector principal_value(const Curve& curve, const ComplexVector& eta) {
   const Eigen::VectorXd value = double_layer_matrix(curve) * interleaved(eta);
   return deinterleaved(value);
 }
 
-// The limit of D eta at node 0 from the side that `direction` times the normal points to: the
-// polynomial through values at 10 distances, at distance 0.
+// Returns the limit of D eta at node 0 from the side to which `direction` times the normal points.
+// The polynomial through the values at 10 distances is evaluated at distance 0.
 Complex limit(const Shape& shape, Side side, double direction) {
   const Curve fine = sample(shape, 1 << 16, side);
   const StressletSum layer({fine});
@@ -140,7 +140,7 @@ Complex limit(const Shape& shape, Side side, double direction) {
   return sum;
 }
 
-// sigma n of a velocity and a pressure at a point; derivatives by central differences of order 6.
+// Returns sigma n of a velocity and a pressure at a point, by central differences of order 6.
 Complex traction(const std::function<Complex(Complex)>& velocity, double pressure, Complex x,
                  Complex n) {
   const auto derivative = [&](Complex direction) {
@@ -154,7 +154,7 @@ Complex traction(const std::function<Complex(Complex)>& velocity, double pressur
                                       shear * n.real() + 2.0 * du2.imag() * n.imag()};
 }
 
-// Motion of one free body, by the dense reduced system.
+// Returns the motion of one free body, by the dense reduced system.
 RigidMotion motion_of(const StokesProblem& problem) {
   const DenseSystem system = assemble(problem, ClosureForm::reduced);
   const Eigen::VectorXd density = system.matrix.partialPivLu().solve(system.rhs);
@@ -201,7 +201,7 @@ void jump(Identities& identities) {
   //! [jump]
   const ComplexVector eta = some_density(body.size());
   const Complex on_curve = principal_value(body, eta)[0];
-  const double into_fluid = -1.0, into_body = +1.0;  // times n
+  const double into_fluid = -1.0, into_body = +1.0;  // factors of n
 
   identities.check("D eta, from the fluid", limit(Ellipse{2.0, 1.0}, body.side, into_fluid),
                    on_curve - 0.5 * eta[0]);
@@ -226,7 +226,7 @@ void flux_of_double_layer(Identities& identities) {
 void stokeslet_force(Identities& identities) {
   //! [force]
   const auto velocity = [](Complex x) { return stokeslet(x, force, mu, 1.0); };
-  ComplexVector f(body.size());  // by the body on the fluid: n points into the body
+  ComplexVector f(body.size());  // traction of the body on the fluid: n points into the body
   for (Eigen::Index j = 0; j < body.size(); ++j) {
     const double pressure = dot(body.x[j], force) / (2.0 * pi * std::norm(body.x[j]));
     f[j] = traction(velocity, pressure, body.x[j], normals(body)[j]);
@@ -268,13 +268,14 @@ void mobility(Identities& identities) {
   //! [mobility]
 }
 
-// Kernels as the documentation of other codes defines them; r, n and eta as in ours.
+// The kernels below are defined as in the documentation of other codes; r, n and eta are defined as
+// in this book.
 const Complex r{0.8, -0.3}, n = std::polar(1.0, 0.4), eta{0.2, 0.9};
 
 void nanorods(Identities& identities) {
   //! [nanorods]
-  const Complex lambda = force / mu;            // its Stokeslet strength
-  const double xi = -torque / (4.0 * pi * mu);  // its rotlet strength, clockwise
+  const Complex lambda = force / mu;            // Stokeslet strength of nanorods
+  const double xi = -torque / (4.0 * pi * mu);  // rotlet strength of nanorods, clockwise
   const double rho2 = std::norm(r);
   const Complex its_stokeslet =
       (-0.5 * std::log(rho2) * lambda + r * dot(r, lambda) / rho2) / (4.0 * pi);
@@ -287,8 +288,8 @@ void nanorods(Identities& identities) {
 void bie2d(Identities& identities) {
   //! [bie2d]
   const double s = body.sign();
-  const Complex outward = s * n;  // its normal always leaves the curve
-  const Complex tau = s * eta;    // its density
+  const Complex outward = s * n;  // the normal of bie2d always points outwards
+  const Complex tau = s * eta;    // the density of bie2d
   const double rho2 = std::norm(r);
   const Complex its_stokeslet =
       (std::log(1.0 / std::sqrt(rho2)) * force + r * dot(r, force) / rho2) / (4.0 * pi * mu);
@@ -300,7 +301,7 @@ void bie2d(Identities& identities) {
 
 void chunkie(Identities& identities) {
   //! [chunkie]
-  const Complex travel = imaginary * n;  // bodies run through clockwise: the fluid is on the left
+  const Complex travel = imaginary * n;  // clockwise on bodies: the fluid is on the left
   const Complex its_normal{travel.imag(), -travel.real()};  // right of the direction of travel
   const double rho2 = std::norm(r);
   const Complex its_double_layer = r * dot(r, eta) * dot(r, its_normal) / (pi * rho2 * rho2);
@@ -320,8 +321,8 @@ void fmm2d(Identities& identities) {
   //! [fmm2d]
 }
 
-// Midpoint rule for the integral over z from -reach to reach of a kernel of R = |(rho, z)|, with
-// z = rho sinh(t).
+// Returns the integral over z from -reach to reach of a kernel of R = |(rho, z)|, by the midpoint
+// rule in t, where z = rho sinh(t).
 Complex along_third_dimension(double rho, double reach,
                               const std::function<Complex(double)>& kernel) {
   constexpr int count = 400;
@@ -353,8 +354,8 @@ void sctl(Identities& identities) {
 
 void draft(Identities& identities) {
   //! [draft]
-  const Complex strength = force / (4.0 * pi * mu);  // its F
-  const double turn = torque / (4.0 * pi * mu);      // its L
+  const Complex strength = force / (4.0 * pi * mu);  // F of the draft
+  const double turn = torque / (4.0 * pi * mu);      // L of the draft
   const double rho2 = std::norm(r);
   const Complex its_stokeslet = -std::log(std::sqrt(rho2)) * strength + r * dot(r, strength) / rho2;
   identities.check("Stokeslet", its_stokeslet, stokeslet(r, force, mu, 1.0));

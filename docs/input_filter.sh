@@ -1,6 +1,6 @@
 #!/bin/sh
-# Prints a file as Doxygen reads it: what a header of src/fmm declares is in the group fmm, and the
-# text that follows @par Accuracy, @par Cost or @par Not for on the same line is not a title. Private
+# Prints a file as Doxygen reads it: the declarations of src/fmm are in the group fmm, and the text
+# that follows @par Accuracy, @par Cost or @par Not for on the same line is not a title. Private
 # members are hidden, because Doxygen 1.9 links to a list of private types that it does not write.
 folder=$(expr "$1" : '\(.*/src/[a-z_]*\)/.*[.]hpp$')
 room=${folder##*/}

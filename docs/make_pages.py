@@ -1,9 +1,9 @@
-"""Writes the pages that list what there is: chapters with their graph, and exercises.
+"""Writes the pages that list the chapters, with their graph, and the exercises.
 
 make_pages.py ROOT FOLDER
 
-Methods and what each adds are the table of the README; what a chapter builds on is what its first
-paragraph says. An exercise is there when its README.md is.
+The table of the README lists the methods and what each adds. The first paragraph of a chapter names
+the chapters that it builds on. An exercise is listed if it has a README.md.
 """
 
 import html
@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-# Place of each method in the graph: column and row. Arrows point down.
+# Each method has a column and a row in the graph. Arrows point down.
 PLACES = {
     "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 2),
     "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 3), "time_stepping": (0, 4),
@@ -21,7 +21,7 @@ LAST_COLUMN, LAST_ROW = 3, 7  # the last chapter, which uses all others, is as w
 
 
 def methods_of(root):
-    """Rows (number, method, what it adds) of the README's table."""
+    """Returns the rows (number, method, what it adds) of the README's table."""
     rows = re.findall(r"^\| (\d\d) \| `(\w+)` \| (.*?) \|", (root / "README.md").read_text(),
                       re.MULTILINE)
     assert len(rows) == len(PLACES), "the README's table of methods is not as expected"
@@ -29,7 +29,7 @@ def methods_of(root):
 
 
 def builds_on(root, methods):
-    """What each method's chapter builds on, directly or through other chapters: method -> set."""
+    """Returns the methods that each method builds on, directly or through others: method -> set."""
     names = {int(number): method for number, method, _ in methods}
     found = {}
     for number, method in sorted(names.items()):
@@ -43,7 +43,7 @@ def builds_on(root, methods):
 
 
 def direct_uses(uses, methods):
-    """What each method uses and does not already get through another one."""
+    """Returns the methods that each method uses and does not get through another method."""
     direct = {}
     for method in methods:
         used = uses[method]
@@ -52,14 +52,14 @@ def direct_uses(uses, methods):
 
 
 def box(method):
-    """Left, top and width of a method's box."""
+    """Returns the left, the top and the width of a method's box."""
     column, row = PLACES[method]
     width = LAST_COLUMN * PITCH + WIDTH if row == LAST_ROW else WIDTH
     return column * PITCH + 2, row * ROW + 2, width
 
 
 def arrow(used, user):
-    """From the bottom of one box to the top of another, which is below."""
+    """Draws an arrow from the bottom of one box to the top of another box, which is below."""
     left, top, width = box(used)
     x1, y1 = left + width / 2, top + HEIGHT
     left, y2, width = box(user)
@@ -90,7 +90,7 @@ def graph(methods, uses):
 
 
 def exercises_of(root):
-    """Rows (chapter's number, exercise's number, README.md), in order."""
+    """Returns rows (chapter's number, exercise's number, README.md), in order."""
     found = []
     for readme in (root / "chapters").glob("*/exercises/*/README.md"):
         chapter = readme.parents[2].name[:2]
@@ -100,13 +100,13 @@ def exercises_of(root):
 
 
 def exercise_page(chapter, exercise, text):
-    """An exercise's README as a page: with an anchor, and formulas as Doxygen reads them."""
+    """Returns an exercise's README as a page, with an anchor and with formulas for Doxygen."""
     title, _, body = text.partition("\n")
     parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", body, flags=re.MULTILINE | re.DOTALL)
-    for k in range(0, len(parts), 2):  # code stands at the odd places
+    for k in range(0, len(parts), 2):  # the parts with odd k are code
         parts[k] = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", parts[k], flags=re.DOTALL)
         parts[k] = re.sub(r"\$(.+?)\$", r"\\f$\1\\f$", parts[k], flags=re.DOTALL)
-        # Doxygen would end a paragraph, and with it what is folded, after the summary.
+        # Doxygen would end a paragraph, and with it the folded text, after the summary.
         parts[k] = re.sub(r"<details><summary>.*?</summary>|</details>",
                           r"\n@htmlonly[block]\n\g<0>\n@endhtmlonly\n", parts[k])
     return f"{title} {{#exercise_{chapter}_{exercise}}}\n{''.join(parts)}"

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int exit_claim_fails = 2, exit_io = 3;
 
-/// Studies in reading order.
+/// Returns all studies in reading order.
 std::vector<study::Study> all_studies() {
   return {trapezoid_study(),     double_layer_study(),  closure_study(), null_space_study(),
           krylov_study(),        near_singular_study(), stress_study(),  fmm_study(),
@@ -34,7 +34,7 @@ bool named(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// Keeps the experiments with these keys, and the studies that contain such an experiment. All
-/// lines of a selected experiment run, also those that the quick size skips.
+/// lines of a selected experiment run, even if the quick size would skip them.
 void keep_named(std::vector<study::Study>& studies, const std::vector<std::string>& keys) {
   std::set<std::string> known;
   for (study::Study& study : studies) {
@@ -84,7 +84,7 @@ int run_studies(const std::vector<study::Study>& studies, study::Size size,
 
 int main(int argc, char** argv) {
   using namespace stokesbook;
-  omp_set_num_threads(1);  // seconds compare methods at any load of the machine
+  omp_set_num_threads(1);  // makes measured seconds comparable at any load of the machine
   CLI::App app{"Checks the claims of the book; each method has one study"};
   std::vector<study::Study> studies = all_studies();
   std::vector<std::string> methods, known_methods, experiments;

@@ -135,7 +135,7 @@ class Plan(Program):
         self.assertIn("body 0 and body 1", result.stderr)
         self.assertIn("n_nodes", result.stderr)
         self.assertRegex(result.stdout, r"48 nodes; \d+ recommended")
-        # A gap of 2 is no difficulty for the solver, but it is narrower than the separation.
+        # A gap of 2 is not difficult for the solver, but it is narrower than the separation.
         contact = ("--set", 'time.method="euler"', "--set", "contact.minimum_separation=2.5")
         for how in [], ["--dry-run"]:
             result = self.run_scene(*how, *contact, "--out", "close", code=2)

@@ -31,7 +31,7 @@ RUN = [SCENES / "settling.toml", "--set", "time.t_final=2.0", "--set", "output.d
        "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 30 }"]
 
 
-# With many bodies, a written time has several pages of trajectory.csv, and little to compute.
+# With many bodies, a written time fills several pages of trajectory.csv; little is computed.
 CROWD = """
 [flow]
 kind = "shear"
@@ -141,7 +141,7 @@ class Interruptions(unittest.TestCase):
                         rows_of(path)
                 elif path.suffix in (".vtp", ".vti"):
                     reader = {".vtp": vtkXMLPolyDataReader, ".vti": vtkXMLImageDataReader}[path.suffix]
-                    if not path.name.startswith("contacts"):  # which may be empty
+                    if not path.name.startswith("contacts"):  # this file may be empty
                         self.assertTrue(vtk_reads(reader(), path))
                 elif path.suffix == ".svg":
                     xml.parse(path)

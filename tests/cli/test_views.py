@@ -1,4 +1,4 @@
-"""Tests the shipped scripts that read the files of a run, on the files of a run.
+"""Tests that the shipped scripts can read the files of a run.
 
 Usage: test_views.py PROGRAM SUSPENSION [unittest arguments]
 """

@@ -27,8 +27,8 @@ StokesProblem held_circle_problem(double radius, double mu) {
 
 BOOST_AUTO_TEST_SUITE(conditioning)
 
-// The draft's matrix on a circle has the singular values 1/2 and 1 of -1/2 + D, and the borders {1,
-// 2 pi a} of a translation and {a, 2 pi a^2} of a rotation.
+// The draft's matrix on a circle has the singular values 1/2 and 1 of -1/2 + D, the singular values
+// {1, 2 pi a} of the border of a translation, and {a, 2 pi a^2} of the border of a rotation.
 BOOST_AUTO_TEST_CASE(draft_depends_on_size) {
   const auto condition = [](double a) {
     return mean_square_condition(circle_problem(a), ClosureForm::draft_bordered);

@@ -1,4 +1,4 @@
-// Checks Stokes' paradox in the plane's resistance problem: with Stokeslets -log(r / ell), the
+// Checks Stokes' paradox in the plane resistance problem: with Stokeslets -log(r / ell), the
 // resistance of a circle of radius sqrt(e) ell does not exist (03.12). With zero net force and a
 // free uniform velocity (03.14), the problem is regular at every scale.
 
@@ -16,8 +16,8 @@ StokesProblem held_circle(double radius, double gauge) {
   return {{held_body(Circle{radius}, 32, {{0.2, 0.1}}, {1.0, 0.0})}, 1.3, {}, gauge};
 }
 
-// Three bodies are held in motions that do not balance, and one body is pushed, in a unit of
-// length.
+// Three bodies are held in motions that do not balance, and a force pushes one body. All lengths
+// are multiples of `length`.
 StokesProblem held_and_pushed(double length) {
   const auto at = [&](double x, double y, double angle) {
     return Pose{length * Complex{x, y}, angle};
@@ -70,7 +70,8 @@ BOOST_AUTO_TEST_CASE(free_uniform_velocity_has_no_unit) {
     const StokesProblem problem = held_and_pushed(length);
     BOOST_TEST(condition_number(assemble(problem, ClosureForm::reduced).matrix) == condition,
                boost::test_tools::tolerance(1e-9));
-    // Velocities grow with the length, but the push does not: rescales the solution of unit length.
+    // The held bodies' velocities grow with the length, but the force on the free body does not.
+    // The expected solution is the rescaled solution of a problem of unit length.
     const Completion scaled = solve_dense(problem, ClosureForm::reduced);
     StokesProblem expected = held_and_pushed(1.0);
     expected.components[2].force /= length;
@@ -111,7 +112,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_every_gauge) {
   }
 }
 
-// A single held body feels no force: the body drags all of the fluid along and keeps its torque.
+// The force on a single held body is zero, because the uniform velocity of the fluid equals the
+// body's velocity. The torque is the same as with a gauge.
 BOOST_AUTO_TEST_CASE(lone_held_body) {
   const RigidMotion motion{{0.7, -0.2}, 1.5};
   const StokesProblem problem{{held_body(Circle{0.8}, 32, {{1, 1}}, motion)}, 1.3, {}, {}};

@@ -1,5 +1,5 @@
-// Checks that the three forms of the closure are one problem: they give the same motions, loads and
-// flow for held and free bodies together, for any right-hand side of a free body's border rows.
+// Checks that the three forms of the closure are equivalent: the forms give the same motions, loads
+// and flow for held and free bodies together, for any right-hand side of a free body's border rows.
 
 #include <boost/test/unit_test.hpp>
 
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(border_of_free_bodies_may_hold_anything) {
   }
 }
 
-// The sum of the matrix-free parts must be the product with the matrix of assemble().
+// If all data are multiplied by -2, the solution must be multiplied by -2.
 BOOST_AUTO_TEST_CASE(right_hand_side_and_system_are_linear) {
   const StokesProblem problem = mixed_problem();
   const Completion once = solve_dense(problem, ClosureForm::reduced);

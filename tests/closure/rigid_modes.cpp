@@ -60,8 +60,8 @@ BOOST_AUTO_TEST_CASE(is_idempotent_and_orthogonal) {
   }
 }
 
-// The projected field is the same for every centre; only the point of the reported velocity
-// differs.
+// The projected field is the same for every centre. The reported velocities differ, because each
+// is the velocity of the field at its own centre.
 BOOST_AUTO_TEST_CASE(does_not_depend_on_the_centre) {
   for (const Shape& shape : shapes) {
     const Curve curve = placed(shape);
@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_centre) {
 BOOST_AUTO_TEST_CASE(gyration_radius) {
   const RigidModes circle(sample(Circle{0.4}, 32, Side::fluid_outside), 0.0);
   BOOST_TEST(circle.gyration_radius() == 0.4, boost::test_tools::tolerance(1e-15));
-  // <|x|^2> over a 2:1 ellipse, where uneven arclength reduces a^2 + b^2: by adaptive quadrature.
+  // The midpoint rule computes <|x|^2> over a 2:1 ellipse. The mean over the arclength is smaller
+  // than (a^2 + b^2) / 2, the mean over the parameter t.
   const RigidModes ellipse(sample(Ellipse{2, 1}, 128, Side::fluid_outside), 0.0);
   double moment = 0.0, length = 0.0;
   const int steps = 20000;

@@ -1,6 +1,6 @@
-// Checks the eigenvalues of the reduced operator -1/2 + D - P (03.10): on an ellipse those of the
-// double layer, known in closed form, with the null space of rigid motions moved to -1; on a circle
-// only -1 and -1/2.
+// Checks the eigenvalues of the reduced operator -1/2 + D - P (03.10). On an ellipse, P moves the
+// eigenvalue of the rigid motions from 0 to -1, and the other eigenvalues are those of -1/2 + D,
+// which are known in closed form. On a circle, all eigenvalues are -1 or -1/2.
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 # cmake -DSOURCE=<root of the project> -DBUILD=<its build folder> -DCXX=<compiler>
 #       -DCXX_FLAGS=<flags of the whole build, such as sanitizers> -P consumer.cmake
-# builds and runs a small project of its own, against the installed package and around the sources.
+# builds and runs a small project, with the installed package and with the sources as a subproject.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -10,10 +10,10 @@ file(REMOVE_RECURSE ${folder}/installed ${folder}/moved ${folder}/package ${fold
 set(configure ${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/tests/consumer/project
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
 
-# The project has none of the libraries' options, so it is compiled for any CPU: what it shares with
-# libraries compiled for this one must agree all the same.
+# The small project has none of the libraries' options, so it is compiled for any CPU. The data that
+# it shares with libraries compiled for this CPU must still agree.
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
-file(RENAME ${folder}/installed ${folder}/moved)  # as one may do with a package
+file(RENAME ${folder}/installed ${folder}/moved)  # users may move a package
 run(${configure} -B ${folder}/package -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(${CMAKE_COMMAND} --build ${folder}/package)
 foreach(program IN ITEMS one_library fast_sum mobility)

@@ -1,7 +1,7 @@
 """Renders pages in a headless Chromium and reports their faults.
 
 render.py FOLDER [PAGE...]                      checks all or some pages of FOLDER
-render.py FOLDER --screenshots TO [PAGE...]     saves them for people: light, dark, and on a phone
+render.py FOLDER --screenshots TO [PAGE...]     saves pictures of pages: light, dark, phone
 """
 
 import base64

@@ -46,8 +46,8 @@ minimum_separation = 0.05
 [output]
 formats = ["csv", "html"]
 """
-RADIUS, OMEGA = 2.0, 0.3  # of the wall
-TIP = 0.45 * 1.2  # of the star, from its centre
+RADIUS, OMEGA = 2.0, 0.3  # radius and angular velocity of the wall
+TIP = 0.45 * 1.2  # distance of the star's tip from its centre
 SIZE = (900, 700)
 # After two frames, the browser has drawn the current state of the page.
 DRAWN = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
@@ -155,7 +155,7 @@ class Animation(unittest.TestCase):
             radius = tab.evaluate("0.7 * player.view.scale")
             seen[dark] = [self.colour_at(*at) for at in [(x, y), (x + radius, y), (3, 3)]]
             self.assertEqual(len({tuple(colour) for colour in seen[dark]}), 3, seen)
-        self.assertEqual(seen[False][0], seen[True][0])     # the colour of a speed
+        self.assertEqual(seen[False][0], seen[True][0])     # both show the colour of a speed
         self.assertGreater(sum(seen[False][1]), sum(seen[True][1]) + 200)
         self.assertEqual(seen[False][2], seen[True][2])     # nothing is drawn there
 

@@ -15,8 +15,8 @@ using test::largest;
 
 namespace {
 
-// The limits have coarse_nodes nodes. The sum off the curve has refinement times as many, which
-// resolve distances of 1e-3.
+// The limits have coarse_nodes nodes. The sum off the curve has coarse_nodes * refinement nodes,
+// which resolve distances of 1e-3.
 constexpr Index coarse_nodes = 256, refinement = 512;
 
 ComplexVector analytic_density(Index n) {

@@ -20,7 +20,8 @@ namespace {
 const Complex unit_normal = std::polar(1.0, 0.8), node_density{0.3, -1.1}, force{1.0, 0.5};
 constexpr double viscosity = 1.3, gauge = 0.7, torque = -0.9;
 
-// A kernel as a flow about the origin, with the force and torque that it exerts on the fluid.
+// Holds a kernel as a flow about the origin, with the force and torque that the kernel exerts on
+// the fluid.
 struct Flow {
   std::function<Complex(Complex)> velocity;
   std::function<double(Complex)> pressure;
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
 }
 
 BOOST_AUTO_TEST_CASE(force_and_torque_through_a_circle) {
-  // The body pushes the fluid by F, and so does the traction -sigma nu on the fluid's inner
+  // The force F on the fluid is the integral of the traction -sigma nu over the fluid's inner
   // boundary, with nu outward. The circle's centre is not the singularity.
   const Complex centre{0.2, -0.1};
   constexpr int n = 96;

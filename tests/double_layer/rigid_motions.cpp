@@ -17,7 +17,8 @@ struct Case {
   Shape shape;
   Eigen::Index n;
 };
-// These node counts resolve the kernel to rounding: m^N with m = (a - b) / (a + b) for ellipses.
+// These node counts resolve the kernel to rounding: the error for ellipses is m^N with
+// m = (a - b) / (a + b).
 const std::vector<Case> cases = {
     {Circle{0.7}, 16}, {Ellipse{2.0, 1.0}, 40}, {Ellipse{0.4, 1.2}, 64}, {Star{1.0, 0.2, 5}, 200}};
 
@@ -55,8 +56,8 @@ BOOST_AUTO_TEST_CASE(off_the_curve) {
 }
 
 BOOST_AUTO_TEST_CASE(the_residual_measures_resolution) {
-  // The error of D v is an alias from modes N apart, m^N for an ellipse, and so must the residual
-  // decay.
+  // The error of D v is an aliasing error from modes N apart, which is m^N for an ellipse. The
+  // residual must decay at the same rate.
   const double m = 5.0 / 7.0;
   double previous = 0.0;
   for (Eigen::Index n : {24, 32, 40, 48}) {

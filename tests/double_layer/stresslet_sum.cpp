@@ -21,8 +21,8 @@ namespace {
 
 using Extended = std::complex<long double>;
 
-// The sum by its definition in extended precision, and the sum of the terms' moduli, to which
-// rounding errors are relative.
+// Holds the sum, computed by its definition in extended precision, and the sum of the terms'
+// moduli. Rounding errors are relative to the sum of the moduli.
 struct ReferenceSum {
   Complex velocity;
   double terms = 0.0;
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(streamed_and_stored_are_the_sum_of_the_kernels) {
 }
 
 BOOST_AUTO_TEST_CASE(any_number_of_targets_and_sources) {
-  // The numbers lie around the sizes of the pairs, vectors, chunks and blocks that the loops
+  // The numbers are close to the sizes of the pairs, vectors, chunks and blocks that the loops
   // process.
   for (Index n : {4, 6, 18, 510, 512, 514, 1030}) {
     const std::vector<Curve> curves = {sample(Ellipse{1.0, 0.6}, n, Side::fluid_outside)};
@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_targets_and_sources) {
 }
 
 BOOST_AUTO_TEST_CASE(pairs_count_as_half_a_weight_apart_at_least) {
-  // The nodes of neighbouring circles face each other, at gaps above and below half a weight, and
-  // zero.
+  // The nodes of neighbouring circles face each other. The gaps are above half a weight, below half
+  // a weight, and zero.
   for (Index n : {32, 34}) {
     const Curve left = sample(Circle{1.0}, n, Side::fluid_outside);
     const double half_weight = 0.5 * weights(left)[0];
@@ -150,7 +150,8 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   omp_set_num_threads(threads_before);
 }
 
-// The targets lie off the nodes, and on a node, whose distance is bounded from below.
+// Two targets lie off the nodes. One target lies on a node: the kernel bounds the distance from
+// below.
 BOOST_AUTO_TEST_CASE(matrix_is_the_same_map) {
   const std::vector<Curve> curves = scene(1.0);
   const StressletSum sum(curves);

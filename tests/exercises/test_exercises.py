@@ -293,7 +293,7 @@ class Author(Tool):
             self.assertIn(message, self.prove({**right, variant: planted}, code=1))
 
     def test_proof_of_a_wrong_answer_that_passes(self):
-        """A program runs the solution if it does not know the variant."""
+        """A program runs the solution if it has no variant of the given name."""
         program = BUILD / PLACE / "variants"
         self.tool("prove", ALIASING, program)
         source = (ALIASING / "exercise.cpp").read_text()

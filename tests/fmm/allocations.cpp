@@ -8,7 +8,7 @@
 #include "fmm/fmm.hpp"
 #include "support/point_sets.hpp"
 
-// operator new calls the libraries' malloc, which GCC cannot know.
+// operator new calls the libraries' malloc, but GCC cannot see this call.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 
 namespace {

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(one_body_one_node_one_force) {
                                 sum(density)) < bound);
     }
   }
-  // A box without extent lies far from its targets, and among them.
+  // The box of a single source has no extent. The source lies among its targets, or far from them.
   const Complex force{0.3, -0.4};
   for (const double scale : {1e-6, 1.0, 1e6}) {
     for (const Complex place : {Complex{0.123, 0.234}, Complex{60.0, 50.0}}) {
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(any_length) {
   }
 }
 
-// All nodes coincide, or many nodes lie at each place, so that leaves consist of one place.
+// All nodes coincide, or many nodes lie at each place, so all points of a leaf lie at one place.
 BOOST_AUTO_TEST_CASE(coincident_nodes) {
   const ComplexVector density = random_vector(600, 3);
   for (const Index places : {1, 2, 100}) {
@@ -98,8 +98,9 @@ BOOST_AUTO_TEST_CASE(coincident_nodes) {
   }
 }
 
-// Expansions never treat a pair whose distance the kernel bounds: with leaves of one point, heavy
-// nodes, and targets next to and on nodes, the sum equals the direct sum.
+// Expansions never treat a pair whose distance the kernel bounds from below. The sum equals the
+// direct sum for leaves of one point, for nodes with large weights, and for targets next to and on
+// nodes.
 BOOST_AUTO_TEST_CASE(targets_within_half_a_weight) {
   const ComplexVector nodes = random_vector(400, 1), density = random_vector(400, 2);
   ComplexVector targets(400);

@@ -13,7 +13,8 @@ using Eigen::Index;
 
 namespace {
 
-// Counts how often each pair of points is summed: targets are rows, in the order of the trees.
+// Counts how often each pair of points is summed. The rows of the result are the targets, and the
+// columns are the sources, in the order of the trees.
 Eigen::MatrixXi counts(const Quadtree& targets, const Quadtree& sources,
                        const Interactions& interactions) {
   Eigen::MatrixXi count = Eigen::MatrixXi::Zero(targets.size(), sources.size());

@@ -1,5 +1,5 @@
 // Checks that every point is in one leaf, and that every box holds its points with their margins,
-// for any places.
+// wherever the points lie.
 #include "fmm/quadtree.hpp"
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Checks each step from sources to velocities alone against the kernels: expansion about the
+// Checks each step from sources to velocities separately against the kernels: expansion about the
 // sources (08.6), translation, conversion (08.10), translation of the local expansion (08.13),
 // evaluation.
 #include "fmm/translations.hpp"
@@ -30,7 +30,7 @@ Expansion zero() {
   return Expansion::Zero(4, order + 1);
 }
 
-// Some nodes and a point force in a disk, and their exact flow.
+// Holds some nodes and a point force in a disk, and evaluates their exact flow.
 struct Sources {
   explicit Sources(const Box& disk, unsigned seed = 1) : box(disk) {
     const ComplexVector random = random_vector(12, seed), n = random_vector(12, seed + 1),
@@ -137,7 +137,8 @@ BOOST_AUTO_TEST_CASE(multipole_to_multipole) {
   }
 }
 
-// Converts (08.10) any number of boxes at once, with the logarithms on both sides of their cut.
+// Converts (08.10) any number of boxes at once. The arguments of the logarithms lie on both sides
+// of the branch cut.
 BOOST_AUTO_TEST_CASE(multipole_to_local) {
   const Translations translations(order);
   const Box target = disk({0.1, 0.2}, 0.8);

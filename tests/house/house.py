@@ -1,6 +1,7 @@
 """Checks the rules of the house: which room may use which, and which files a commit may contain.
 
-Functions of violations take the root of a tree and return the violations that they find, as text.
+The functions use_violations, folder_violations and file_violations take the root of a tree and
+return the violations that they find, as text.
 """
 
 import pathlib
@@ -104,7 +105,7 @@ def use_violations(root):
 
 
 def folder_violations(root):
-    """Compares includes in src/suspension with its folders' order; finds folders that grow."""
+    """Compares includes in src/suspension with its folders' order; finds too large folders."""
     suspension, violations = root / "src" / "suspension", []
     for source in sorted([*suspension.rglob("*.hpp"), *suspension.rglob("*.cpp")]):
         name, folder = source.relative_to(root).as_posix(), source.parent.name

@@ -120,7 +120,7 @@ class PlantedTree(unittest.TestCase):
 
     def test_machine_path(self):
         for folder in ["work", "root", "home", "tmp"]:
-            path = "/" + folder + "/scene.toml"  # in two pieces, for the check of this very file
+            path = "/" + folder + "/scene.toml"  # in pieces: the check also reads this file
             self.plant("src/trapezoid/curve.cpp", f'// \n const char* scene = "{path}";\n')
             self.assertEqual(house.file_violations(self.root),
                              [f"src/trapezoid/curve.cpp:2 contains a path of one machine, {path[:-5]}"])

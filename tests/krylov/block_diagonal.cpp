@@ -33,8 +33,8 @@ std::shared_ptr<const MatrixXd> inverse_of(const Shape& shape, Index n, Componen
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(mixed_shapes_in_any_orientation) {
-  // More components share one block than are turned at once, among others, and a wall has its own
-  // block.
+  // More components share the slender block than the preconditioner processes at once. The stars
+  // share another block, and the wall has its own block.
   const Shape slender = Ellipse{1.0, 0.2}, star = Star{0.5, 0.2, 3}, wall = Ellipse{6.0, 4.0};
   const auto slender_inverse = inverse_of(slender, 32, ComponentKind::free_body);
   const auto star_inverse = inverse_of(star, 48, ComponentKind::free_body);

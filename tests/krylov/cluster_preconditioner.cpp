@@ -82,7 +82,7 @@ StokesProblem moving_disks(std::size_t count) {
   return problem;
 }
 
-// Returns the sum of the disks' forces over 4 pi mu, if their Stokeslets have a gauge length.
+// Returns the sum of the disks' forces over 4 pi mu, for Stokeslets with a given gauge length.
 double force_of_disks(std::size_t count, double gauge) {
   StokesProblem problem = moving_disks(count);
   problem.gauge_length = gauge;
@@ -100,7 +100,8 @@ double force_of_disks(std::size_t count, double gauge) {
 BOOST_AUTO_TEST_SUITE(cluster_preconditioner)
 
 BOOST_AUTO_TEST_CASE(uncompressed_clusters_of_all_free_bodies_are_the_inverse) {
-  // The Gram matrices resolve all directions but those below the square root of rounding.
+  // The Gram matrices resolve all directions except those with singular values below the square
+  // root of rounding.
   const double tight = 1e-24;
   for (const ClusterForm form : {ClusterForm::mobility, ClusterForm::resistance}) {
     BOOST_TEST(error_of_inverse(pair(ComponentKind::free_body), form, tight) < 1e-8);

@@ -103,8 +103,8 @@ BOOST_AUTO_TEST_CASE(the_inverse_as_preconditioner_takes_one_iteration) {
 }
 
 BOOST_AUTO_TEST_CASE(as_many_iterations_as_distinct_eigenvalues) {
-  // The matrix is diagonalisable with 2, 4 and 7 distinct eigenvalues, the degree of its minimal
-  // polynomial.
+  // The matrix is diagonalisable with 2, 4 and 7 distinct eigenvalues. The number of distinct
+  // eigenvalues is the degree of the minimal polynomial.
   const Index n = 84;
   const MatrixXd modes = orthogonal_matrix(n, 11) + 0.2 / 9.0 * normal_matrix(n, n, 12);
   const VectorXd b = normal_matrix(n, 1, 13);

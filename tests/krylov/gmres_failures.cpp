@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_throw) {
     b[2] = bad;
     BOOST_CHECK_THROW(gmres(map_of(MatrixXd::Identity(4, 4)), {}, b, {1e-10, 500}),
                       std::domain_error);
-    // The numbers are wrong from the second application on, so that the message must count
-    // iterations.
+    // The second application returns a number that is not finite, so the message must contain the
+    // number of this iteration.
     int applications = 0;
     const LinearMap spoilt = [&](const VectorXd& v) -> VectorXd {
       VectorXd w = v + v.reverse() + VectorXd::LinSpaced(4, 0.0, 1.0);

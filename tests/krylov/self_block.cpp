@@ -46,8 +46,8 @@ double largest(const MatrixXd& matrix) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(eigenvalues_of_a_circle_are_minus_one_and_minus_one_half) {
-  // The three rigid modes and the normal mode have the eigenvalue -1, by P or F of a body and by D
-  // or N_0 of a wall. All others have -1/2, for any radius.
+  // The three rigid modes and the normal mode have the eigenvalue -1, because of P or F on a body,
+  // and because of D or N_0 on a wall. All other modes have the eigenvalue -1/2, for any radius.
   for (ComponentKind kind : all_kinds) {
     for (double radius : {1e-3, 1.0, 1e3}) {
       const MatrixXd block =

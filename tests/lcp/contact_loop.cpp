@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(without_contact_nothing_is_asked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(a_point_against_a_disk_ends_at_the_nearest_point) {
-  // With B = 1 the end is the projection of the free end onto the circle.
+  // With the mobility B = 1, the point ends at the projection of its free end onto the circle.
   for (const double slip : {0.0, 0.1, 0.4, -0.7}) {
     const VectorXd start = vector2(1.5, 0.0), free = vector2(-1.0, slip);
     const ContactStep step = point_and_disk(start, free, 1.0);
@@ -65,8 +65,9 @@ BOOST_AUTO_TEST_CASE(a_point_against_a_disk_ends_at_the_nearest_point) {
   }
 }
 
-// Forces act along x at any place of the point. From (1/2, 2/5) to the circle the loop is Newton's
-// method for g(f) = |(1/2 + f, 2/5)| - 1, whose errors are e -> g'' e^2 / (2 g').
+// Forces act along x at any place of the point. The free end is (1/2, 2/5), and the loop is
+// Newton's method for g(f) = |(1/2 + f, 2/5)| - 1 = 0. Each iteration changes the error from e to
+// g'' e^2 / (2 g').
 BOOST_AUTO_TEST_CASE(convergence_is_quadratic) {
   ContactStep step = pushed_along_x();
   step.tolerance = 1e-15;
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_sol
   BOOST_TEST(from_near.iterations == 1);
   BOOST_TEST(largest(from_near.velocity - from_free.velocity) < 1e-11);
   BOOST_TEST(from_near.violations.front() == from_free.violations.front());
-  // A guess with contact brings no contact to a free motion without contact.
+  // If the free motion has no contact, the solution has no contact either, whatever the guess is.
   step.free_velocity = vector2(1.0, 0.0);
   const ContactResult open = resolve_contact(step);
   BOOST_TEST(open.iterations == 0);
@@ -102,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_sol
 }
 
 BOOST_AUTO_TEST_CASE(forces_along_another_direction_than_the_gradient) {
-  // Forces act along x: the end is on the circle, displaced along x from the free end.
+  // Forces act along x, so the point ends on the circle, displaced along x from its free end.
   ContactStep step = pushed_along_x();
   step.tolerance = 1e-13;
   const ContactResult result = resolve_contact(step, {.open_gap = 1e-9});
@@ -169,8 +170,8 @@ BOOST_AUTO_TEST_CASE(contact_takes_energy_and_never_gives_any) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_of_the_free_motion_that_is_open_at_the_solution_carries_no_force) {
-  // A point falls onto a floor at 0. Only the free motion meets the ceiling of a cellar below the
-  // floor, between -1 and -0.5.
+  // A point falls onto a floor at 0. A second contact exists only for ends below -0.5, such as the
+  // end of the free motion at -1.
   ContactStep step = step_of(VectorXd::Constant(1, -2.0), 1.0, MatrixXd::Identity(1, 1),
                              [](const VectorXd& velocity) {
                                const double end = 1.0 + velocity[0];
@@ -209,8 +210,8 @@ BOOST_AUTO_TEST_CASE(a_force_of_an_earlier_iteration_is_taken_back) {
 }
 
 BOOST_AUTO_TEST_CASE(a_linear_problem_without_solution_is_clipped) {
-  // The first gap requires U <= 1. The second gap, linearised at U* = 2, requires U >= 2.61; at U =
-  // 0 both gaps are satisfied.
+  // The first gap requires U <= 1. The second gap, linearised at U* = 2, requires U >= 2.61. Both
+  // gaps are open at U = 0.
   ContactStep step = step_of(
       VectorXd::Constant(1, 2.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
         const double u = velocity[0];
@@ -228,7 +229,8 @@ BOOST_AUTO_TEST_CASE(a_linear_problem_without_solution_is_clipped) {
 }
 
 BOOST_AUTO_TEST_CASE(points_that_take_turns_need_earlier_rows) {
-  // The rod rests on both ends: U = 0 from U* = (-1, 0.3), and each end carries a part of the load.
+  // The rod rests on both ends: the contact forces change the free velocity U* = (-1, 0.3) to
+  // U = 0, and each end carries a part of the load.
   const ContactStep step = rod(vector2(-1.0, 0.3));
   const ContactResult result = resolve_contact(step);
   BOOST_TEST(resolved(result));
@@ -253,9 +255,9 @@ BOOST_AUTO_TEST_CASE(all_earlier_rows_come_back_not_only_the_last) {
 }
 
 BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
-  // The row that U* violates requires 0.6. Then another point is deepest, and Newton's method
-  // halves U on its way to 0. The gap stays open for more iterations than the number after which
-  // rows come back.
+  // The row that U* = -1 violates requires U >= 0.6. Then another point is the deepest point, and
+  // Newton's method halves U in every iteration until U is close to 0. The gap stays open for more
+  // than restore_rows_after iterations.
   ContactStep step = step_of(
       VectorXd::Constant(1, -1.0), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
         const double u = velocity[0];
@@ -277,7 +279,8 @@ BOOST_AUTO_TEST_CASE(rows_come_back_only_where_some_are_violated) {
 BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
   int iterations = 0, steps = 0, halvings = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
-    // A lattice of 4 x 4 disks almost in contact is driven to its middle and at random.
+    // The disks form a 4 x 4 lattice and are almost in contact. The free velocity of every disk is
+    // directed to the middle of the lattice, plus a random velocity.
     const Index n = 32;
     VectorXd centres(n);
     for (Index k = 0; k < 16; ++k) {
@@ -317,7 +320,7 @@ BOOST_AUTO_TEST_CASE(crowds_are_resolved_by_the_step_or_by_halving_it) {
 }
 
 BOOST_AUTO_TEST_CASE(units_change_nothing) {
-  // The units are powers of two, so that not a bit differs.
+  // The units are powers of two, so the results must agree in every bit.
   const double length = 8.0, time = 0.25, force = 128.0;
   const Index n = 8;
   const MatrixXd mobility = random_mobility(n, 3);

@@ -1,5 +1,5 @@
-// Checks that the contact loop ends on every input, and that it states the reason where it gives
-// up.
+// Checks that the contact loop ends on every input, and that the loop states the reason if it
+// fails.
 #include <limits>
 
 #include <boost/test/unit_test.hpp>
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(points_that_take_turns_without_earlier_rows) {
 }
 
 BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
-  // With half the gradient, every iteration overshoots by as much as it had to correct.
+  // With half the gradient, the correction of every iteration is twice the required correction.
   const ContactResult result = resolve_contact(misled(0.5), {.restore_rows_after = 100});
   BOOST_TEST((result.status == ContactStatus::open_gap));
   BOOST_TEST(agrees(result));
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_force_across_an_open_gap) {
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_is_gone_is_open) {
-  // Every call names the contact anew, so that no force finds its gap again.
+  // Every call gives the contact a new key, so the loop cannot find the gap of an earlier force.
   ContactStep step = misled(1.0);
   step.rows = [rows = step.rows, call = 0](const VectorXd& velocity) mutable {
     ContactRows result = rows(velocity);
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_response_that_the_quadrature_does_not_see) {
 }
 
 BOOST_AUTO_TEST_CASE(forces_that_cannot_open_their_gaps_together) {
-  // Each force opens its own gap and closes the other gap by as much.
+  // Each force opens its own gap and closes the other gap by the same amount.
   const MatrixXd gradient = MatrixXd::Identity(2, 2), forces = matrix2(1.0, -1.0, -1.0, 1.0);
   const ContactStep step =
       step_of(vector2(-1.0, -1.0), 1.0, MatrixXd::Identity(2, 2), [=](const VectorXd& velocity) {

@@ -1,6 +1,6 @@
-// Compares Lemke's method with an enumeration of all 2^m sets of contacts, which gives every
-// solution with a regular M_AA: Lemke's solution is in the list, and Lemke's method reports a ray
-// (11.5) exactly where no solution exists.
+// Compares Lemke's method with an enumeration of all 2^m sets of contacts, which lists every
+// solution with a regular M_AA. The list must contain Lemke's solution, and Lemke's method must
+// report a ray (11.5) exactly if no solution exists.
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
@@ -45,7 +45,8 @@ MatrixXd small_integers(Index rows, Index columns, std::mt19937& generator) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(semidefinite_problems_of_integers) {
-  // The problems are full of ties, duplicates and empty rows; about half have no solution.
+  // The problems have many ties, duplicates and empty rows. About half of the problems have no
+  // solution.
   std::mt19937 generator(1);
   int without = 0, with = 0, degenerate = 0;
   for (int trial = 0; trial < 2000; ++trial) {
@@ -78,7 +79,8 @@ BOOST_AUTO_TEST_CASE(semidefinite_problems_of_integers) {
 }
 
 BOOST_AUTO_TEST_CASE(any_matrix_at_all) {
-  // A ray proves nothing for such matrices, but a solution must fulfil the problem.
+  // For such matrices, a problem with a ray may have a solution, so the test ignores rays. If
+  // Lemke's method returns a solution, the solution must fulfil the problem.
   std::mt19937 generator(2);
   int found = 0;
   for (int trial = 0; trial < 1000; ++trial) {

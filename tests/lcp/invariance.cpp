@@ -1,5 +1,5 @@
-// Checks that units, of single rows or of all rows, and the order of the rows change no verdict, no
-// count and no residual.
+// Checks that status, number of iterations and residual do not depend on the units, of single rows
+// or of all rows, and that the solution does not depend on the order of the rows.
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/scaled_problem.hpp"
@@ -40,7 +40,8 @@ BOOST_AUTO_TEST_CASE(units_of_single_rows) {
 }
 
 BOOST_AUTO_TEST_CASE(units_of_all) {
-  // The unit of length is 2^20 and that of force 2^-40, which multiply M and q by a factor each.
+  // All lengths are multiplied by 2^20 and all forces by 2^-40. Therefore M is multiplied by 2^60,
+  // and q by 2^20.
   for (const PlantedLcp& lcp : suite()) {
     const LcpProblem other{std::exp2(60.0) * lcp.problem.matrix,
                            std::exp2(20.0) * lcp.problem.offset};

@@ -1,5 +1,5 @@
-// Checks problems with answers by hand, with every solver: which problems a solver must solve, and
-// which it must report as not solved.
+// Checks every solver on problems that can be solved by hand: the solver must solve some problems,
+// and must report the others as not solved.
 #include <limits>
 #include <stdexcept>
 
@@ -44,7 +44,8 @@ BOOST_AUTO_TEST_CASE(offsets_that_are_not_negative_are_solved_by_zero) {
 }
 
 BOOST_AUTO_TEST_CASE(many_solutions) {
-  // The solutions are all z_0 + z_1 = 1, and all z_0 - z_1 = 1.
+  // The solutions of the first problem are all z >= 0 with z_0 + z_1 = 1, and the solutions of the
+  // second problem are all z >= 0 with z_0 - z_1 = 1.
   for (const auto& [name, solve] : solvers()) {
     const LcpResult sum = solve(two(1.0, 1.0, 1.0, 1.0, -1.0, -1.0), {});
     BOOST_TEST(solved(sum), name);
@@ -56,8 +57,9 @@ BOOST_AUTO_TEST_CASE(many_solutions) {
 }
 
 BOOST_AUTO_TEST_CASE(no_solution_is_never_reported_as_one) {
-  // The problems are 0 z = 1; two bodies that are pushed through each other from both sides; and
-  // the same in other units, where the second row is negligible without scaling.
+  // The first problem is 0 z = 1. In the second problem, two bodies are pushed through each other
+  // from both sides. The third problem is the second problem in other units: without scaling, its
+  // second row is negligible.
   const LcpProblem problems[] = {one(0.0, -1.0), two(1.0, -1.0, -1.0, 1.0, -1.0, -1.0),
                                  two(1e8, -1.0, -1.0, 1e-8, -1e4, -1e-4)};
   for (const LcpProblem& problem : problems) {
@@ -106,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_chain_of_four_hundred) {
   BOOST_TEST(solved(newton));
   BOOST_TEST(newton.iterations <= 10);
   BOOST_TEST(largest(newton.z - VectorXd::Ones(400)) < 1e-7);
-  // One step moves the ends of the set that is in contact by one.
+  // One iteration moves each end of the set of contacts by one index.
   BOOST_TEST(!solved(minimum_map_newton(chain(400))));
   const LcpResult patient = minimum_map_newton(chain(400), {.max_iterations = 400});
   BOOST_TEST(solved(patient));
@@ -140,8 +142,8 @@ BOOST_AUTO_TEST_CASE(too_few_pivots_are_reported) {
 }
 
 BOOST_AUTO_TEST_CASE(a_problem_on_which_exchanges_of_single_indices_cycle) {
-  // In Murty's problem z = 1/3. Sets of contacts may go {1}, {1, 2}, {2}, {2, 3}, {3}, {3, 1}, {1}
-  // when one index at a time changes its side.
+  // Murty's problem has the solution z = 1/3 in all components. If a solver exchanges one index at
+  // a time, the sets of contacts can cycle: {1}, {1, 2}, {2}, {2, 3}, {3}, {3, 1}, {1}.
   MatrixXd matrix(3, 3);
   matrix << 1.0, 2.0, 0.0, 0.0, 1.0, 2.0, 2.0, 0.0, 1.0;
   const LcpProblem problem{matrix, -VectorXd::Ones(3)};

@@ -1,6 +1,6 @@
-// Checks random problems with planted solutions, 30 % of whose pairs are degenerate: definite,
-// singular, nearly repeating, as ill conditioned as Hilbert's matrix, in mixed units, not
-// symmetric.
+// Checks random problems with planted solutions, 30 % of whose pairs are degenerate. The matrices
+// are definite, singular, with nearly equal rows, as ill conditioned as Hilbert's matrix, in mixed
+// units, or not symmetric.
 #include <boost/test/unit_test.hpp>
 
 #include "lcp/scaled_problem.hpp"
@@ -16,7 +16,8 @@ Index size_of(unsigned seed) {
   return 4 + static_cast<Index>(seed * 7919u % 57u);
 }
 
-// Returns problems with every kind of matrix that contact produces, and with worse matrices.
+// Returns problems with every kind of matrix that contact produces, and with more difficult
+// matrices.
 std::vector<PlantedLcp> problems_of(unsigned seed) {
   const Index m = size_of(seed);
   const MatrixXd definite = definite_matrix(m, seed), rank = semidefinite_matrix(m, m / 4, seed);
@@ -131,8 +132,8 @@ BOOST_AUTO_TEST_CASE(fischer_newton_solves_nearly_all) {
       BOOST_TEST(result.residual < 1e-6, lcp.name << ", seed " << seed);
     }
   }
-  // The exceptions among 900 problems are as ill conditioned as Hilbert's matrix, or nearly repeat
-  // rows and are singular.
+  // The unsolved problems among 900 problems have matrices that are as ill conditioned as Hilbert's
+  // matrix, or singular matrices with nearly equal rows.
   BOOST_TEST(unsolved <= 4);
   BOOST_TEST(most <= 100);
 }

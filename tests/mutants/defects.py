@@ -107,7 +107,7 @@ class Source:
         for i, token in enumerate(self.tokens):
             text = token.text
             if text in (")", "]", "}"):
-                while self.at(open_brackets[-1]) == "<":  # this < is no template bracket
+                while self.at(open_brackets[-1]) == "<":  # this < is not a template bracket
                     open_brackets.pop()
                 self.partner[i] = open_brackets.pop()
                 self.partner[self.partner[i]] = i

@@ -41,7 +41,7 @@ const std::vector<SolvedCase> solved_cases = {
     {"container 2:1 in extension", Ellipse{2.0, 1.0}, Side::fluid_inside, 64, extension},
     {"container 10:1", Ellipse{1.0, 0.1}, Side::fluid_inside, 512, outer_poles}};
 
-// One curve, with the Cauchy data of a flow's density.
+// Holds one curve, with the Cauchy data of a flow's density.
 struct Solved {
   explicit Solved(const SolvedCase& c)
       : curve(sample(c.shape, c.n, c.side)),
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(on_the_nodes_and_next_to_them) {
       return Complex{std::nextafter(node.real(), 9.0), node.imag()};
     });
     BOOST_TEST(largest(solved.velocity(beside) - at_nodes) < accuracy * size);
-    // The value does not depend on the targets that are evaluated together.
+    // The value at a target does not depend on the other targets of the same call.
     BOOST_TEST(solved.velocity(nodes.segment(1, 1))[0] == at_nodes[1]);
   }
 }
@@ -117,7 +117,7 @@ double derivative_error(const SolvedCase& c, const Solved& solved, const Complex
                                 c.side);
 }
 
-// The measured errors are up to 2.5e-12, by three differentiations with N modes each.
+// The measured errors are up to 2.5e-12, because N modes are differentiated three times.
 BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
   for (const SolvedCase& c : solved_cases) {
     const Solved solved(c);
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(derivatives_at_any_distance) {
   }
 }
 
-// The rows are the same map as data() and velocity(), also next to the curve and on a node.
+// The rows compute the same map as data() and velocity(), also next to the curve and on a node.
 BOOST_AUTO_TEST_CASE(rows_of_the_cauchy_scheme) {
   for (const SolvedCase& c : solved_cases) {
     if (c.n > 128) continue;

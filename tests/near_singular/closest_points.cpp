@@ -1,5 +1,5 @@
-// Checks the least distance of two curves for any places of their nodes: gaps of circles to
-// rounding, and gaps of other shapes against a search.
+// Checks the least distance of two curves for any places of their nodes. Gaps of circles are exact
+// to rounding, and gaps of other shapes are compared with a search.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -28,8 +28,8 @@ double golden_minimum(const Function& f, double low, double high) {
   return f(0.5 * (low + high));
 }
 
-// Searches the gap by brute force: all pairs of fine nodes, then nested searches near the best
-// pair.
+// Searches the gap by brute force: compares all pairs of fine nodes, then refines the search near
+// the best pair.
 double searched_gap(const SmoothCurve& a, const SmoothCurve& b) {
   constexpr int n = 720;
   constexpr double step = 2.0 * std::numbers::pi / n;
@@ -123,15 +123,15 @@ BOOST_AUTO_TEST_CASE(a_circle_in_a_circular_container) {
 BOOST_AUTO_TEST_CASE(other_shapes_against_a_search) {
   const Shape slender = Ellipse{1.0, 0.1}, round = Ellipse{0.8, 0.5}, star = Star{1.0, 0.3, 5};
   const std::vector<std::pair<SmoothCurve, SmoothCurve>> pairs = {
-      // tip to flank, flank to flank, oblique
+      // The ellipses lie tip to flank, flank to flank, and oblique.
       {smooth_body(slender, 96, {0.0, 0.0}, 0.0), smooth_body(slender, 96, {1.13, 0.2}, 1.5)},
       {smooth_body(slender, 96, {0.0, 0.0}, 0.3), smooth_body(slender, 96, {-0.06, 0.21}, 0.31)},
       {smooth_body(round, 32, {-1.0, 0.4}, 2.0), smooth_body(slender, 64, {0.9, -0.2}, -0.4)},
-      // a disk deep in a valley, touched nearly by both flanks; a tip before a tip
+      // A disk deep in a valley nearly touches both flanks. A tip faces a tip.
       {smooth_body(star, 128, {0.0, 0.0}, 0.1),
        smooth_body(Circle{0.25}, 32, std::polar(1.06, 0.73), 0.0)},
       {smooth_body(star, 128, {0.0, 0.0}, 0.0), smooth_body(star, 96, {2.61, 0.02}, 3.1)},
-      // bodies in containers, one of them with walls that bulge inward
+      // Bodies lie in containers. One of the containers has walls that bulge inward.
       {smooth_body(round, 32, {0.4, 0.1}, 0.5),
        smooth_curve(Ellipse{2.0, 1.0}, 64, Side::fluid_inside, {}, 0.2)},
       {smooth_curve(Star{2.0, 0.3, 5}, 160, Side::fluid_inside, {}, 0.0),

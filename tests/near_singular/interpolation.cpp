@@ -24,7 +24,7 @@ using test::outer_poles;
 
 namespace {
 
-// The flow of a 2:1 ellipse, with the scheme.
+// Holds the flow of a 2:1 ellipse, with the scheme.
 struct InterpolatedFlow {
   InterpolatedFlow(Side side, Index n, const InterpolationSettings& settings)
       : flow(side == Side::fluid_inside ? outer_poles : inner_poles),
@@ -73,7 +73,8 @@ BOOST_AUTO_TEST_CASE(the_tolerance_is_met_where_the_curve_resolves_the_flow) {
 }
 
 // With the published parameters the error is about 1e-6 at N = 128 (specification, table of section
-// A) and largest at half a spacing. Nearer to the curve the error is proportional to the distance.
+// A), and is largest at half a spacing. Nearer to the curve the error is proportional to the
+// distance.
 BOOST_AUTO_TEST_CASE(published_parameters) {
   const InterpolatedFlow outside(Side::fluid_outside, 128, InterpolationSettings::published(128));
   BOOST_TEST(outside.worst() < 1e-5);

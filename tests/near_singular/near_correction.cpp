@@ -25,7 +25,7 @@ std::shared_ptr<const CauchyCurve> reference(const Shape& shape, Index n, Side s
   return std::make_shared<CauchyCurve>(sample(shape, n, side));
 }
 
-// Curves with a smooth density on each, and all nodes in order.
+// Holds curves with a smooth density on each, and all nodes in order.
 struct Assembly {
   explicit Assembly(std::vector<PlacedCurve> placed_curves) : placed(std::move(placed_curves)) {
     for (const PlacedCurve& p : placed) {
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(points_of_the_fluid) {
   BOOST_TEST(near(bodies.density)[3] == 0.0);
 }
 
-// Stored rows are the same correction; the automatic choice stores rows for few targets only.
+// Stored rows give the same correction. The automatic choice stores rows for few targets only.
 BOOST_AUTO_TEST_CASE(explicit_rows) {
   for (double gap : {1e-1, 1e-4, 1e-8}) {
     const Assembly bodies = pair(gap, 0.3, 1.0);

@@ -1,4 +1,4 @@
-// Checks pressure, vorticity and strain (06.16) of several curves: the values are those of an exact
+// Checks pressure, vorticity and strain (06.16) of several curves. The values are those of an exact
 // flow at any distance and on the nodes, turn with the curves, and have the same bits for any
 // number of threads.
 #include <cmath>
@@ -22,7 +22,7 @@ using test::largest;
 
 namespace {
 
-// Each body has its own exact flow: the sum of the flows is the sum of all double layers.
+// Each body has its own exact flow, and the sum of these flows is the sum of all double layers.
 struct TwoBodies {
   explicit TwoBodies(double gap) {
     const Curve ellipse = sample(Ellipse{1.0, 0.5}, 160, Side::fluid_outside);

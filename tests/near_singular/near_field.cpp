@@ -51,7 +51,7 @@ ComplexVector random_targets(const TestedCurve& c, Index count) {
   return targets;
 }
 
-// The trapezoid rule's errors for an exact flow at random targets, relative to the density.
+// Holds the trapezoid rule's errors for an exact flow at random targets, relative to the density.
 struct Errors {
   explicit Errors(const TestedCurve& c)
       : curve(sample(c.shape, c.n, c.side)), targets(random_targets(c, 3000)) {

@@ -25,7 +25,7 @@ StokesProblem concentric(double inner, double outer, const RigidMotion& motion, 
 
 BOOST_AUTO_TEST_SUITE(couette)
 
-// The flow u = A r + B / r has L = 4 pi mu B; the dissipation is the work of both walls.
+// The flow u = A r + B / r has the torque L = 4 pi mu B. The dissipation is the work of both walls.
 BOOST_AUTO_TEST_CASE(reference_C6) {
   const StokesProblem problem = concentric(1.0, 2.5, {0.0, 0.4}, -0.7, 1.3);
   for (const ClosureForm form : all_forms) {
@@ -47,12 +47,13 @@ BOOST_AUTO_TEST_CASE(velocity_profile_C6) {
   const std::vector<Curve> curves{problem.components[0].curve, problem.components[1].curve};
   const ComplexVector velocity = StressletSum(curves)(point, deinterleaved(solution)) +
                                  Closure(problem).singular_velocity(result, point);
-  // 128 nodes at a distance of 0.7 from the inner circle: the trapezoid rule's error is about
+  // With 128 nodes and a distance of 0.7 from the inner circle, the trapezoid rule's error is about
   // exp(-68).
   BOOST_TEST(std::abs(velocity[0] + 0.77588235294117647 * perp(direction)) < 1e-13);
 }
 
-// F (log(R/a) - (R^2 - a^2)/(R^2 + a^2)) = 4 pi mu U, and L (1/a^2 - 1/R^2) = 4 pi mu omega.
+// The closed forms are F (log(R/a) - (R^2 - a^2)/(R^2 + a^2)) = 4 pi mu U and
+// L (1/a^2 - 1/R^2) = 4 pi mu omega.
 BOOST_AUTO_TEST_CASE(circle_in_a_container) {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     const double a = 0.8 * scale, radius = 2.1 * scale, mu = 1.3;

@@ -1,7 +1,7 @@
 // Checks that N_0 (04.6) on a wall moves the eigenvalue of the normal from 0 to -1, at any length
 // of the wall, and no other eigenvalue: a circle has condition number 2. Without N_0 the matrix is
-// singular. With the draft's unscaled \int n(x) n(y) . eta ds the condition number is the wall's
-// length in any unit.
+// singular. With the draft's unscaled \int n(x) n(y) . eta ds the condition number depends on the
+// wall's length, and therefore on the unit of length.
 
 #include <boost/test/unit_test.hpp>
 
@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(condition_number_2_with) {
   }
 }
 
-// + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 moves the eigenvalue to the length: 5.3, 38, 3770.
+// The draft's term + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 moves the eigenvalue from 0 to the
+// wall's length. The condition numbers are 5.3, 38 and 3770.
 BOOST_AUTO_TEST_CASE(condition_number_of_the_draft) {
   const auto condition = [](double radius) {
     const Curve wall = circle(radius);

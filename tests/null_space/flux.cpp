@@ -1,6 +1,6 @@
 // Checks that double layers carry no net flux through the boundary, \int n . (-1/2 + D) eta ds = 0
-// for any density on the wall and on the bodies within (04.3). Bounded problems therefore have no
-// solution for one dimension of data, which N_0 must supply.
+// for any density on the wall and on the bodies within (04.3). Double layers alone therefore cannot
+// represent one dimension of the data of bounded problems, which N_0 must supply.
 
 #include <boost/test/unit_test.hpp>
 
@@ -70,7 +70,8 @@ BOOST_AUTO_TEST_CASE(no_net_flux_through_the_boundary) {
   BOOST_TEST(std::abs(result.through[0] + result.through[1] + result.through[2]) < 1e-12);
 }
 
-// The flux through every body is minus the flux of the body's own density: holes contain sources.
+// The flux through every body is minus the flux of the body's own density. A density can therefore
+// represent a source in a hole.
 BOOST_AUTO_TEST_CASE(flux_through_bodies) {
   const LayerFlux result = layer_flux(boundary());
   for (const std::size_t body : {std::size_t{1}, std::size_t{2}}) {

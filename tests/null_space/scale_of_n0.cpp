@@ -9,7 +9,8 @@
 namespace stokesbook::test {
 namespace {
 
-// A Couette cell holds a free ellipse and a free circle, in a unit of length, with n nodes on each.
+// A Couette cell holds a free ellipse and a free circle. All lengths are multiples of `length`, and
+// each curve has n nodes.
 StokesProblem cell(double length, Eigen::Index n) {
   const auto at = [&](Complex position, double angle) { return Pose{length * position, angle}; };
   return {{held_body(Circle{length}, n, at(0, 0), {0.0, 0.4}),
@@ -41,7 +42,8 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_it) {
   }
 }
 
-// The recommended system has the same condition number in any unit of length; the draft's has not.
+// The recommended system has the same condition number in any unit of length. The condition number
+// of the draft's system depends on the unit.
 BOOST_AUTO_TEST_CASE(conditioning_in_any_unit) {
   const auto recommended = [](double length) {
     return condition_number(assemble_bounded(cell(length, 32), ClosureForm::reduced).matrix);

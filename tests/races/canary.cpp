@@ -1,6 +1,6 @@
-// Runs two parallel loops: the first adds to a number without a lock on request, the second reads
-// results of the first after a barrier. The thread sanitizer must report the former and accept the
-// latter.
+// Runs two parallel loops. The first loop adds to a number without a lock if the program has an
+// argument; the thread sanitizer must report these additions. The second loop reads results of the
+// first loop after a barrier; the thread sanitizer must accept this.
 #include <cstdio>
 #include <vector>
 
@@ -15,7 +15,7 @@ int main(int argc, char**) {
   }
 #pragma omp parallel for
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (i % 2 == 1) values[i] += values[i - 1];  // perhaps of another thread
+    if (i % 2 == 1) values[i] += values[i - 1];  // another thread may have written values[i - 1]
   }
   std::printf("%g %g\n", sum, values.back());
   return 0;

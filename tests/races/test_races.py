@@ -1,8 +1,8 @@
-"""Tests that threads access no number unordered: runs parallel loops under the thread sanitizer.
+"""Tests that the program has no data races: runs parallel loops under the thread sanitizer.
 
 Clang's OpenMP reports its barriers to the sanitizer (libarcher); GCC's does not, so this build uses
-Clang. The sanitizer detects only accesses that a run has made in code of this project: neither in
-libraries of the system, nor in loops that no scene here enters.
+Clang. The sanitizer detects only accesses that a run has made in code of this project. It checks
+neither libraries of the system nor loops that no scene here enters.
 """
 
 import os

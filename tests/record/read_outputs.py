@@ -140,7 +140,7 @@ def check_polydata(path, t):
 
 
 def check_network(path, t):
-    """Lines go from one centre by the contact point to the other centre or the wall."""
+    """Lines go from one centre through the contact point to the other centre or the wall."""
     polydata = read_vtk(vtkXMLPolyDataReader(), path)
     expected = contacts(round(7 * t))
     assert polydata.GetNumberOfCells() == polydata.GetNumberOfLines() == len(expected)

@@ -113,7 +113,8 @@ Frame sample_frame(int k) {
                            .force = {t / 3.0, j + 1.0 / 9.0},
                            .torque = -t});
   }
-  // No contact, one between the bodies, or a further one between a body and the outer wall.
+  // There is no contact, one contact between the bodies, or a further one between a body and the
+  // outer wall.
   const ContactParty star{.is_wall = false, .number = 1};
   for (std::size_t j = 0; j < static_cast<std::size_t>(k % 3); ++j) {
     frame.contacts.push_back({.a = star,

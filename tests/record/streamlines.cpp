@@ -1,4 +1,4 @@
-// Tests streamlines: lines of known flows, even cover, and the ends of lines.
+// Tests the streamlines of known flows, whether lines cover the field evenly, and where lines end.
 
 #include "record/streamlines.hpp"
 
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
     BOOST_TEST(line.closed == (radius < 0.97), "radius " << radius);
     closed += line.closed ? 1 : 0;
     if (!line.closed) continue;
-    // The line goes round once: its ends meet up to a step.
+    // The line goes round once: its ends meet up to the length of a step.
     const double turns =
         static_cast<double>(line.points.size()) * 0.0125 / (2.0 * std::numbers::pi * radius);
     BOOST_TEST(turns > 0.93);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(rotation_makes_circles) {
 }
 
 // On a coarse grid, lines are much closer to each other than grid points, and their last steps
-// leave the grid by far.
+// end far outside the grid.
 BOOST_AUTO_TEST_CASE(lines_closer_than_points_end_at_the_edge) {
   for (const Complex direction : {Complex{1.0, 0.0}, Complex{-1.0, 0.3}, Complex{0.2, -1.0}}) {
     const Field field = square([&](Complex) { return direction; }, 5);

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_setting) {
   BOOST_TEST(message("tme.dt=1") == "--set tme.dt: tme: unknown key, did you mean 'time'?");
   BOOST_TEST(message("fill.0.count=5") ==
              "--set fill.0.count: fill: must be an array of tables: write [[fill]], not a table");
-  // Values that are not overridden keep their place in the file in error messages.
+  // Error messages still give the place in the file of values that are not overridden.
   BOOST_TEST(message("time.tolerance=1") ==
              "--set time.tolerance: time.tolerance = 1: must be a number from 1e-13 to 0.1");
   BOOST_TEST(error_of(disk("n_nodes = 31\n"), {"seed=1"}).starts_with("s.toml:3:11: "));

@@ -84,13 +84,13 @@ BOOST_AUTO_TEST_CASE(wants_distinct_neighbours) {
 
 BOOST_AUTO_TEST_CASE(finds_edges_that_meet) {
   Points points = octagon;
-  points[2] = {0, -2};  // through the opposite side
+  points[2] = {0, -2};  // edges 1 and 2 cross the opposite side
   BOOST_TEST(fault_of(points) == "1: " + meets + "[0, -1]");
-  points[2] = {0.5, -1};  // onto it
+  points[2] = {0.5, -1};  // the point lies on the opposite side
   BOOST_TEST(fault_of(points) == "1: " + meets + "[0, -1]");
-  points[2] = points[6];  // onto a corner
+  points[2] = points[6];  // the point lies on another corner
   BOOST_TEST(fault_of(points) == "1: " + meets + "[-1, -1]");
-  // edges 0 and 4 overlap on one line
+  // Edges 0 and 4 overlap on one line.
   BOOST_TEST(fault_of(Points{{1, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 0}, {2, 0}, {-1, -1}, {-1, 1}}) ==
              "0: " + meets + "[4, 0]");
 }
@@ -103,9 +103,9 @@ BOOST_AUTO_TEST_CASE(finds_spikes) {
 
 BOOST_AUTO_TEST_CASE(wants_the_origin_inside) {
   BOOST_TEST(fault_of(star(0.0, {1.5, 0.0})) == misses_origin);
-  BOOST_TEST(fault_of(moved(octagon, {0.5, 1.0})) == misses_origin);   // it lies on an edge
-  BOOST_TEST(fault_of(moved(octagon, {1.0, 1.0})) == misses_origin);   // it is a corner
-  BOOST_TEST(fault_of(moved(vessel, {-2.0, -0.5})) == misses_origin);  // it is a corner, turned in
+  BOOST_TEST(fault_of(moved(octagon, {0.5, 1.0})) == misses_origin);   // 0 is on an edge
+  BOOST_TEST(fault_of(moved(octagon, {1.0, 1.0})) == misses_origin);   // 0 is a corner
+  BOOST_TEST(fault_of(moved(vessel, {-2.0, -0.5})) == misses_origin);  // 0 is a reentrant corner
   BOOST_TEST(fault_of(moved(vessel, {0.0, -1.0})) == misses_origin);   // above the floor, outside
 }
 

@@ -244,8 +244,8 @@ BOOST_AUTO_TEST_CASE(contact_settings) {
   BOOST_TEST((contact("minimum_separation = '0.05h'\nallow_close = true") ==
               ContactSettings{0.05, true, true}));
   BOOST_TEST((contact("minimum_separation = '2.5e-1h'") == ContactSettings{0.25, true, false}));
-  // Automatic nodes have no spacing, which a separation in lengths does not require. The same holds
-  // for the nodes of walls.
+  // Automatic nodes of bodies have no spacing, but a separation in lengths requires none. A
+  // separation in spacings allows automatic nodes of walls.
   const std::string automatic = disk("n_nodes = 'auto'\n");
   BOOST_TEST(contact("minimum_separation = 0.01", automatic).minimum_separation == 0.01);
   const std::string wall =

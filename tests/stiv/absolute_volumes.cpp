@@ -1,5 +1,5 @@
-// Checks the volume by absolute velocities (10.11), which depends on the observer, and beside it
-// the relative volume, which does not.
+// Checks the volume by absolute velocities (10.11), which depends on the observer, and the relative
+// volume, which does not depend on the observer.
 #include <boost/test/unit_test.hpp>
 
 #include "steps.hpp"
@@ -38,7 +38,7 @@ Contact relative(double velocity_a, double velocity_b) {
 
 }  // namespace
 
-// All three cases are one relative motion: b approaches a by 0.4.
+// All three cases have the same relative motion: b approaches a by 0.4.
 BOOST_AUTO_TEST_CASE(one_relative_motion_seen_by_three_observers) {
   const AbsoluteVolume together = absolute(0.2, -0.2), hit = absolute(0.4, 0.0),
                        chase = absolute(0.8, 0.4);

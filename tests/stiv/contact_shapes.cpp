@@ -1,4 +1,5 @@
-// Checks polygons in place of curves: the sag (10.1) within its limit, few vertices, and gaps.
+// Checks polygons that replace curves: the sag (10.1) is within its limit, the polygons have few
+// vertices, and the error of a gap is less than two sags.
 #include <cmath>
 #include <limits>
 #include <numbers>

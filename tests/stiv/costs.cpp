@@ -1,5 +1,5 @@
-// Counts the cost of a search: queries a vertex for any polygon size, speed and tolerance; pairs
-// and queries in proportion to the number of bodies.
+// Counts the cost of a search. The number of queries a vertex has a bound for any polygon size,
+// speed and tolerance; pairs and queries are in proportion to the number of bodies.
 #include <cmath>
 #include <numbers>
 
@@ -47,14 +47,14 @@ BOOST_AUTO_TEST_CASE(sliding_along_a_wall) {
       step.add(disk, {{{-3.0, 1.5 + separation + above}, 0.0}, {2.0, 0.0}, 0.0});
       const Interferences found = interferences(step, {{separation}, tolerance});
       BOOST_TEST(found.admits_step());
-      // Within the tolerance of the separation, steps are half the separation: only these steps are
-      // many.
+      // Within the tolerance of the separation, the steps are half the separation. Only these steps
+      // are many.
       BOOST_TEST(queries_a_vertex(found.cost) < 4.0 + 2.0 * 2.0 / separation);
     }
   }
 }
 
-// Slow approaches at a slant end after few steps too, at any tolerance.
+// Slow approaches at a slant also end after few steps, at any tolerance.
 BOOST_AUTO_TEST_CASE(slanting_approaches) {
   const auto wall = body(Superellipse{10.0, 1.0, 20}, 2000), disk = body(Circle{0.5}, 256);
   for (double slope : {1.0, 1e-1, 1e-2, 1e-3}) {
@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(linear_in_the_number_of_bodies) {
     pairs.push_back(static_cast<double>(cost.pairs) / (side * side));
     queries.push_back(static_cast<double>(cost.queries) / (side * side));
   }
-  // Bodies at the border have fewer neighbours; their share halves where the side doubles.
+  // Bodies at the border have fewer neighbours. The share of these bodies halves if the side
+  // doubles.
   for (const std::vector<double>& count : {pairs, queries}) {
     BOOST_TEST(count[2] - count[1] < 0.8 * (count[1] - count[0]));
     BOOST_TEST(count[2] < 1.3 * count[0]);

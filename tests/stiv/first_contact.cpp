@@ -1,5 +1,5 @@
-// Checks first contact times against closed forms: approaches head-on and oblique, at any speed;
-// turning bodies, containers, walls that move; and steps without contact.
+// Checks first contact times against closed forms: approaches head-on and oblique, at any speed,
+// turning bodies, containers, and walls that move. Also checks steps without contact.
 #include <cmath>
 #include <numbers>
 
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(circles_head_on_and_oblique) {
         BOOST_REQUIRE(contacts.size() == 1u);
         const double apart = std::sqrt((2.0 + delta) * (2.0 + delta) - aside * aside);
         const double exact = (6.0 - apart) / (2.0 * travel);
-        // Polygons lie within their circles, and meet later.
+        // Polygons lie within their circles, and therefore meet later.
         const double normal_speed = 2.0 * travel * apart / (2.0 + delta);
         const double late = (first_time(contacts) - exact) * normal_speed;
         BOOST_TEST(late > -1.01 * tolerance);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_turning_ellipse_sweeps_a_circle) {
     step.paths[0].rotation = turn;
     BOOST_TEST(!interferences(step, rules()).admits_step());
   }
-  // The circle may turn by any angle.
+  // The circle may turn by any angle without contact.
   Step turned = step;
   turned.paths[0].rotation = 0.0;
   turned.paths[1].rotation = -std::numbers::pi;
@@ -176,7 +176,8 @@ BOOST_AUTO_TEST_CASE(containers_and_walls_that_move) {
       const double late = first_time(contacts) * travel - way;
       BOOST_TEST(late > -1.05 * wall->sag - tolerance);
       BOOST_TEST(late < 1.05 * disk->sag);
-      // Far outside, the disk meets nothing else: the force points inwards.
+      // Outside the wall the disk meets no other part of the wall, so that all forces point
+      // inwards.
       for (const ContactRow& row : contacts[0].rows) BOOST_TEST(row.normal.real() < 0.0);
       BOOST_TEST(std::abs(least_gap(contacts) - (way - travel)) < 1e-3 * travel);
     }

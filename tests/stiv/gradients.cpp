@@ -38,7 +38,7 @@ std::vector<ContactRow> rows(const Step& step) {
   return rows;
 }
 
-// A motion of one component changes a row's gap by the wrench on the component.
+// Holds a motion of one component. The motion changes a row's gap by the wrench on the component.
 struct Motion {
   std::size_t component;
   Complex shift;
@@ -88,7 +88,7 @@ std::map<RowKey, Touch> touches_after(Step step, const Motion& motion, double si
 
 }  // namespace
 
-// The whole search is repeated for each difference, so that times and touched points move too.
+// The whole search is repeated for each difference, so that times and touched points also change.
 BOOST_AUTO_TEST_CASE(derivatives_by_finite_differences) {
   constexpr double h = 1e-5;
   for (const Step& step : steps()) {

@@ -1,6 +1,6 @@
-// Checks the paths of a step: relative places (10.2), bounds of speed (10.4) and straying that hold
-// and are nearly sharp, and the rectangles and pairs of the broad phase against a comparison of
-// all.
+// Checks the paths of a step: relative places (10.2), and bounds of speed (10.4) and straying that
+// hold and are nearly sharp. Compares the rectangles and pairs of the broad phase with a comparison
+// of all components.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -81,7 +81,8 @@ BOOST_AUTO_TEST_CASE(bounds_of_speed_and_straying) {
   BOOST_TEST(tightest_stray > 0.9);
 }
 
-// Checks each term of the straying alone: a turning observer, a passed observer, a turning body.
+// Checks each term of the straying alone: an observer that turns, an observer whom the body passes,
+// and a body that turns.
 BOOST_AUTO_TEST_CASE(each_cause_of_straying) {
   const Complex x{0.3, 0.1};
   const auto ratio = [&](const RigidPath& a, const RigidPath& b) {

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(chords_that_keep_clear) {
     std::size_t near = 0, crossing = 0;
     for (Index k = 0; k + 1 < ends.size(); ++k) {
       const Chord chord{ends[k], ends[k] + 0.3 * (ends[k + 1] - ends[k])};
-      // Along the chord the distance changes at most as fast as the place.
+      // Along the chord the distance changes at most as fast as the place on the chord.
       constexpr int pieces = 400;
       const double piece = std::abs(chord.to - chord.from) / pieces;
       double least = infinity;

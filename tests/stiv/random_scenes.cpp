@@ -47,7 +47,7 @@ double speed_bound(const Step& step, const ComponentPair& pair) {
 }
 
 // Returns the first instant of a fine grid at which a pair is nearer than the separation, or 2 if
-// the pair never is. Skips instants at which the pair is certainly apart.
+// there is no such instant. Skips instants at which the pair is certainly apart.
 double first_instant(const Step& step, const ComponentPair& pair, double grid) {
   const double speed = speed_bound(step, pair);
   for (double tau = 0.0; tau <= 1.0;) {
@@ -76,7 +76,8 @@ void compare(const Step& step, Tally& tally) {
         if (contact.a == a && contact.b == b) contacts.push_back(contact);
       }
       if (instant > 1.0) {
-        // The pair is not near at any instant: there is no contact, up to events between instants.
+        // The pair is not near at any instant. There is no contact, except for events between
+        // instants.
         ++tally.contact_free;
         if (!contacts.empty()) {
           const double least = distance(step, pair, first_time(contacts));
@@ -87,13 +88,14 @@ void compare(const Step& step, Tally& tally) {
       }
       ++tally.near;
       if (contacts.empty()) {
-        // The pair has come near and left: the step is allowed if the pair is apart at the end.
+        // The pair has come near and left. The step is allowed if the pair is apart at the end.
         BOOST_TEST(end > separation - 1.01 * tolerance);
         ++tally.passed;
         continue;
       }
       ++tally.violated;
-      // The first contact is the first instant, up to vertices that come near and leave again.
+      // The first contact is at the first instant, except for vertices that come near and leave
+      // again.
       const double time = first_time(contacts);
       if (time > instant) {
         ++tally.later;
@@ -146,7 +148,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_missed_in_many_crowds_and_containers,
   compare_containers(6);
 }
 
-// An admitted step ends apart, also by the independent test of the end.
+// Checks by the independent test of the end that the components are apart after an admitted step.
 BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
   std::size_t admitted = 0, refused = 0;
   for (double travel : {0.02, 0.1, 0.5, 2.0}) {

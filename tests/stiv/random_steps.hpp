@@ -1,4 +1,5 @@
-// Crowds of circles, slender ellipses and stars, well apart, each body on its own path.
+// Builds crowds of circles, slender ellipses and stars, which are well apart. Each body has its own
+// path.
 #pragma once
 
 #include <numbers>
@@ -9,8 +10,9 @@
 
 namespace stokesbook::test {
 
-/// Returns components that are at least 0.05 apart at the start, the same in every run, with
-/// displacements and turns up to `travel`, in a star-shaped container if `enclosed`.
+/// Returns components that are at least 0.05 apart at the start. Displacements and turns are up to
+/// `travel`, and a star-shaped container is added if `enclosed`. The result is the same in every
+/// run.
 inline Step random_step(std::size_t count, unsigned seed, double travel, bool enclosed = false) {
   static const std::vector<std::shared_ptr<const ContactShape>> shapes{
       body(Circle{0.5}, 96), body(Ellipse{0.8, 0.08}, 160), body(Star{0.5, 0.3, 5}, 200),

@@ -63,7 +63,7 @@ void put(Eigen::RowVectorXd& row, std::size_t component, const Wrench& wrench) {
       wrench.force.imag(), wrench.torque;
 }
 
-// A row as a constraint on the motion: 0 <= bound + derivative u.
+// Holds a row as a constraint on the motion: 0 <= bound + derivative u.
 struct Constraint {
   Eigen::RowVectorXd derivative, force;
   double gap, bound;

@@ -1,6 +1,6 @@
-// Checks the rows of a contact: a single row where curves are curved, both ends where curves are
-// flat, a row a flank in a valley; near pairs keep a row; row names last from one iteration to the
-// next.
+// Checks the rows of a contact: there is a single row where curves are curved, a row at both ends
+// where curves are flat, and one row for each flank in a valley. Near pairs keep a row, and row
+// names last from one iteration to the next.
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(choices_of_rows) {
     least = std::min(least, row.gap);
   }
   BOOST_TEST(least_gap({deepest}) == least);
-  // The gap of the aggregate lies between, and its forces balance as well.
+  // The gap of the aggregate lies between this least gap and 0, and its forces balance as well.
   const ContactRow& mean = aggregate.rows[0];
   BOOST_TEST(mean.gap > least);
   BOOST_TEST(mean.gap < 0.0);
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_tip_in_a_valley) {
   for (const Contact& contact : contacts) {
     for (const ContactRow& row : contact.rows) sum += row.normal * std::conj(valley);
   }
-  // The flanks push evenly: the tip is pushed out along the valley.
+  // The flanks push almost equally, so that the tip is pushed out along the valley.
   BOOST_TEST(std::abs(sum.imag()) < 0.05 * std::abs(sum));
   BOOST_TEST(sum.real() < 0.0);  // the normal is the one on the first component
 }
@@ -203,7 +203,8 @@ std::vector<Contact> contacts_by_gaps(const std::vector<double>& gaps) {
                             RowChoice::deepest);
 }
 
-// The depths of two violations differ by less than a sag: there is one minimum, but a row for each.
+// The depths of two violations differ by less than a sag. There is one minimum, but each violation
+// has its own row.
 BOOST_AUTO_TEST_CASE(every_contact_has_a_row) {
   const std::vector<Contact> contacts = contacts_by_gaps({-3 * tolerance, 0.0, -2 * tolerance});
   BOOST_REQUIRE(contacts.size() == 2u);

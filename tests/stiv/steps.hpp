@@ -1,4 +1,4 @@
-// Steps of a few components, and functions of their contacts.
+// Defines steps of a few components, and functions of their contacts.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace stokesbook::test {
 
-/// Components with their paths.
+/// Holds components and their paths.
 struct Step {
   ContactShapes shapes;
   std::vector<RigidPath> paths;
@@ -39,7 +39,7 @@ inline std::vector<Contact> violated(const Interferences& found) {
   return contacts;
 }
 
-/// Returns the earliest first contact, or infinity without contacts.
+/// Returns the time of the earliest first contact, or infinity if there is no contact.
 inline double first_time(const std::vector<Contact>& contacts) {
   double time = INFINITY;
   for (const Contact& contact : contacts) {

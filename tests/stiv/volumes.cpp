@@ -12,7 +12,7 @@ namespace {
 
 constexpr double radius = 0.5;
 
-// Returns the volume of two circles that approach from well apart to a depth p.
+// Returns the volume of two circles that approach from a wide gap to a depth p.
 double volume(double delta, double depth, Eigen::Index m) {
   const double travel = 0.2;
   Step step;
@@ -27,8 +27,8 @@ double volume(double delta, double depth, Eigen::Index m) {
 
 }  // namespace
 
-// Both circles' vertices count: at a distance s from the axis the gap's depth is p - s^2 (1/a +
-// 1/(a + delta))/2.
+// The vertices of both circles count. At a distance s from the axis the gap's depth is
+// p - s^2 (1/a + 1/(a + delta))/2.
 BOOST_AUTO_TEST_CASE(the_volume_of_circles_grows_as_depth_to_three_halves) {
   for (double delta : {1e-3, 0.05}) {
     const double curvature = 0.5 * (1.0 / radius + 1.0 / (radius + delta));
@@ -37,8 +37,8 @@ BOOST_AUTO_TEST_CASE(the_volume_of_circles_grows_as_depth_to_three_halves) {
       BOOST_TEST(volume(delta, depth, 16384) == exact, boost::test_tools::tolerance(3e-3));
     }
   }
-  // Without the separation's own curvature the volume is 4/3 sqrt(a) p^(3/2) for each circle
-  // (10.7).
+  // If the curvature of the separation is neglected, the volume is 4/3 sqrt(a) p^(3/2) for each
+  // circle (10.7).
   const double published = -2.0 * 4.0 / 3.0 * std::sqrt(radius) * std::pow(1e-4, 1.5);
   BOOST_TEST(volume(1e-3, 1e-4, 16384) == published, boost::test_tools::tolerance(5e-3));
 }

@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(several_bodies_in_a_deforming_container) {
   BOOST_TEST(d.by_loads > 0.0);
 }
 
-// In an unbounded fluid, bodies whose forces balance do the work that the fluid dissipates.
+// The forces on the bodies in the unbounded fluid have the sum zero. The work of the loads is the
+// energy that the fluid dissipates.
 BOOST_AUTO_TEST_CASE(bodies_in_an_unbounded_fluid) {
   const StokesProblem problem{
       {test::free_body(Ellipse{1.0, 0.5}, 160, {{-1.3, 0.3}, 0.7}, {{1.0, -2.0}, 0.5}),

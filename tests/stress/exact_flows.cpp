@@ -38,7 +38,7 @@ struct Errors {
 };
 
 // Returns the largest errors relative to the largest values on the boundary. The pressure has a
-// free constant, so its error is that of differences.
+// free constant, so the function compares pressure differences.
 Errors errors_at(const SolvedFlow& solved, const ComplexVector& targets) {
   const std::vector<FlowDerivatives> found = solved.derivatives(targets);
   const ComplexVector velocity = solved.velocity(targets);

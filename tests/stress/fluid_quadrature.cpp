@@ -50,7 +50,7 @@ Case lopsided_body() {
           {centre}};
 }
 
-// A function that is analytic in the fluid, and its derivative.
+// Evaluates a function that is analytic in the fluid, and its derivative.
 struct Analytic {
   std::vector<Complex> poles;  // of order 1
   int power = 0;
@@ -67,7 +67,8 @@ struct Analytic {
   }
 };
 
-// Integrates |f'|^2 over the fluid, here by the rule, and below by Green's theorem.
+// Integrates |f'|^2 over the fluid by the quadrature rule. The next function computes the same
+// integral by Green's theorem.
 double by_rule(const FluidQuadrature& rule, const Analytic& f) {
   double sum = 0.0;
   for (Index i = 0; i < rule.points.size(); ++i) {
@@ -96,7 +97,7 @@ void check_area(const FluidQuadrature& rule, const std::vector<Curve>& curves) {
   BOOST_TEST(rule.weights.minCoeff() > 0.0);
 }
 
-// The measured errors are up to 2e-13 with 18 points a width.
+// The measured errors are up to 2e-13 with 18 points per width.
 void check_integrals(const Case& c) {
   const FluidQuadrature rule = fluid_quadrature(c.curves);
   BOOST_TEST_CONTEXT(c.name) {
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(areas_polynomials_and_poles_around_a_hollow,
   check_integrals(lopsided_body());
 }
 
-// The error falls with the spacing, so that a grid that is too coarse is visible.
+// The error decreases with the spacing, so a large error shows that the grid is too coarse.
 BOOST_AUTO_TEST_CASE(converges_with_the_grid) {
   const Case c = cases()[1];
   const Analytic f{c.poles, 3};

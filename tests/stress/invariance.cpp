@@ -16,7 +16,7 @@ using Eigen::Index;
 
 namespace {
 
-// The map of a configuration to another place, direction, unit of length, speed and viscosity.
+// Maps a configuration to another place, direction, unit of length, speed and viscosity.
 struct Change {
   Complex shift{};
   double turn = 0.0, length = 1.0, speed = 1.0, viscosity = 1.0;

@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   BOOST_TEST(corners[5].str() == corners[1].str());
   BOOST_TEST(corners[6].str() == corners[4].str());
 
-  // A line of order 0 is a level, not a slope.
+  // A line of order 0 is drawn as a horizontal line.
   Line& line = study.experiments[0].lines[0];
   line.claim->law = Algebraic{0.0};
   const StudyResult steep = run(study, Size::quick, progress);

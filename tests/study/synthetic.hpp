@@ -33,7 +33,7 @@ inline study::Claim claim_of(const study::Law& law, const study::Window& window 
   return {.id = "99_1", .statement = "a < b & c", .law = law, .window = window, .reason = "none"};
 }
 
-/// Returns a study with an experiment of a single claim, whose control errs by a factor x.
+/// Returns a study with an experiment of a single claim, whose control is wrong by a factor x.
 inline study::Study sample_study() {
   using namespace study;
   const auto second_order = [](Size) {

@@ -16,7 +16,7 @@ Scene automatic_pair(double gap, double tolerance) {
   return pair;
 }
 
-// A slender loaded body requires more nodes than its shape does, since the Stokeslet inside is
+// A slender loaded body requires more nodes than its shape alone, since the Stokeslet inside is
 // close to the boundary.
 Scene slender_beside_circle(int nodes_of_the_slender, int nodes_of_the_circle) {
   Scene both = with_gauge(scene({body(Ellipse{1, 0.25}, nodes_of_the_slender, {}, 0.3, {1.0, 0.2}),
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_cache_drops_the_shapes_that_were_not_used_lately) {
     BOOST_TEST(cache.size() <= 3u);
   }
   const auto latest = cache.get(Circle{1}, {98}, ComponentKind::free_body);
-  cache.get(Circle{1}, {94}, ComponentKind::free_body);  // used now, so that 96 is dropped first
+  cache.get(Circle{1}, {94}, ComponentKind::free_body);  // 94 is used again, so 96 is dropped first
   cache.get(Circle{1}, {34}, ComponentKind::free_body);
   BOOST_TEST((cache.get(Circle{1}, {98}, ComponentKind::free_body) == latest));
   const auto anew = cache.get(Circle{1}, {32}, ComponentKind::free_body);

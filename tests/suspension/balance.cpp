@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(loads_in_a_container) {
   }
 }
 
-// The flow has the given loads also if the bodies nearly touch, and a circle can only enclose both
-// of them.
+// The flow also has the given loads if the bodies nearly touch. A circle in the fluid then encloses
+// both bodies together, so the sum of their loads is measured.
 BOOST_AUTO_TEST_CASE(sum_of_close_loads) {
   Scene pair = scene({body(Circle{0.7}, 0, -0.705, 0.0, {{1.0, 0.4}, 0.3}),
                       body(Ellipse{0.7, 0.4}, 0, 0.705, 0.0, {{-0.2, 0.5}, -0.9})});

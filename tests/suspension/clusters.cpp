@@ -86,7 +86,8 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
   const Eigen::VectorXd sum = discrete.precondition(2.0 * v - 3.0 * w),
                         terms = 2.0 * discrete.precondition(v) - 3.0 * discrete.precondition(w);
   BOOST_TEST((sum - terms).norm() < 1e-8 * terms.norm());
-  // The operator maps a rigid motion of one body to its negative, and to zero on the other bodies.
+  // The operator maps a rigid motion of one body to the negative motion on this body, and to zero
+  // on the other bodies.
   ComplexVector motion = ComplexVector::Zero(n / 2);
   const Component& component = discrete.problem.components[2];
   motion.segment(discrete.system.offsets()[2], component.curve.size()) =

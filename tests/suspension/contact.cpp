@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(disks_driven_through_each_other_stop_at_the_separation) {
   }
 }
 
-// The disks are driven along slightly offset lines. Without contact they would pass at 0.8
+// The disks are driven along slightly offset lines. Without contact they would pass at a gap of 0.8
 // separations; with contact they slide round each other and separate. Only short steps resolve this
 // motion, so the step control rejects long ones.
 BOOST_AUTO_TEST_CASE(disks_that_nearly_miss_each_other_slide_past) {
@@ -54,8 +54,8 @@ BOOST_AUTO_TEST_CASE(disks_that_nearly_miss_each_other_slide_past) {
   BOOST_TEST(distance(run.frames.back(), 0, 1) - 2.0 > 1.5 * 0.1);
 }
 
-// At twice the offset the disks pass at more than one separation, so contact must not act. A long
-// step would meet a contact, and the step control shortens it.
+// At twice the offset the disks pass at a gap of more than one separation, so contact must not act.
+// A long step would lead to a contact, so the step control shortens it.
 BOOST_AUTO_TEST_CASE(disks_that_miss_each_other_are_not_in_contact) {
   const Scene scene = with_control(over(head_on(0.1), 0.1, 0.1, heun));
   const RecordedRun run = recorded_run(scene);

@@ -67,7 +67,7 @@ void pinch_disk(int steps) {
 }
 
 // Two flat sides leave a gap of one separation, or slightly more, on either side of a disk. The
-// disk must move as without contact (contact does not make it stick), and must not drift sideways.
+// disk must move as it moves without contact, and must not drift sideways.
 void move_along_a_slot(double width, double t_final, double end) {
   const double separation = 0.1, side = 0.5 + width * separation + 0.4;
   const Scene scene = over(loaded({pushed(Circle{0.4}, {-0.5, 0.0}, {50.0, 0.0}),

@@ -20,8 +20,8 @@ using Eigen::VectorXd;
 
 using Forces = Eigen::SparseMatrix<double>;
 
-// Returns the unit forces between neighbours of a lattice of disks, one column per pair; pairs of
-// held disks have none.
+// Returns the unit forces between neighbours of a lattice of disks, one column per pair. Pairs of
+// held disks have no column.
 Forces forces_between(const std::vector<Body>& bodies, double pitch) {
   std::vector<Eigen::Triplet<double>> entries;
   int m = 0;

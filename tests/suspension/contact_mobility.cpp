@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
 }
 
 // The errors of columns from a configuration with wider gaps exceed the smallest eigenvalue, until
-// the columns are corrected or solved for.
+// the columns are corrected or computed anew.
 BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
   const double gap = 2e-3;
   const auto respond_at = [](const SuspensionSolver& solver, const MobilityColumns& earlier) {

@@ -36,9 +36,9 @@ auto mentions(const std::vector<std::string>& words) {
   };
 }
 
-// The star rests on two of its arms, and the smaller of the two gaps changes from arm to arm.
-// Polygon gaps report only the deeper one. A step that resolves this one alone would be refused or
-// would oscillate between the two.
+// The star rests on two of its arms, and the smaller of the two gaps changes from arm to arm. The
+// search for gaps between polygons reports only the smaller gap. A step that resolves this gap
+// alone would be refused or would oscillate between the two gaps.
 void slide_star_down_a_wall(double orientation) {
   const double separation = 0.035;
   Body star = pushed(Star{0.4, 0.09, 3}, {-0.85, -1.25}, {0.0, -30.0});

@@ -6,7 +6,7 @@
 #include "support/recorded_run.hpp"
 #include "suspension/trajectories.hpp"
 
-/// Bodies and scenes for the tests of contact, with automatic nodes.
+/// Makes bodies and scenes for the tests of contact, with automatic nodes.
 namespace stokesbook::test {
 
 inline Body turned(const Shape& shape, Complex position, double orientation) {
@@ -37,7 +37,7 @@ inline Scene loaded(const std::vector<Body>& bodies, double separation) {
 }
 
 /// Returns unit disks that a flow of rate 30 drives together: without contact they would overlap at
-/// the end of a step, or be past each other.
+/// the end of a step, or would have passed each other.
 inline Scene head_on(double offset) {
   return in_contact(ExtensionalFlow{-30.0},
                     {body_at(Circle{1.0}, {-1.4, offset}, automatic_nodes),

@@ -70,7 +70,8 @@ BOOST_AUTO_TEST_CASE(starts_below_the_separation_are_refused_with_pairs_and_gaps
   BOOST_TEST(std::abs(gap(run.frames.back()) - 0.06) <= 1e-5 * 0.1);
 }
 
-// A gap that has widened stays at its widest value, at most at the separation.
+// A gap never becomes smaller than its widest earlier value, or than the separation if that value
+// exceeds the separation.
 BOOST_AUTO_TEST_CASE(close_pairs_keep_the_widest_gap_that_they_had) {
   for (const double pressed_from : {0.3, 0.9}) {
     const Scene scene = opened_and_pressed(pressed_from, pressed_from + 1.0);

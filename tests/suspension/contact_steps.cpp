@@ -70,8 +70,8 @@ void check_orders(double long_step, double short_step, double reference_step) {
   const auto error = [&](double dt, SteppingMethod method) {
     const auto [distance, estimate] = end(dt, method);
     const double apart = std::abs(distance - reference);
-    // Each body has half the error of the distance, and the radius is 1/2: the error of the
-    // distance is the error of one body in radii.
+    // The error of each body is half the error of the distance, and the radius is 1/2. The error of
+    // the distance is therefore the error of one body relative to its radius.
     BOOST_TEST(apart < 10.0 * estimate, apart << ", estimated " << estimate);
     BOOST_TEST(estimate < (method == euler ? 20.0 : 1e3) * apart);
     return apart;

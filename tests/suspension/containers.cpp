@@ -10,8 +10,8 @@ namespace {
 
 constexpr double to_rounding = 1e-12;
 
-// The motion of the outer circle is a sum of two motions that the scene format has: the solver
-// solves for both.
+// The motion of the outer circle is the sum of a translation and a rotation, which are separate
+// wall motions in the scene format. The solver solves for each of them, and the loads are added.
 Load solved_inner_load(const EccentricAnnulus& annulus, double load_tolerance) {
   const auto part = [&](const RigidMotion& inner, const WallMotion& outer) {
     Scene both =

@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(sweeps_contract_to_the_coupled_solution_by_the_spectral_rad
   }
 }
 
-// The radii are those of the specification.
+// The spectral radii are those of the specification.
 BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
   const double gaps[] = {1.0, 0.5, 0.2, 0.1, 0.05}, radii[] = {0.29, 0.48, 0.72, 0.86, 0.94};
   for (std::size_t k = 0; k < 5; ++k) {

@@ -1,4 +1,4 @@
-// Tests that the text of the dry run is true of the scene: the reason for each choice, who chose
+// Tests that the text of the dry run agrees with the scene: the reason for each choice, who chose
 // the nodes, and errors that no number of nodes resolves.
 
 #include <algorithm>

@@ -130,7 +130,8 @@ BOOST_AUTO_TEST_CASE(a_speck_beside_a_body) {
     const Scene both = scene({large, body(Circle{1e-4}, automatic_nodes, place)}, {}, {container});
     const Complex flow = alone.velocity(ComplexVector::Constant(1, place))[0];
     const Solved solved(both);
-    BOOST_TEST(std::abs(solved.motion(1).velocity - flow) < 1e-8);  // Faxen: radius^2
+    // By Faxen's law, this difference is of the order of radius^2.
+    BOOST_TEST(std::abs(solved.motion(1).velocity - flow) < 1e-8);
     BOOST_TEST(std::abs(solved.motion(0).velocity - alone.motion(0).velocity) < 1e-8);
     BOOST_TEST(!std::isnan(answers(both)[0]));
   }

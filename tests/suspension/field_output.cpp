@@ -139,8 +139,8 @@ BOOST_AUTO_TEST_CASE(only_what_was_asked_for) {
   BOOST_CHECK_THROW(evaluate_field(solved.solver, solved.solution), std::invalid_argument);
 }
 
-// For a disk in a straining flow, pressure and vorticity are -+ 4 a^2 e Re, Im z^-2, and the strain
-// far away is that of the stream.
+// For a disk of radius a in a straining flow of rate e, the pressure is -4 mu a^2 e Re z^-2 and the
+// vorticity is 4 a^2 e Im z^-2. Far away, the strain is that of the undisturbed flow.
 BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
   const double a = 0.8, rate = 0.7, mu = 1.3;
   Scene disk = scene({body(Circle{a}, 64, 0.0)}, ExtensionalFlow{rate});
@@ -159,8 +159,8 @@ BOOST_AUTO_TEST_CASE(fields_around_a_disk) {
   }
 }
 
-// In a container the mean pressure over the outer wall is zero, whatever the bodies do, and also
-// for the reversed flow.
+// In a container, the mean pressure over the outer wall is zero for all motions of the bodies, and
+// also for the reversed flow.
 BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   Scene tank = scene({body(Circle{0.5}, 96, {-0.4, 1.2}, 0.0, {{0.3, -1.0}, 0.2})}, {},
                      {outer_wall(Ellipse{3.0, 2.5}, 192, {}, {0.1, 0.0})});

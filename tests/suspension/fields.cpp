@@ -143,9 +143,9 @@ BOOST_AUTO_TEST_CASE(momentum) {
   }
 }
 
-// The points lie between the nodes, at 1e-2, 1e-6 and 0 lengths off the surface, on every shape.
-// The error of the field there is proportional to the tail of the density; the error of the
-// motions, whose tolerance is 1e-12, to its square.
+// The points lie between the nodes of every shape, at 1e-2, 1e-6 and 0 units of length from the
+// surface. The error of the field there is proportional to the tail of the density. The error of
+// the motions, whose tolerance is 1e-12, is proportional to the square of this tail.
 BOOST_AUTO_TEST_CASE(boundary_condition_between_nodes) {
   for (const Units& units : two_units) {
     const Solved solved(in_units(loaded_trio(53), units));

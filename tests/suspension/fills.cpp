@@ -1,5 +1,5 @@
-// Tests random fills: they place the requested bodies, apart by their clearance, and the same for
-// the same seed.
+// Tests random fills: they place the requested bodies with the clearance between them, and the same
+// seed gives the same bodies.
 
 #include <algorithm>
 #include <array>

@@ -68,8 +68,8 @@ class NearlyTouching {
     plan.near_tolerance = 1e-13;
     const SuspensionOperator system(problem, placed, plan);
     const ComplexVector rhs = system.right_hand_side();
-    // The dense system is solved directly: GMRES would need as many iterations as these gaps have
-    // scales, hundreds.
+    // The dense system is solved directly: GMRES would need hundreds of iterations, as many as
+    // these gaps have length scales.
     Eigen::MatrixXd matrix(2 * rhs.size(), 2 * rhs.size());
     for (Index column = 0; column < matrix.cols(); ++column) {
       ComplexVector unit = ComplexVector::Zero(rhs.size());
@@ -108,7 +108,8 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
       BOOST_TEST(nodes.n_nodes == 64);
       BOOST_TEST(!nodes.is_graded());
     }
-    // If grading does not pay, the number of equidistant nodes grows.
+    // If a gap requires only a few more equidistant nodes than the shape, the nodes are not graded,
+    // and their number grows.
     const double depth = 1.3 * std::log(1e4 / tolerance) / 64.0;
     const Resolution more = nodes_for_gaps({{0.3, depth}}, 64, tolerance);
     BOOST_TEST(!more.is_graded());
@@ -168,9 +169,9 @@ BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
   BOOST_TEST((places({apart, narrow}) == std::vector<double>{1.0, 1.2}));
   BOOST_TEST((places({far, beside, narrow}) == std::vector<double>{1.0, 4.0}));
   // A cluster at the wide gap would not suffice for the narrow gap beside it, so the narrow gap
-  // keeps its own.
+  // keeps its own cluster.
   BOOST_TEST(places({{1.0, 1e-2}, {1.0 + 5e-3, 1e-5}}) == std::vector<double>{1.0 + 5e-3});
-  // A parameter plus 2 pi is the same point of the curve.
+  // Two parameters that differ by 2 pi belong to the same point of the curve.
   BOOST_TEST(places({narrow, {1.0 + 2.0 * std::numbers::pi, 0.1}}) == std::vector<double>{1.0});
 }
 

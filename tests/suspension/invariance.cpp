@@ -1,6 +1,6 @@
 // Tests that results do not depend on the frame or the units: rotation, translation and Galilean
-// boost of the whole scene, units of length, time and viscosity, walls that carry everything
-// rigidly, and superposition.
+// boost of the whole scene, units of length, time and viscosity, walls that carry all bodies with
+// them, and superposition.
 
 #include <functional>
 

@@ -31,8 +31,8 @@ BOOST_AUTO_TEST_CASE(circle_C1) {
 }
 
 BOOST_AUTO_TEST_CASE(ellipse_C2) {
-  // The reference has the gauge length 1, for which the body moves against a force across it.
-  // Another gauge length adds a uniform velocity.
+  // The reference has the gauge length 1, for which the velocity along the short axis is opposite
+  // to the force along this axis. Another gauge length adds a uniform velocity.
   const double gauge = 3.0;
   const Load load{{1.0, 1.0}, 1.0};
   Scene c2 = with_gauge(scene({body(Ellipse{2, 1}, 96, {}, 0.0, load)}), gauge);

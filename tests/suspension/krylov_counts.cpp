@@ -23,7 +23,7 @@ Scene nine_circles(int n_nodes, const BackgroundFlow& flow) {
     circles.push_back(body(Circle{0.5}, n_nodes, 1.25 * Complex(i % 3 - 1, i / 3 - 1)));
   }
   Scene result = scene(circles, flow);
-  result.solver.tolerance = 1e-3;  // so that few nodes are accepted; GMRES has its own tolerance
+  result.solver.tolerance = 1e-3;  // this value admits few nodes; GMRES has its own tolerance
   return result;
 }
 
@@ -71,8 +71,8 @@ void check_slender_ellipses(const std::vector<int>& finer_nodes) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(nine_circles_take_sixteen_iterations_at_any_resolution) {
-  // The extensional flow is antisymmetric in more ways than shear. Its last residual lies close to
-  // the tolerance, so the count may differ by one.
+  // The extensional flow has more antisymmetries than shear. Its last residual lies close to the
+  // tolerance, so the count may differ by one.
   for (const int n : {64, 96, 128}) {
     const Scene shear = nine_circles(n, ShearFlow{1.0}),
                 extension = nine_circles(n, ExtensionalFlow{1.0});

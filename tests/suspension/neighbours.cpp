@@ -134,8 +134,8 @@ BOOST_AUTO_TEST_CASE(the_closest_pair_is_found_out_of_reach) {
   // circles are the closest pair.
   test({body(Ellipse{1.0, 0.1}, 256, {0.0, 0.0}), body(Ellipse{1.0, 0.1}, 256, {0.0, 2.06}),
         body(Circle{0.3}, 256, {50.0, 0.0}), body(Circle{0.3}, 256, {51.1, 0.0})});
-  // The tips of the stars lie between nodes: the stars are closer than the circles, but the circles
-  // about the nodes of the stars are not.
+  // The tips of the stars lie between nodes. The gap between the stars is smaller than the gap
+  // between the two circles, but the bounding circles of the stars' nodes are farther apart.
   const Star star{1.0, -0.3, 4};
   const double tip = std::numbers::pi / 4.0, gap = 1.0;
   test({body(star, 66, {0.0, 0.0}, tip), body(star, 66, {2.6 + gap, 0.0}, tip),

@@ -4,7 +4,8 @@
 
 namespace stokesbook::test {
 
-/// Four bodies of different shape and node count, placed at random on a loose lattice.
+/// Returns four bodies of different shapes and node counts, at random places near the points of a
+/// lattice.
 ///
 /// @param  length  unit of length of the whole scene
 inline Scene mixed_bodies(std::uint64_t seed, double length = 1.0,

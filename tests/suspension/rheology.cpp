@@ -83,8 +83,9 @@ BOOST_AUTO_TEST_CASE(dissipation_between_cylinders) {
   BOOST_TEST(std::isnan(radial.torque_ratio));
 }
 
-// The dissipation that loaded bodies add to a linear flow is the limit of a large container whose
-// wall moves with that flow: the total dissipation minus that of the empty container, up to R^-2.
+// The dissipation that loaded bodies add to a linear flow is a limit of containers whose radius R
+// grows and whose walls move with that flow: the total dissipation in the container minus the
+// dissipation in the empty container tends to it with an error of order R^-2.
 BOOST_AUTO_TEST_CASE(dissipation_of_loaded_bodies_in_a_linear_flow) {
   Eigen::Matrix2d gradient;
   gradient << 0.3, 0.9, -0.2, -0.3;

@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_no_short_step_avoids_stops_the_run) {
                         names_time_bodies_and_limit);
 }
 
-// Two disks in contact come closer than their nodes resolve. The end of the least step is a rounded
-// number: upwards for some of these lengths, downwards for others.
+// Two disks in contact come closer than their nodes resolve. The time at the end of the least step
+// is rounded upwards for some of these lengths and downwards for others.
 BOOST_AUTO_TEST_CASE(with_contact_the_least_step_is_the_last_try) {
   for (const double dt_min : {7e-4, 1.1e-3, 2.3e-3, 3.1e-3, 5e-3}) {
     TimeSettings time{3.0, 0.1, euler};
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(bodies_do_not_pass_through_each_other_within_a_step) {
   }
 }
 
-// The test of passing bodies admits paths without an overlap, here of disks that pass each other.
+// PassingTest admits paths on which the bodies do not overlap. Here, two disks pass each other.
 BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   Scene scene;
   scene.bodies = {body_at(Circle{0.5}, {-2.0, 0.501}, 64), body_at(Circle{0.5}, {2.0, -0.501}, 64)};
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(paths_beside_each_other_are_admitted) {
   for (Pose& pose : end) pose.position = pose.position.real();
   BOOST_TEST(test.describe_passing(start, end, 3.0)
                  .starts_with("body 0 and body 1 overlap or pass through"));
-  BOOST_TEST(test.describe_passing(start, end, 9.0) == "");  // the stated gap of 9 needs no search
+  BOOST_TEST(test.describe_passing(start, end, 9.0) == "");  // a least gap of 9 requires no search
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_close_for_given_nodes_are_halved) {

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(reference_numbers_of_close_pairs, *boost::unit_test::label(
   check_row(rows[3], {{}});
 }
 
-// The gap .001 in units of a thousandth and of thousands.
+// The gap is .001, and the units of length are 1e-3 and 1e3.
 BOOST_AUTO_TEST_CASE(closest_pair_in_other_units, *boost::unit_test::label("full")) {
   const Row& row = rows[3];
   check(pair(row, ShearFlow{1}), {{0, row.shear, {}, Complex{0.0, row.shear_s12}}}, 1e-11,

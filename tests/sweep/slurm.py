@@ -70,8 +70,8 @@ class Slurm:
         configuration.write_text(CONFIGURATION.format(
             host=socket.gethostname().split(".")[0], user=getpass.getuser(), folder=self.folder,
             ctld_port=free_port(), slurmd_port=free_port(), cpus=self.cpus))
-        # No task of these tests is held by cgroups, but only the older cgroup plugin starts without
-        # /sys, as in a chroot.
+        # These tests do not limit tasks by cgroups. The older cgroup plugin is chosen because only
+        # this plugin starts without /sys, as in a chroot.
         (self.folder / "cgroup.conf").write_text("CgroupPlugin=cgroup/v1\n")
         self.environment = {**os.environ, "SLURM_CONF": str(configuration),
                             "PATH": os.environ["PATH"] + ":/usr/sbin"}

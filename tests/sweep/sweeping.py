@@ -13,7 +13,7 @@ import unittest
 
 PROGRAM, SWEEPS = sys.argv[1], pathlib.Path(sys.argv[2])
 
-# If a shell starts the tests in the background, they and their children ignore SIGINT otherwise.
+# Without this, tests that a shell starts in the background, and their children, ignore SIGINT.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 SCENE = """

@@ -89,7 +89,7 @@ class Results(Sweeping):
             self.assertIn(f"--array=0-{last} ", planned.stdout)
 
     def test_the_page_of_sweeps(self):
-        """The sweep of the page has the columns that the lines of Python on the page print."""
+        """The sweep on the page has the columns that the Python code on the page prints."""
         page = (SWEEPS.parents[2] / "docs/sweeps.md").read_text()
         blocks = dict(re.findall(r"```(toml|python)\n(.*?)```", page, re.DOTALL))
         self.write("page.toml", blocks["toml"].replace("../scenes", str(SWEEPS.parent / "scenes")))

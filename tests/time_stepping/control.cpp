@@ -1,6 +1,6 @@
-// Checks the step control (09.8), (09.9): embedded methods reach the required error without far
-// smaller errors, in any units; steps end exactly at events; steps are halved at inadmissible
-// states; memory and time point suffice to continue.
+// Checks the step control (09.8), (09.9): embedded methods reach the required error, and their
+// errors are not far smaller, in any units; steps end exactly at events; steps are halved at
+// inadmissible states; memory and time point suffice to continue.
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,8 @@ double largest_error(const std::vector<Step>& steps) {
   return error;
 }
 
-// The solution falls fast, then slowly, and never to 0. Long steps give values below 0.
+// The solution decreases fast at first, then slowly, and never reaches 0. Long steps give values
+// below 0.
 VectorXd decay(double t, const VectorXd& q) {
   if (q[0] <= 0.0) throw InadmissibleState("negative");
   return (t < 0.3 - 1e-9 ? -8.0 : -0.5) * q;
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_CASE(achieved_errors_are_as_asked_and_not_far_below) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_do_not_depend_on_units) {
-  // Lengths have another unit, a power of two, so that not a bit differs.
+  // The other unit of length is a power of two, so the steps must agree in every bit.
   static constexpr double unit = 0.25;
   const Rate f = [](double t, const VectorXd& q) -> VectorXd {
     return unit * problem_rate(t, q / unit);

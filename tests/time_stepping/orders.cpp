@@ -15,8 +15,8 @@ namespace {
 
 constexpr double t_final = 8.0;
 
-// Returns the ends of equal steps, or of steps of 3/2, 1/2, 1/2 and 3/2 of their mean in turn;
-// `count` is a multiple of 4.
+// Returns the ends of equal steps, or of steps whose lengths are 3/2, 1/2, 1/2 and 3/2 times their
+// mean in turn. The number `count` is a multiple of 4.
 std::vector<double> step_ends(int count, bool variable) {
   const double mean = t_final / count;
   std::vector<double> ends;
@@ -98,7 +98,8 @@ BOOST_AUTO_TEST_CASE(methods_have_their_orders) {
 }
 
 BOOST_AUTO_TEST_CASE(the_pair_of_prince_and_dormand_has_order_8) {
-  // For y the terms of higher order are so large that the order is visible only below rounding.
+  // For y, the terms of higher order are so large that the measured order would be 8 only at errors
+  // below rounding.
   const auto angle_error = [](int count) {
     const TimePoint end = steps_of(SteppingMethod::prince_dormand87, count, false).back().end;
     return std::abs(end.state[0] - jeffery_angle(aspect, t_final));
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(interpolants_have_their_orders) {
   };
   check_power(error_of_one_step(SteppingMethod::bogacki_shampine32), 0.02, 4.0);
   check_power(error_of_one_step(SteppingMethod::dormand_prince54), 0.05, 5.0);
-  // Over many steps, the errors of the steps' ends are added.
+  // Over many steps, the errors at the ends of the steps add to the errors of the interpolants.
   const auto error_of_all = [](SteppingMethod method) {
     return [=](double h) {
       return error_within(steps_of(method, static_cast<int>(std::lround(t_final / h)), false));

@@ -9,9 +9,9 @@
 
 namespace stokesbook::test {
 
-/// The test problem: the angle of a slender ellipse in shear, and an equation that depends on time.
-/// Both are nonlinear: theta' = -(a^2 sin^2 theta + b^2 cos^2 theta) / (a^2 + b^2) and y' = cos t
-/// (1 + y^2).
+/// The test problem consists of the angle of a slender ellipse in shear, and of an equation that
+/// depends on time. Both equations are nonlinear:
+/// theta' = -(a^2 sin^2 theta + b^2 cos^2 theta) / (a^2 + b^2) and y' = cos t (1 + y^2).
 inline constexpr double aspect = 3.0;
 
 inline Eigen::VectorXd problem_rate(double t, const Eigen::VectorXd& q) {

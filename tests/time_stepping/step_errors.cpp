@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// One step from the exact solution, after a step of another length or without a step before.
+// Holds the estimated error and the true error of one step from the exact solution. The step
+// before may have another length, or there is no step before.
 struct FromExact {
   VectorXd estimate, error;
 };

@@ -27,7 +27,7 @@ double integrate(Index n, const Function& f) {
   return sum;
 }
 
-// Returns whether the first three digits agree, which are all that the table prints.
+// Returns whether the first three digits agree. The table prints only three digits.
 bool matches(double value, double printed) {
   return std::abs(value - printed) < 5e-3 * printed;
 }

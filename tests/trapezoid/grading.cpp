@@ -1,5 +1,5 @@
-// Checks graded nodes: the map t(s) is the integral (01.11) at any width, and curves that are
-// sampled by the map keep the rule's geometric rate and have their nodes crowded at the clusters.
+// Checks graded nodes: the map t(s) is the integral (01.11) at any width. Curves that are sampled
+// by the map keep the rule's geometric rate, and their nodes crowd at the clusters.
 #include "trapezoid/grading.hpp"
 
 #include <cmath>
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_cluster_at_zero_keeps_the_digits_of_small_parameters) {
       double t = 0.0;
       for (int k = 0; k < 60; ++k) t = width * std::sinh((mean * s - t) / grading.strength);
       const double got = nodes[static_cast<std::size_t>(j)].t;
-      // The equation has t for 2 sin(t / 2), a relative error of t^2 / 24.
+      // The equation has t in place of 2 sin(t / 2), which causes a relative error of t^2 / 24.
       BOOST_TEST(std::abs(got / t - 1.0) < 1e-14 + t * t);
     }
   }
@@ -220,8 +220,8 @@ BOOST_AUTO_TEST_CASE(nodes_crowd_at_clusters) {
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_grading_gives_symmetric_nodes) {
-  // The nodes far from the cluster follow from C s, which is up to 70: this product's rounding is
-  // visible.
+  // The nodes far from the cluster follow from C s, which is up to 70. The rounding of this product
+  // is visible.
   for (double width : {1.0, 1e-3, 1e-6}) {
     const Curve curve = sample(Circle{1.0}, 64, Side::fluid_outside, {{{0.0, width}}});
     const Curve both = sample(Circle{1.0}, 64, Side::fluid_outside, {{{0.0, width}, {pi, width}}});
@@ -309,7 +309,7 @@ BOOST_AUTO_TEST_CASE(over_its_cluster_a_singularity_is_as_deep_as_the_arc_sine_s
     }
   };
   for (double ratio : {0.1, 0.5, 0.9}) check(ratio * width, std::asin(ratio));
-  // For a depth of one width or more, the integral beyond the depth itself stays pi / 2.
+  // For a depth of one width or more, the integral that is added to the depth stays pi / 2.
   for (double depth : {1e-3, 1e-2, 1.0}) check(depth, 0.5 * pi);
   BOOST_TEST(graded_depth({}, 0.4, 0.125) == 0.125);
 }

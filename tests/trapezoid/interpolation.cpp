@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_interpolant_passes_through_the_nodes) {
 }
 
 BOOST_AUTO_TEST_CASE(the_interpolant_of_real_values_is_real) {
-  // The highest mode must therefore be a cosine, with one half for each sign of k.
+  // If the values are real, the highest mode must be a cosine, with one half for each sign of k.
   const ComplexVector values = random_vector(10, 5).real();
   const TrigonometricPolynomial interpolant(values);
   for (double t : {0.1, 1.0, 2.7}) {

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(clockwise_points_give_a_counter_clockwise_curve) {
     const Curve curve = sample(NodalCurve{clockwise, ""}, 64, Side::fluid_outside);
     BOOST_TEST(std::abs(area(curve) - 2.0 * std::numbers::pi) < 1e-14);
     BOOST_TEST(curvatures(curve).minCoeff() > 0.0);
-    // The normal points out of the fluid, which is into the body.
+    // The normal points out of the fluid, and therefore into the body.
     BOOST_TEST(dot(normals(curve)[0], curve.x[0]) < 0.0);
   }
 }

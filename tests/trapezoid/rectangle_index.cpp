@@ -1,4 +1,4 @@
-// Checks that the index finds the same rectangles as a comparison with all rectangles does, for
+// Checks that the index finds the same rectangles as a comparison with all rectangles, for
 // rectangles that are packed at once or inserted one after another.
 #include "trapezoid/rectangle_index.hpp"
 

@@ -20,14 +20,14 @@ Curve ellipse(Index n) {
   return sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
 }
 
-// Points at a distance of half a spacing from the curve.
+// Returns points at a distance of half a node spacing from the curve.
 ComplexVector close_points(const Curve& curve, Index count) {
   const Curve places = sample(Ellipse{1.0, 0.5}, count, curve.side);
   const double step = std::numbers::pi / static_cast<double>(curve.size());
   return places.x - step * places.dx.cwiseAbs().cwiseProduct(normals(places));
 }
 
-// Nanoseconds for each target.
+// Returns the least time for each target, in nanoseconds.
 template <class Evaluate>
 double nanoseconds(const Evaluate& evaluate, Index targets, double budget) {
   return 1e9 * least_seconds(evaluate, budget) / static_cast<double>(targets);
@@ -41,9 +41,9 @@ double time_interpolation(const Curve& curve, const ComplexVector& density,
   return nanoseconds([&] { return scheme.velocity(data, 0, targets); }, targets.size(), budget);
 }
 
-// Seconds for each curve: the plan of a near correction and thirty applications. The 64 bodies have
-// one shape and share the products of factored storage; explicit rows of 64 bodies exceed the
-// cache.
+// Returns the seconds that the plan of a near correction and thirty applications take, for each
+// curve. The 64 bodies have one shape and share the products of factored storage. The explicit rows
+// of 64 bodies exceed the cache.
 double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme, Index targets,
                                 NearStorage storage, double budget) {
   constexpr Index bodies = 64;
@@ -65,7 +65,8 @@ double time_thirty_applications(const std::shared_ptr<const CauchyCurve>& scheme
   return least_seconds(work, budget) / static_cast<double>(bodies);
 }
 
-// Largest number of targets on a curve for which NearCorrection stores explicit rows by default.
+// Returns the largest number of targets next to a curve for which NearCorrection stores explicit
+// rows by default.
 Index most_targets_with_rows(const std::shared_ptr<const CauchyCurve>& scheme) {
   const auto are_kept = [&](Index targets) {
     const ComplexVector points = close_points(scheme->curve(), 2 * targets).head(targets);

@@ -10,8 +10,8 @@ namespace stokesbook {
 /// @param  budget  seconds to spend on each number
 Table time_close_evaluation(double budget);
 
-/// Times near corrections with explicit rows and with factored storage, by the number of near
-/// targets of a curve: the plan and thirty applications, with one thread.
+/// Times near corrections with explicit rows and with factored storage, for several numbers of near
+/// targets of a curve. Each time is that of the plan and thirty applications, with one thread.
 ///
 /// @param  budget  seconds to spend on each number
 Table time_near_storage(double budget);

@@ -10,7 +10,7 @@ namespace stokesbook {
 
 namespace {
 
-// A row of ellipses with 32 nodes each, n nodes in all.
+// Returns a row of ellipses with 32 nodes each, n nodes in all.
 std::vector<Curve> row_of_ellipses(int n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, 32, Side::fluid_outside);
   std::vector<Curve> curves;

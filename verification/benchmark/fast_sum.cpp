@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-// Ellipses 2:1 in a square array, at various angles.
+// Returns ellipses 2:1 in a square array, at various angles.
 std::vector<Curve> array_of_ellipses(int bodies, Index n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
   const int side = static_cast<int>(std::ceil(std::sqrt(bodies)));
@@ -47,7 +47,7 @@ double seconds_with(int threads, const Work& work, double budget) {
   return seconds;
 }
 
-// Seconds of the direct sum at all nodes, extrapolated from the sum at some targets.
+// Returns the seconds of the direct sum at all nodes, extrapolated from the sum at some targets.
 double seconds_of_direct_sum(const std::vector<Curve>& curves, const ComplexVector& density,
                              double budget) {
   const StressletSum sum(curves);

@@ -17,8 +17,8 @@ constexpr int vector_bytes = 16;
 typedef double Vector __attribute__((vector_size(vector_bytes)));
 constexpr int lanes = vector_bytes / static_cast<int>(sizeof(double));
 
-// Two units with a latency of four cycles require eight chains; twelve leave a margin and fit the
-// registers.
+// Two units with a latency of four cycles require eight chains; twelve chains leave a margin and
+// fit into the registers.
 constexpr int chains = 12;
 
 // The chains converge to 1 from any start.

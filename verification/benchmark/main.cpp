@@ -1,5 +1,6 @@
 // Measures the speed of the sums and of the solver on this machine. Every time is the least of
-// several, and ratios are of times of one run. The program never fails because of a low speed.
+// several measured times, and every ratio compares times of the same run. The program never fails
+// because of a low speed.
 #include <fstream>
 #include <iostream>
 #include <sstream>

@@ -6,7 +6,7 @@
 
 namespace stokesbook {
 
-/// Numbers in named columns. The first column identifies the row.
+/// Holds numbers in named columns. The first column identifies the row.
 struct Table {
   std::string title;
   std::vector<std::string> columns;
@@ -23,8 +23,8 @@ void print(std::ostream& out, const Table& table);
 /// Writes tables and their figures for a page of the book, as HTML.
 void write_page(std::ostream& out, const std::string& machine, const std::vector<Table>& tables);
 
-/// Writes tables as CSV, one number per line: table, name and value of the first column, column,
-/// value.
+/// Writes tables as CSV. Each line holds one number: the table, the name and the value of the first
+/// column, the name of the number's column, and the number.
 void write_csv(std::ostream& out, const std::vector<Table>& tables);
 
 }  // namespace stokesbook

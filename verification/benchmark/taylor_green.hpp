@@ -10,7 +10,7 @@ namespace stokesbook {
 /// @param  budget  seconds to spend on each number
 Table time_taylor_green(double budget);
 
-/// Solves the same scene repeatedly, with 32 nodes for each body and without preconditioner.
+/// Solves the same scene repeatedly, with 32 nodes for each body and without a preconditioner.
 ///
 /// @param  solves  number of solves
 void solve_taylor_green(int solves);

@@ -30,7 +30,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Processes that compute until this object is destroyed.
+// Starts processes that compute until this object is destroyed.
 class BusyProcesses {
  public:
   explicit BusyProcesses(int count) {
@@ -57,8 +57,8 @@ class BusyProcesses {
   std::vector<pid_t> children_;
 };
 
-// Runs a command that prints wall and CPU seconds three times, and returns the times of the run
-// with the least wall time.
+// Runs a command three times, and returns the times of the run with the least wall time. The
+// command prints its wall and CPU seconds.
 WorkTime least_of_three_runs(const std::string& command) {
   WorkTime least{};
   for (int k = 0; k < 3; ++k) {

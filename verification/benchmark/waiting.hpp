@@ -12,8 +12,8 @@ struct WorkTime {
   double cpu = 0.0;   ///< seconds of all threads together
 };
 
-/// Solves the Taylor-Green start repeatedly with all threads: work with many short parallel loops,
-/// at whose ends threads wait.
+/// Solves the Taylor-Green start repeatedly with all threads. This work has many short parallel
+/// loops, and threads wait at the end of each loop.
 ///
 /// @param  solves  number of solves
 WorkTime solve_often(int solves);
@@ -21,7 +21,7 @@ WorkTime solve_often(int solves);
 /// Times the same work alone and beside two busy processes, once with the program's own policy for
 /// waiting threads and once with threads that spin.
 ///
-/// The policy holds for a whole process, so that each time is measured in a separate process.
+/// The policy holds for a whole process. Each time is therefore measured in a separate process.
 /// @param  program  path of this program, whose option --solves calls solve_often()
 Table time_waiting(const std::string& program);
 

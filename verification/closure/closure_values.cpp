@@ -13,7 +13,7 @@ using namespace test;
 
 namespace {
 
-/// Two loaded free bodies, and a held body.
+/// Returns a problem with two loaded free bodies and a held body.
 StokesProblem problem() {
   return {{free_body(Ellipse{1.0, 0.6}, 64, {{-1.6, 0.5}, 0.7}, {{1.0, -0.4}, 0.3}),
            free_body(Circle{0.8}, 64, {{1.4, 0.0}}, {{-0.3, 0.9}, -0.5}),
@@ -25,7 +25,7 @@ StokesProblem problem() {
 
 constexpr int border_rows = 9, held_rows = 3;
 
-/// Largest difference between the motions and loads of two solutions.
+/// Returns the largest difference between the motions and loads of two solutions.
 double difference(const Completion& p, const Completion& q) {
   double largest = 0.0;
   for (std::size_t k = 0; k < p.motions.size(); ++k) {
@@ -39,8 +39,9 @@ Completion completed(const DenseSystem& system, ClosureForm form) {
   return complete_dense(problem(), form, solve(system));
 }
 
-/// Change of motions and loads if a vector of size beta is on the right of the border, instead of
-/// the form's values. The change is relative to beta, since the rounding errors grow with beta.
+/// Returns the change of motions and loads if a vector of size beta is on the right-hand side of
+/// the border, instead of the form's values. The change is relative to beta, since the rounding
+/// errors grow with beta.
 double change_by_values(const StokesProblem& of, ClosureForm form, double beta) {
   DenseSystem system = assemble(of, form);
   const Completion given = completed(system, form);
@@ -56,8 +57,8 @@ StokesProblem problem_with_normals_turned() {
   return turned;
 }
 
-/// Change of motions and loads if the rows <eta> + F / (4 pi mu) = 0 of the held body become <eta>
-/// + beta F / (4 pi mu) = 0.
+/// Returns the change of motions and loads if the rows <eta> + F / (4 pi mu) = 0 of the held body
+/// become <eta> + beta F / (4 pi mu) = 0.
 double change_by_factor(double beta) {
   DenseSystem system = assemble(problem(), ClosureForm::scaled_bordered);
   const Completion given = completed(system, ClosureForm::scaled_bordered);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double aspect_ratio = 2.0;
 
-/// A free ellipse of minor semi-axis b. The matrix does not depend on the load, which is 0.
+/// Returns the problem of a free ellipse of minor semi-axis b. The matrix does not depend on the
+/// load, which is 0.
 StokesProblem free_ellipse(double b, double nodes = 48.0) {
   const Ellipse ellipse{aspect_ratio * b, b};
   return {{free_body(ellipse, count(nodes), {b * Complex{0.3, 0.1}, 0.4})}, 1.3, {}, {}};
@@ -22,7 +23,7 @@ StokesProblem held_at_viscosity(double mu) {
   return {{held_body(Ellipse{aspect_ratio, 1.0}, 48, {{0.3, 0.1}, 0.4}, {})}, mu, {}, 20.0};
 }
 
-/// A planted defect: the row of the torque in the units of the force's row.
+/// A planted defect: the row of the torque has the units of the force's row.
 double with_scaled_torque(double b) {
   const StokesProblem problem = free_ellipse(b);
   DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
@@ -38,7 +39,7 @@ double with_plain_turn(double b) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: integrals instead of means in P.
+/// A planted defect: P contains integrals instead of means.
 double with_integrals(double b) {
   const StokesProblem problem = free_ellipse(b);
   const double length = perimeter(problem.components[0].curve);
@@ -46,7 +47,7 @@ double with_integrals(double b) {
   return test::mean_square_condition(matrix + (1.0 - length) * projection_matrix(problem), problem);
 }
 
-/// A planted defect: sums over the nodes instead of means in the border.
+/// A planted defect: the border contains sums over the nodes instead of means.
 double with_sums(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -54,20 +55,20 @@ double with_sums(double nodes) {
   return test::mean_square_condition(system.matrix, problem);
 }
 
-/// A planted defect: sums over the nodes instead of means in P.
+/// A planted defect: P contains sums over the nodes instead of means.
 double with_sums_in_projection(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   const Eigen::MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
   return test::mean_square_condition(matrix + (1.0 - nodes) * projection_matrix(problem), problem);
 }
 
-/// Condition number in the plain 2-norm of node values.
+/// Returns the condition number in the plain 2-norm of node values.
 double plain_condition(const StokesProblem& problem, ClosureForm form) {
   return condition_number(assemble(problem, form).matrix);
 }
 
 /// A planted defect: the border's columns are divided by the square root of the number of nodes,
-/// its rows multiplied by it.
+/// and its rows are multiplied by the same root.
 double with_balanced_border(double nodes) {
   const StokesProblem problem = free_ellipse(1.0, nodes);
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);

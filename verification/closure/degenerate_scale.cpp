@@ -13,7 +13,7 @@ namespace {
 constexpr double fixed_gauge = 1.0;
 constexpr Ellipse unit_ellipse{4.0 / 3.0, 2.0 / 3.0};  // mean radius (a + b) / 2 = 1
 
-/// A held ellipse of the given mean radius, similar to the unit ellipse.
+/// Returns the problem of a held ellipse of the given mean radius, similar to the unit ellipse.
 StokesProblem held_ellipse(double radius) {
   const Ellipse ellipse{radius * unit_ellipse.a, radius * unit_ellipse.b};
   return {{held_body(ellipse, 48, {radius * Complex{0.2, 0.1}, 0.4}, {})}, 1.3, {}, fixed_gauge};
@@ -32,8 +32,8 @@ double condition_with_balance(double radius) {
   return test::mean_square_condition(without_gauge(held_ellipse(radius)), ClosureForm::reduced);
 }
 
-/// Mean radius at which a force along the major axis causes no velocity along that axis (03.13):
-/// log(radius / gauge) = a / (a + b).
+/// Returns the mean radius at which a force along the major axis causes no velocity along that axis
+/// (03.13): log(radius / gauge) = a / (a + b).
 double degenerate_radius() {
   const auto [a, b] = unit_ellipse;
   return fixed_gauge * std::exp(a / (a + b));

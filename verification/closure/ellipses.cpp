@@ -43,7 +43,7 @@ using Solve = RigidMotion (*)(const StokesProblem&);
 
 void no_change(StokesProblem&) {}
 
-/// Relative error of the motion of an ellipse (aspect, 1) under a force and a torque.
+/// Returns the relative error of the motion of an ellipse (aspect, 1) under a force and a torque.
 double error_under_load(double aspect, double x, const Solve& solve, const Change& change) {
   const Ellipse ellipse{aspect, 1.0};
   const Load load{{0.3, -1.1}, 0.6};
@@ -57,8 +57,8 @@ double error_under_load(double aspect, double x, const Solve& solve, const Chang
   return distance(solve(problem), exact) / std::abs(exact.velocity);
 }
 
-/// Error of the angular velocity of a free ellipse (aspect, 1) in shear, relative to the shear
-/// rate.
+/// Returns the error of the angular velocity of a free ellipse (aspect, 1) in shear, relative to
+/// the shear rate.
 double error_in_shear(double aspect, double x, const Solve& solve, const Change& change) {
   constexpr double rate = 1.4;
   const Ellipse ellipse{aspect, 1.0};
@@ -74,8 +74,8 @@ double ratio(double aspect) {
   return (aspect - 1.0) / (aspect + 1.0);
 }
 
-/// Level of rounding errors, in proportion to the condition number, which grows as the square of
-/// the aspect ratio.
+/// Returns the level of rounding errors. The level is proportional to the condition number, which
+/// grows as the square of the aspect ratio.
 double rounding(double aspect) {
   return aspect * aspect * std::numeric_limits<double>::epsilon();
 }

@@ -35,14 +35,14 @@ study::Experiment nearly_touching_condition();
 study::Experiment nearly_touching_rounding();
 /// @}
 
-/// Points from a to b that are equidistant on a logarithmic scale.
+/// Returns points from a to b that are equidistant on a logarithmic scale.
 inline std::vector<double> log_points(double a, double b, int count) {
   std::vector<double> points;
   for (int k = 0; k < count; ++k) points.push_back(a * std::pow(b / a, k / (count - 1.0)));
   return points;
 }
 
-/// Even numbers of nodes from a to b, as points of an axis.
+/// Returns even numbers of nodes from a to b, as points of an axis.
 inline std::vector<double> node_counts(double a, double b, int count) {
   const std::vector<Eigen::Index> counts = test::even_counts(a, b, count - 1);
   return {counts.begin(), counts.end()};
@@ -64,7 +64,7 @@ study::Measure at(const std::vector<double>& points, const Number& number,
   };
 }
 
-/// Number of nodes of a point on the axis "nodes N".
+/// Returns the number of nodes of a point on the axis "nodes N".
 inline Eigen::Index count(double x) {
   return static_cast<Eigen::Index>(x);
 }
@@ -78,7 +78,7 @@ inline Eigen::MatrixXd projection_matrix(const StokesProblem& bodies) {
   return -system.topRightCorner(n, border) * system.bottomLeftCorner(border, n);
 }
 
-/// Undisturbed velocity of the shear flow (rate y, 0).
+/// Returns the undisturbed velocity of the shear flow (rate y, 0).
 inline ComplexVector shear(const ComplexVector& x, double rate) {
   return rate * x.imag().cast<Complex>();
 }

@@ -22,30 +22,30 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// Origin of the coordinates in the double layer of one circle on the other.
+/// Selects the origin of the coordinates in the double layer of one circle on the other.
 enum class Origin {
   centre,  ///< the circle's centre, as for a body with many neighbours
   gap      ///< the circle's point at the gap: differences of near coordinates keep their digits
 };
 
-/// Speeds of either circle along the line of centres, away from the other.
+/// Holds the speeds of either circle along the line of centres, away from the other circle.
 struct Speeds {
   double in_extension,  ///< relative to strain rate times radius
       of_pull;          ///< relative to force / (4 pi mu)
 };
 
-/// Force whose Stokeslet has the coefficient 1 if the viscosity is 1.
+/// A force of this size has a Stokeslet with the coefficient 1 if the viscosity is 1.
 constexpr double unit_force = 4.0 * std::numbers::pi;
 
-/// Two unit circles whose parameter 0 is at the gap.
+/// Describes two unit circles whose parameter 0 is at the gap.
 struct NearlyTouching {
   double gap;
   Complex along = std::polar(1.0, 0.35);
 
-  /// Depth of the reflections' limit point below the real t axis.
+  /// Returns the depth of the reflections' limit point below the real t axis.
   double depth() const { return std::asinh(std::sqrt(gap * (1.0 + 0.25 * gap))); }
   Grading grading() const { return {{{0.0, depth()}}}; }
-  /// Rate of the error in the number of graded nodes.
+  /// Returns the rate of the error in the number of graded nodes.
   double rate() const { return graded_depth(grading(), 0.0, depth()); }
 
   StokesProblem problem(Index n, const Grading& nodes) const {
@@ -64,12 +64,14 @@ struct NearlyTouching {
     const CirclePair pair{1.0, gap};
     return {pair.speed_in_extension(1.0), pair.speed_of_pull(unit_force, 1.0)};
   }
-  /// Angular velocity of either circle if forces push both circles across the line of centres.
+  /// Returns the angular velocity of either circle if forces push both circles across the line of
+  /// centres.
   double exact_turn() const { return CirclePair{1.0, gap}.turn_of_settling(unit_force, 1.0); }
 };
 
-/// Double layer of a curve at targets by the Cauchy scheme, as a matrix for interleaved densities.
-/// Curve and targets are in a frame that is rotated by `turn` relative to densities and velocities.
+/// Returns the double layer of a curve at targets by the Cauchy scheme, as a matrix for interleaved
+/// densities. Curve and targets are in a frame that is rotated by `turn` relative to densities and
+/// velocities.
 MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex turn) {
   const Index n = curve.size();
   MatrixXcd units = MatrixXcd::Zero(n, 2 * n);
@@ -84,7 +86,7 @@ MatrixXd cauchy_block(const Curve& curve, const ComplexVector& targets, Complex 
   return block;
 }
 
-/// Double layer of either circle on the other; a half turn exchanges the circles.
+/// Returns the double layer of either circle on the other; a half turn exchanges the circles.
 ///
 /// The frame is rotated by an arbitrary angle. With the gap on an axis, the coordinates along the
 /// curve would keep all their digits, and the rounding errors would be untypically small.
@@ -94,8 +96,8 @@ MatrixXd block_between(const NearlyTouching& circles, Index n, const Grading& gr
   Curve circle = sample(Circle{1.0}, n, Side::fluid_outside, grading);
   double distance = 2.0 + circles.gap;
   if (origin == Origin::gap) {
-    // Node relative to the circle's point at the gap: e^{it} - 1 = 2 i sin(t / 2) e^{it/2}, without
-    // cancellation.
+    // The node relative to the circle's point at the gap is e^{it} - 1 = 2 i sin(t / 2) e^{it/2}.
+    // The product avoids cancellation.
     const std::vector<GradedParameter> nodes = graded_parameters(grading, n);
     for (Index j = 0; j < n; ++j) {
       const double half = 0.5 * nodes[static_cast<std::size_t>(j)].t;
@@ -107,7 +109,7 @@ MatrixXd block_between(const NearlyTouching& circles, Index n, const Grading& gr
   return cauchy_block(place(circle, 0.0, turn), other, circles.along / std::polar(1.0, turn));
 }
 
-/// Matrix of the reduced system (03.11), (-1/2 + D)(I - P) - P.
+/// Returns the matrix of the reduced system (03.11), (-1/2 + D)(I - P) - P.
 MatrixXd reduced_matrix(const NearlyTouching& circles, const StokesProblem& pair,
                         const Grading& grading, Origin origin) {
   const Index nodes = pair.components[0].curve.size(), n = 2 * nodes;
@@ -149,16 +151,16 @@ double computed_turn(const NearlyTouching& circles, double nodes, const Grading&
   return first_motion(settling, reduced_matrix(circles, settling, grading, Origin::centre)).omega;
 }
 
-/// Larger of the two relative errors of the speeds.
+/// Returns the larger of the two relative errors of the speeds.
 double relative_error(const NearlyTouching& circles, const Speeds& got) {
   const Speeds exact = circles.exact();
   return std::max(std::abs(got.in_extension / exact.in_extension - 1.0),
                   std::abs(got.of_pull / exact.of_pull - 1.0));
 }
 
-/// Largest of the three errors of speeds and angular velocity, relative to the scale of all
-/// velocities. The angular velocity decays only as g^(1/2), so it matters also at tolerances above
-/// the speeds.
+/// Returns the largest of the three errors of speeds and angular velocity, relative to the scale of
+/// all velocities. The angular velocity decays only as g^(1/2), so it matters also at tolerances
+/// above the speeds.
 double scaled_error(const NearlyTouching& circles, double nodes, const Grading& grading) {
   const Speeds exact = circles.exact(), got = computed(circles, nodes, grading);
   const double turn = std::abs(computed_turn(circles, nodes, grading)) - circles.exact_turn();
@@ -166,7 +168,7 @@ double scaled_error(const NearlyTouching& circles, double nodes, const Grading& 
                    std::abs(got.of_pull - exact.of_pull), std::abs(turn)});
 }
 
-/// Even number of nodes that meets a tolerance if the error is 10^5 e^{-rate N}.
+/// Returns an even number of nodes that meets a tolerance if the error is 10^5 e^{-rate N}.
 ///
 /// The factor 10^5 has no theory: it bounds the factors 5 to 6e4 that were measured at the gaps
 /// 1e-2, 1e-4 and 1e-6. The claim tests it at other gaps.
@@ -223,7 +225,8 @@ double speed_of_pull(const NearlyTouching& circles, const Grading& grading) {
   return computed(circles, 96.0, grading).of_pull;
 }
 
-/// Geometric mean of the errors at several numbers of nodes, because rounding errors vary.
+/// Returns the geometric mean of the errors at several numbers of nodes, because rounding errors
+/// vary.
 Number rounding_error(Origin origin) {
   return [origin](const NearlyTouching& circles, const Grading& grading) {
     const std::vector<double> counts = node_counts(72, 92, 6);
@@ -322,7 +325,7 @@ Experiment nearly_touching_rounding() {
                               .reason = "differences of near coordinates keep their digits",
                               .api = {"stokesbook::CauchyCurve"}},
                .control = Control{"as many equidistant nodes", over_gaps(from_gap, false)}},
-              // No claim: the rounding errors lie between the powers 3/2 and 2 of the gap.
+              // There is no claim: the rounding errors lie between the powers 3/2 and 2 of the gap.
               {.key = "centre",
                .label = "coordinates from the centre",
                .measure = over_gaps(rounding_error(Origin::centre))}}};

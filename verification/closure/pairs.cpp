@@ -1,5 +1,6 @@
-// Compares two equal circles, computed by plain trapezoid sums, with their closed form: rates
-// predicted from the gap, the gap at which the sums fail, and the cost of each form.
+// Compares two equal circles, computed by plain trapezoid sums, with their closed form. Measures
+// the rates, which are predicted from the gap, the gap at which the sums fail, and the cost of each
+// form.
 #include <algorithm>
 #include <functional>
 
@@ -13,8 +14,8 @@ using namespace test;
 
 namespace {
 
-/// Two circles of radius a, pulled apart by an extensional flow and by forces along their line of
-/// centres. Each circle has a node at its point nearest to the other.
+/// Describes two circles of radius a, which an extensional flow and forces along their line of
+/// centres pull apart. Each circle has a node at its point nearest to the other.
 struct Pair {
   double a, gap;  // gap relative to the radius
   Complex along = std::polar(1.0, 0.35);
@@ -32,14 +33,14 @@ struct Pair {
     return pair;
   }
 
-  /// Relative error of the speed along the line of centres.
+  /// Returns the relative error of the speed along the line of centres.
   double error(const RigidMotion& motion) const {
     const CirclePair exact{a, gap * a};
     const double speed = exact.speed_in_extension(strain) + exact.speed_of_pull(pull, viscosity);
     return std::abs(dot(motion.velocity, along) / speed - 1.0);
   }
 
-  /// Rate of the error in N (03.17).
+  /// Returns the rate of the error in N (03.17).
   double rate() const { return 2.0 * std::log1p(0.5 * gap); }
 };
 
@@ -61,8 +62,8 @@ double error_with_normals_turned(const Pair& pair, double nodes) {
                ClosureForm::scaled_bordered);
 }
 
-/// A planted defect, which is also the naive method: omits the double layer of one circle on the
-/// other.
+/// A planted defect, which is also the naive method: the double layer of one circle on the other is
+/// omitted.
 double error_one_by_one(const Pair& pair, double nodes) {
   const StokesProblem problem = pair.problem(count(nodes), count(nodes));
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
@@ -92,8 +93,8 @@ DenseSystem assemble_reduced(const StokesProblem& problem) {
   return assemble(problem, ClosureForm::reduced);
 }
 
-/// Change of a circle's velocity by a uniform stream, minus the stream itself, relative to the
-/// stream.
+/// Returns the change of a circle's velocity by a uniform stream, minus the stream itself, relative
+/// to the stream.
 double drift(double nodes, DenseSystem (*system)(const StokesProblem&)) {
   const Complex stream{-0.6, 0.8};
   const Pair pair{1.0, 0.5};
@@ -106,7 +107,7 @@ double drift(double nodes, DenseSystem (*system)(const StokesProblem&)) {
   return std::abs(velocity(in_stream) - stream - velocity(problem));
 }
 
-/// The draft's form with zero on the right-hand side of its border.
+/// Returns the error of the draft's form with zero on the right-hand side of its border.
 double error_of_draft_with_zero(double a) {
   const Pair pair{a, 0.5};
   const StokesProblem problem = pair.problem(36, 36);
@@ -246,7 +247,7 @@ Experiment pair_units() {
 }
 
 Experiment forms_at_work() {
-  // One micrometre, in metres.
+  // The radius is one micrometre, in metres.
   const Pair pair{1e-6, 0.5}, touching{1e-6, 0.01};
   return {.key = "forms",
           .title = "The forms of the closure at work: two circles of a micrometre, in metres",

@@ -1,5 +1,6 @@
-// Computes the spectrum of the reduced system: on a circle only -1 and -1/2; on an ellipse the
-// spectrum of -1/2 + D with the eigenvalues of the rigid motions moved from 0 to -1.
+// Computes the spectrum of the reduced system. On a circle the spectrum is only -1 and -1/2; on an
+// ellipse the spectrum is that of -1/2 + D with the eigenvalues of the rigid motions moved from 0
+// to -1.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -26,7 +27,7 @@ Eigen::MatrixXd with_projection_added(const StokesProblem& problem) {
   return reduced(problem) + 2.0 * projection_matrix(problem);
 }
 
-/// A planted defect: integrals instead of means in P.
+/// A planted defect: P contains integrals instead of means.
 Eigen::MatrixXd with_integrals(const StokesProblem& problem) {
   const double length = perimeter(problem.components[0].curve);
   return reduced(problem) + (1.0 - length) * projection_matrix(problem);
@@ -39,12 +40,12 @@ Eigen::VectorXd known_spectrum(const Ellipse& ellipse, double x) {
   return values;
 }
 
-/// Largest error of all eigenvalues.
+/// Returns the largest error of all eigenvalues.
 double circle_error(const Eigen::MatrixXd& matrix, double x) {
   return spectrum_distance(eigenvalues(matrix), known_spectrum({1.0, 1.0}, x));
 }
 
-/// Largest error of the nine smallest and the nine largest eigenvalues.
+/// Returns the largest error of the nine smallest and the nine largest eigenvalues.
 double ellipse_error(const Eigen::MatrixXd& matrix, const Ellipse& ellipse, double x) {
   return spectrum_distance(eigenvalues(matrix), known_spectrum(ellipse, x), 9);
 }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double viscosities[] = {1.0, 1.3};
 
-/// Relative error of the motion of a loaded ellipse. All lengths are multiples of one length; the
-/// gauge length is given separately.
+/// Returns the relative error of the motion of a loaded ellipse. All lengths are multiples of one
+/// length; the gauge length is given separately.
 double loaded_error(double length, double gauge, ClosureForm form) {
   const Ellipse ellipse{1.7 * length, length};
   const Load load{{0.3, -1.1}, 0.6 * length};
@@ -31,7 +31,7 @@ double loaded_error(double length, double gauge, ClosureForm form) {
   return error;
 }
 
-/// Relative error of the forces on two circles, one of which moves away from the other.
+/// Returns the relative error of the forces on two circles, one of which moves away from the other.
 double held_error(double length, std::optional<double> gauge) {
   const CirclePair pair{length, 0.5 * length};
   const Complex along = std::polar(1.0, 0.35);

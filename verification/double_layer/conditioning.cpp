@@ -15,7 +15,8 @@ using Eigen::Index;
 
 namespace {
 
-/// Condition number of a matrix of node values, in the mean-square norm of functions on the curve.
+/// Returns the condition number of a matrix of node values, in the mean-square norm of functions on
+/// the curve.
 double condition(const Curve& curve, const Eigen::MatrixXd& matrix) {
   Eigen::VectorXd scale(2 * curve.size());
   const Eigen::VectorXd w = weights(curve).cwiseSqrt();
@@ -27,7 +28,7 @@ double second_kind(const Curve& curve) {
   return condition(curve, test::completed_system(curve, double_layer_matrix(curve)));
 }
 
-/// A planted defect: -1/2 + D without completion, singular on rigid motions.
+/// A planted defect: -1/2 + D has no completion, and is singular on rigid motions.
 double not_completed(const Curve& curve) {
   const Index n = 2 * curve.size();
   return condition(curve, double_layer_matrix(curve) - 0.5 * Eigen::MatrixXd::Identity(n, n));
@@ -39,7 +40,7 @@ double inward_normal(const Curve& curve) {
   return condition(curve, test::completed_system(curve, -double_layer_matrix(curve)));
 }
 
-/// Kress' weights of the trapezoid rule for the factor log(4 sin^2((t_0 - t_k) / 2)).
+/// Returns Kress' weights of the trapezoid rule for the factor log(4 sin^2((t_0 - t_k) / 2)).
 Eigen::VectorXd logarithmic_weights(Index n) {
   const auto nodes = static_cast<double>(n);
   return Eigen::VectorXd::NullaryExpr(n, [=](Index k) {
@@ -52,8 +53,8 @@ Eigen::VectorXd logarithmic_weights(Index n) {
   });
 }
 
-/// An equation of the first kind for the same problem: the single layer of Stokeslets, completed on
-/// its null vector n.
+/// Returns the condition number of an equation of the first kind for the same problem. The equation
+/// contains the single layer of Stokeslets, completed on its null vector n.
 double first_kind(const Curve& curve) {
   constexpr double gauge = 20.0, viscosity = 1.0;
   const Index n = curve.size();

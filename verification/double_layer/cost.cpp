@@ -36,7 +36,7 @@ Index all_pairs(const std::vector<Curve>& bodies) {
   return evaluations(double_layer_matrix(bodies));
 }
 
-/// A planted defect: only pairs of nodes on one body.
+/// A planted defect: only pairs of nodes on one body are counted.
 Index own_pairs(const std::vector<Curve>& bodies) {
   Index count = 0;
   for (const Curve& body : bodies) count += evaluations(double_layer_matrix(body));

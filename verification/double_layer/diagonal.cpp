@@ -15,11 +15,11 @@ namespace {
 
 constexpr Index highest_mode = 4;
 
-/// Random Fourier coefficients of the density for |k| <= highest_mode; the coefficient of k is
+/// The density has random Fourier coefficients for |k| <= highest_mode; the coefficient of k is
 /// entry k + highest_mode.
 const ComplexVector modes = test::random_vector(2 * highest_mode + 1, 1);
 
-/// Node values of the series with these coefficients.
+/// Returns the node values of the series with these coefficients.
 ComplexVector series(const ComplexVector& coefficients, Index n) {
   ComplexVector c = ComplexVector::Zero(n);
   for (Index k = -highest_mode; k <= highest_mode; ++k) {
@@ -28,8 +28,9 @@ ComplexVector series(const ComplexVector& coefficients, Index n) {
   return fourier_values(c);
 }
 
-/// Coefficients of D eta in closed form, fluid inside: (D eta)_k = -(m^|k| eta_{-k} - c_k
-/// conj(eta_k)) / 2 with c_k = (1 - m^2) k m^{k-1} for k >= 1, else 0.
+/// Returns the coefficients of D eta in closed form, for fluid inside:
+/// (D eta)_k = -(m^|k| eta_{-k} - c_k conj(eta_k)) / 2
+/// with c_k = (1 - m^2) k m^{k-1} for k >= 1, else 0.
 ComplexVector exact_modes() {
   const double m = std::exp(-kernel_distance(two_to_one));
   ComplexVector result(modes.size());
@@ -44,7 +45,7 @@ ComplexVector exact_modes() {
   return result;
 }
 
-/// Error of D eta if the diagonal is multiplied by a factor.
+/// Measures the error of D eta if the diagonal is multiplied by a factor.
 Measure errors_with(double factor) {
   return [=](Size size) {
     std::vector<Measurement> measurements;

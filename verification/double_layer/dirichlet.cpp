@@ -14,7 +14,8 @@ using Eigen::Index;
 
 namespace {
 
-/// A flow with one source of velocity outside the fluid, and the targets of the comparison.
+/// Describes a flow with one source of velocity outside the fluid, and the targets of the
+/// comparison.
 struct Problem {
   Ellipse ellipse;
   Side side;
@@ -42,7 +43,7 @@ ComplexVector evaluate(const Curve& curve, const ComplexVector& density, const P
                     points_at(problem.ellipse, problem.height));
 }
 
-/// Error of the velocity; `layer` returns the matrix of the double layer on a curve.
+/// Returns the error of the velocity; `layer` returns the matrix of the double layer on a curve.
 template <class Layer>
 double error_with(const Layer& layer, const Problem& problem, Index n) {
   const test::ExactFlow flow = problem.flow();
@@ -100,7 +101,8 @@ Complex loaded_flow(Complex z) {
          rotlet(z - load_point, load_torque, viscosity);
 }
 
-/// Stokeslet and rotlet at the centre of the body with the same force and torque, times a factor.
+/// Returns the Stokeslet and the rotlet at the centre of the body with the same force and torque,
+/// times a factor.
 Complex completing_flow(Complex z, double factor) {
   return factor * (stokeslet(z, load_force, viscosity, gauge) +
                    rotlet(z, load_torque + cross(load_point, load_force), viscosity));

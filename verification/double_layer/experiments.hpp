@@ -32,23 +32,24 @@ study::Experiment cost();
 study::Experiment near_target();
 /// @}
 
-/// Shape of most experiments.
+/// Most experiments use this shape.
 inline constexpr Ellipse two_to_one{2.0, 1.0};
 
-/// A flow in this ellipse. Its sources are so far away that 96 nodes resolve its density to
-/// rounding.
+/// The sources of this flow in the ellipse are so far away that 96 nodes resolve the flow's density
+/// to rounding.
 inline const test::ExactFlow far_flow{
     {{{4.0, 3.0}, {0.5, -0.3}, 0.4}, {{-5.0, 2.0}, {0.1, 0.8}, -0.1}}, 0.7};
 
-/// Point x(t) = a cos t + i b sin t of the continuation of an ellipse to complex parameters t.
+/// Returns the point x(t) = a cos t + i b sin t of the continuation of an ellipse to complex
+/// parameters t.
 ///
 /// For small |Im t| the point lies inside the ellipse if Im t > 0, outside if Im t < 0.
 inline Complex continued(const Ellipse& ellipse, Complex t) {
   return ellipse.a * std::cos(t) + imaginary * ellipse.b * std::sin(t);
 }
 
-/// Sixteen points round the ellipse whose preimages have the imaginary part `height`: inside for
-/// height > 0.
+/// Returns sixteen points round the ellipse whose preimages have the imaginary part `height`. The
+/// points are inside for height > 0.
 inline ComplexVector points_at(const Ellipse& ellipse, double height) {
   ComplexVector points(16);
   for (Eigen::Index k = 0; k < points.size(); ++k) {
@@ -70,7 +71,7 @@ inline Eigen::MatrixXd with_wrong_diagonal(const Curve& curve) {
   return layer;
 }
 
-/// Largest error, relative to the largest exact value.
+/// Returns the largest error, relative to the largest exact value.
 inline double relative_error(const ComplexVector& got, const ComplexVector& exact) {
   return test::largest(got - exact) / test::largest(exact);
 }

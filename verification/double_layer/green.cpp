@@ -12,7 +12,7 @@ namespace {
 constexpr double fluid_viscosity = 1.3, stokeslet_gauge = 0.7;
 const test::ExactFlow outer_flow{{{continued(two_to_one, {0.9, 0.4}), {0.5, -0.3}, 0.4}}};
 
-/// Factors of the single layer that the defects change.
+/// Holds the factors of the single layer that the defects change.
 struct Factors {
   double single_layer = 1.0;
   double stokeslet_viscosity = fluid_viscosity;

@@ -20,7 +20,7 @@ ComplexVector rigid_motion(const ComplexVector& x) {
   return (Complex{0.6, -0.8} + 1.5 * imaginary * (x.array() - Complex{0.3, 0.2})).matrix();
 }
 
-/// Error of D v = share * v off the curve, relative to the largest v on it.
+/// Returns the error of D v = share * v off the curve, relative to the largest v on the curve.
 double error_off_curve(const Curve& curve, const ComplexVector& v, double height, double share) {
   const ComplexVector targets = points_at(three_to_one, height);
   return test::largest(plain_rule(curve, v, targets) - share * rigid_motion(targets)) /
@@ -45,15 +45,15 @@ double error_with_node_twice(Index n, double height, double share) {
   return error_off_curve(body(n), v, height, share);
 }
 
-/// Error of D v = v/2 on the curve, by its matrix.
+/// Returns the error of D v = v/2 on the curve, by the matrix of D.
 double error_on_curve(const Curve& curve, const Eigen::MatrixXd& layer) {
   const ComplexVector v = rigid_motion(curve.x);
   const Eigen::VectorXd velocity = layer * interleaved(v);
   return relative_error(deinterleaved(velocity), 0.5 * v);
 }
 
-/// Error of the flux of jump * eta + D eta, which must be -int eta.n (02.11): the largest over all
-/// densities |eta| <= 1 at the nodes, relative to the length of the curve.
+/// Returns the error of the flux of jump * eta + D eta, which must be -int eta.n (02.11): the
+/// largest over all densities |eta| <= 1 at the nodes, relative to the length of the curve.
 double flux_error(Index n, double jump) {
   const Curve curve = body(n);
   const ComplexVector weighted_normal = normals(curve).cwiseProduct(weights(curve));

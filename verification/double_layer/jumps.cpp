@@ -21,7 +21,7 @@ ComplexVector densities(Index n) {
   });
 }
 
-/// Parameters at which the limits are taken: between the nodes, without symmetry.
+/// The limits are taken at these parameters, which lie between the nodes, without symmetry.
 const Eigen::VectorXd parameters = Eigen::VectorXd::LinSpaced(8, 0.13, 5.9);
 
 ComplexVector at_parameters(const ComplexVector& node_values) {
@@ -29,7 +29,7 @@ ComplexVector at_parameters(const ComplexVector& node_values) {
   return parameters.unaryExpr([&](double t) { return polynomial(t).value; });
 }
 
-/// The predicted limit, jump * eta + D eta.
+/// Returns the predicted limit, jump * eta + D eta.
 ComplexVector limits(const Shape& shape, Side side, double jump) {
   constexpr Index n = 256;
   const Curve curve = sample(shape, n, side);
@@ -38,10 +38,11 @@ ComplexVector limits(const Shape& shape, Side side, double jump) {
   return at_parameters(jump * density + deinterleaved(principal_value));
 }
 
-/// Side from which a limit is approached.
+/// Selects the side from which a limit is approached.
 enum class Approach { from_the_fluid = -1, from_the_other_side = +1 };
 
-/// D eta at a distance from the curve, by a rule that is so fine that the targets are not near.
+/// Returns D eta at a distance from the curve, by a rule that is so fine that the targets are not
+/// near.
 ComplexVector layer_at(const Shape& shape, Side side, Approach approach, double distance) {
   const Index nodes = 2 * static_cast<Index>(std::lround(40.0 / distance));
   const Curve coarse = sample(shape, 256, side), fine = sample(shape, nodes, side);

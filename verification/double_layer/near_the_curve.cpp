@@ -13,7 +13,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Density of the flow on n nodes, without the error of a solve on n nodes.
+/// Returns the density of the flow on n nodes, without the error of a solve on n nodes.
 ComplexVector resolved_density(Index n) {
   static const ComplexVector density = [] {
     const Curve wall = sample(two_to_one, 96, Side::fluid_inside);
@@ -71,7 +71,7 @@ Line height_line(const std::string& key, const std::string& id, double height,
       .control = Control{defect, errors_at_height(height, defective)}};
 }
 
-/// A density that is an entire function of the parameter.
+/// Returns a density that is an entire function of the parameter.
 Complex smooth_density(double t) {
   return {std::cos(t) + 0.3 * std::sin(3.0 * t), std::exp(std::sin(t)) - 0.5};
 }
@@ -82,7 +82,7 @@ ComplexVector smooth_densities(Index n) {
   });
 }
 
-/// Targets in the fluid, at a distance of so many local spacings, at sixteen places between the
+/// Returns targets in the fluid at a distance in local spacings, at sixteen places between the
 /// nodes.
 ComplexVector targets_off(const Curve& curve, double spacings) {
   const TrigonometricPolynomial position(curve.x);
@@ -93,9 +93,9 @@ ComplexVector targets_off(const Curve& curve, double spacings) {
   });
 }
 
-/// Errors by distance. The exact values are by a rule that is so fine that no target is near. The
-/// number of nodes is so large that five spacings are small relative to the radius of curvature.
-/// Equal weights of all nodes are a planted defect.
+/// Measures errors by distance. The exact values are computed by a rule that is so fine that no
+/// target is near. The number of nodes is so large that five spacings are small relative to the
+/// radius of curvature. Equal weights of all nodes are a planted defect.
 Measure errors_over_spacings(const Shape& shape, Index n, Side side, bool equal_weights = false) {
   return [=](Size size) {
     const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);

@@ -29,8 +29,8 @@ struct Entry {
   double printed;  ///< `nothing` if the error is at the level of rounding
 };
 
-/// Difference of an error from the printed error, in units of its third digit; in units of 1e-13 if
-/// nothing is printed.
+/// Returns the difference of an error from the printed error, in units of the third digit of the
+/// printed error, or the error in units of 1e-13 if nothing is printed.
 double units_off(double error, double printed) {
   if (printed == nothing) return error / 1e-13;
   return std::abs(error - printed) / std::pow(10.0, std::floor(std::log10(printed)) - 2.0);

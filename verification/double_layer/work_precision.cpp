@@ -19,7 +19,7 @@ constexpr double height = 0.03;
 constexpr Index refinement = 4;
 const ComplexVector targets = points_at(two_to_one, height);
 
-/// Velocities, and the number of kernel evaluations.
+/// Holds velocities, and the number of kernel evaluations.
 struct Evaluation {
   ComplexVector velocity;
   Index kernels;
@@ -56,8 +56,8 @@ Evaluation cauchy(const Curve& wall, const ComplexVector& density) {
   return {curve.velocity(data, 0, targets), wall.size() * (targets.size() + 3 * wall.size())};
 }
 
-/// Density of the flow. The density is interpolated from 96 nodes, which resolve it to rounding, if
-/// n is larger.
+/// Returns the density of the flow. If n is larger than 96, the density is interpolated from 96
+/// nodes, which resolve it to rounding.
 ComplexVector density_on(Index n) {
   const Curve wall = sample(two_to_one, std::min<Index>(n, 96), Side::fluid_inside);
   return resample(test::density_of(wall, far_flow.velocity(wall.x)), n);

@@ -14,8 +14,8 @@ namespace {
 
 using Set = const Summed& (*)();
 
-/// An error of a sum, and the power of p in this error: a derivative multiplies the k-th power's
-/// term by k.
+/// Holds an error of a sum, and the power of p in this error. A derivative multiplies the k-th
+/// power's term by k.
 struct Quantity {
   double (*error)(const Summed&, const FmmSettings&);
   double power;
@@ -23,7 +23,8 @@ struct Quantity {
 constexpr Quantity velocity_sum{velocity_error, 0.0}, derivative_sum{derivative_error, 1.0},
     point_force_sum{point_force_error, 0.0};
 
-/// Errors by the order. The tree is the same for all orders, with boxes of at most 80 nodes.
+/// Measures errors by the order. The tree is the same for all orders, with boxes of at most 80
+/// nodes.
 Measure over_orders(Set set, const Quantity& quantity, int most) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -54,7 +55,7 @@ Line order_line(const std::string& key, const std::string& id, const std::string
 
 using Choice = FmmSettings (*)(double tolerance);
 
-/// A planted defect: the order for half of the digits.
+/// A planted defect: the order is that for half of the digits.
 FmmSettings for_half_of_the_digits(double tolerance) {
   return FmmSettings::for_tolerance(std::sqrt(tolerance));
 }

@@ -1,5 +1,5 @@
 // Counts the operations of an application by the number of nodes, and finds the number of nodes
-// from which on they are fewer than those of the direct sum.
+// above which an application has fewer operations than the direct sum.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using MakeCurves = std::vector<Curve> (*)(Index n);
 
-/// A row of the table that shows the number of operations.
+/// Returns a row of the table that shows the number of operations.
 Measurement counted(Index n, double operations) {
   return {.x = static_cast<double>(n), .error = operations, .operations = operations};
 }
@@ -36,7 +36,7 @@ Measure over_nodes(const Count& count) {
   };
 }
 
-/// Operations of the fast multipole method for six digits.
+/// Counts operations of the fast multipole method for six digits.
 Measure multipoles(MakeCurves make, Index least_leaf = 0) {
   return over_nodes([=](Index n) {
     FmmSettings settings = FmmSettings::for_tolerance(1e-6);
@@ -50,8 +50,8 @@ Measurement all_pairs(Index n) {
   return counted(n, static_cast<double>(n) * static_cast<double>(n));
 }
 
-/// Operations with boxes of one size, side x side, without a tree (08.14): well separated pairs of
-/// boxes are converted, all other pairs are summed directly.
+/// Counts operations with boxes of one size, side x side, without a tree (08.14). Well separated
+/// pairs of boxes are converted, and all other pairs are summed directly.
 double one_level(const ComplexVector& points, Index side) {
   Eigen::ArrayXXd in_box = Eigen::ArrayXXd::Zero(side, side);
   const auto place = [&](double x) {
@@ -75,7 +75,8 @@ double one_level(const ComplexVector& points, Index side) {
          3.0 * p * static_cast<double>(points.size());
 }
 
-/// Number of boxes on a side for which 13 n^2/b + b^2 p^2/2 is minimal, b = side^2 (08.14).
+/// Returns the number of boxes on a side for which 13 n^2/b + b^2 p^2/2 is minimal, b = side^2
+/// (08.14).
 Index best_side(Index n) {
   const double ratio = static_cast<double>(n) / FmmSettings::for_tolerance(1e-6).order;
   return std::lround(std::cbrt(std::sqrt(13.0) * ratio));
@@ -84,7 +85,7 @@ Index best_side(Index n) {
 Measurement best_level(Index n) {
   return counted(n, one_level(test::points_in_a_square(n), best_side(n)));
 }
-/// A planted defect: the number of boxes for ten thousand nodes, whatever n.
+/// A planted defect: the number of boxes is that for ten thousand nodes, for any n.
 Measurement fixed_level(Index n) {
   return counted(n, one_level(test::points_in_a_square(n), best_side(10000)));
 }
@@ -108,12 +109,12 @@ Line linear_line(const std::string& key, const std::string& id, const std::strin
                              multipoles(make, std::numeric_limits<Index>::max())}};
 }
 
-/// About n nodes on 25 ellipses.
+/// Returns about n nodes on 25 ellipses.
 std::vector<Curve> few_ellipses(Index n) {
   return test::ellipses(5, 2 * std::lround(static_cast<double>(n) / 50.0));
 }
 
-/// Operations of the method relative to those of the direct sum.
+/// Returns the operations of the method relative to those of the direct sum.
 Measurement share(Index n, const FmmSettings& settings) {
   const Fmm plan(few_ellipses(n), {}, settings);
   const auto nodes = static_cast<double>(plan.sources().size());
@@ -130,7 +131,7 @@ Measure shares(double tolerance) {
   };
 }
 
-/// Shares at the number of nodes from which on the library uses the method.
+/// Measures shares at the least number of nodes for which the library uses the method.
 Measure shares_at_break_even(Index least_leaf) {
   return [=](Size) {
     std::vector<Measurement> measurements;
@@ -144,7 +145,7 @@ Measure shares_at_break_even(Index least_leaf) {
   };
 }
 
-/// Least time of five runs, in seconds.
+/// Returns the least time of five runs, in seconds.
 template <class Work>
 double least_seconds(const Work& work) {
   using Clock = std::chrono::steady_clock;

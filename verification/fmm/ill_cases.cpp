@@ -43,14 +43,14 @@ Summed kilometres() {
   return Summed(scaled(ellipses(4000), 1e6));
 }
 
-/// Settings with an order that suffices for any nodes: p 2^-p <= tolerance.
+/// Returns settings with an order that suffices for any nodes: p 2^-p <= tolerance.
 FmmSettings guaranteed(double tolerance) {
   FmmSettings settings = FmmSettings::for_tolerance(tolerance);
   while (settings.order * std::exp2(-settings.order) > tolerance) ++settings.order;
   return settings;
 }
 
-/// A planted defect: half of the order.
+/// A planted defect: the order is half of the chosen order.
 template <Choice choice>
 FmmSettings half_of(double tolerance) {
   FmmSettings settings = choice(tolerance);

@@ -51,10 +51,10 @@ Measure over_threads(ComplexVector (*velocity)(int)) {
   };
 }
 
-/// The order in which the entries of several densities are read.
+/// Names the order in which the entries of several densities are read.
 enum class Reading {
   by_fields,
-  by_nodes  ///< a planted defect: what is stored node by node is read field by field
+  by_nodes  ///< a planted defect: entries stored node by node are read field by field
 };
 
 Eigen::MatrixXcd read(const Eigen::MatrixXcd& density, Reading reading) {
@@ -63,7 +63,7 @@ Eigen::MatrixXcd read(const Eigen::MatrixXcd& density, Reading reading) {
   return Eigen::Map<const Eigen::MatrixXcd>(by_nodes.data(), density.rows(), density.cols());
 }
 
-/// Largest difference between fields that are summed together and alone.
+/// Measures the largest difference between fields that are summed together and alone.
 Measure over_fields(Reading reading) {
   return [=](Size) {
     const Summed& sum = summed_ellipses();

@@ -28,8 +28,8 @@ Box disk(Complex centre) {
   return box;
 }
 
-/// Points on the unit circle, as multiples of 2^-20, so that their sum with a whole number is
-/// exact.
+/// Returns points on the unit circle. Their coordinates are multiples of 2^-20, so that their sum
+/// with a whole number is exact.
 Points on_circle(double first_angle) {
   Points points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -40,8 +40,8 @@ Points on_circle(double first_angle) {
   return points;
 }
 
-/// Stresslets on the rim of a disk, and targets on the rim of another disk, beginning at the points
-/// nearest to the first disk.
+/// Holds stresslets on the rim of a disk, and targets on the rim of another disk. Both start at the
+/// points nearest to the other disk.
 struct Pair {
   /// @param  centre    centre of the disk of sources
   /// @param  distance  distance of the disks' centres, along the real axis
@@ -129,7 +129,7 @@ double one_power_less(const Pair& pair, int order) {
   return converted(pair, order - 1);
 }
 
-/// Disks of radius 1 with the ratio rho = R/(|D| - R), see (08.8).
+/// Returns disks of radius 1 with the ratio rho = R/(|D| - R), see (08.8).
 Pair pair_of_ratio(double rho) {
   return {{0.3, -0.2}, 1.0 + 1.0 / rho};
 }
@@ -195,7 +195,8 @@ double recentred(const Pair& pair) {
   return converted(pair, high_order);
 }
 
-/// A planted defect: psi = psi_c - conj(c) phi' about the origin instead of the box centre.
+/// A planted defect: psi = psi_c - conj(c) phi' is taken about the origin instead of the box
+/// centre.
 double about_the_origin(const Pair& pair) {
   const Expansion local = pair.local(high_order, pair.to);
   const Complex c = pair.to.centre;

@@ -8,7 +8,7 @@
 
 namespace stokesbook::verification::fmm {
 
-/// Nodes with a random density, and the results of the direct sum.
+/// Holds nodes with a random density, and the results of the direct sum.
 struct Summed {
   explicit Summed(const std::vector<Curve>& of);
 
@@ -39,24 +39,24 @@ const Summed& summed_crowd();
 const Summed& summed_slender_body();  ///< 1:100, wavy density: few boxes, with similar errors
 /// @}
 
-/// Relative error of the velocities at the nodes in the 2-norm.
+/// Returns the relative error of the velocities at the nodes in the 2-norm.
 double velocity_error(const Summed& exact, const FmmSettings& settings);
 
-/// Relative error of pressure, vorticity and strain near the nodes in the 2-norm.
+/// Returns the relative error of pressure, vorticity and strain near the nodes in the 2-norm.
 double derivative_error(const Summed& exact, const FmmSettings& settings);
 
-/// Relative error of the velocities near the nodes in the 2-norm, for a Stokeslet and a rotlet at
-/// every node instead of the layer.
+/// Returns the relative error of the velocities near the nodes in the 2-norm. Every node has a
+/// Stokeslet and a rotlet instead of the layer.
 double point_force_error(const Summed& exact, const FmmSettings& settings);
 
-/// Settings with a given order; the leaf size is that of a tolerance with this order.
+/// Returns settings with a given order. The leaf size is that of a tolerance with this order.
 FmmSettings of_order(int order);
 
 /// Counts the operations of an application in units of kernel evaluations.
 ///
 /// An evaluation counts eight multiplications. Each pair of the near lists costs 1, a conversion
-/// (M2L) p^2/2, a translation of an expansion by one level (M2M, L2L) p^2/4; for each node, P2M and
-/// L2P together cost 3p.
+/// (M2L) costs p^2/2, and a translation of an expansion by one level (M2M, L2L) costs p^2/4. For
+/// each node, P2M and L2P together cost 3p.
 double operations(const Fmm& plan, int order);
 
 }  // namespace stokesbook::verification::fmm

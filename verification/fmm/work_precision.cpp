@@ -16,13 +16,14 @@ using Eigen::Index;
 
 namespace {
 
-/// 256 ellipses with 64 nodes each.
+/// Returns the direct sum for 256 ellipses with 64 nodes each.
 const Summed& sources() {
   static const Summed sum(ellipses(16384));
   return sum;
 }
 
-/// Takes the values at every 64th node. The reference there has more digits than the methods.
+/// Takes the values at every 64th node. At these nodes the reference has more digits than the
+/// methods.
 ComplexVector sample_of(const ComplexVector& velocity) {
   return velocity(Eigen::seq(0, Eigen::last, 64));
 }
@@ -55,7 +56,7 @@ const ComplexVector& exact_sample() {
   return exact;
 }
 
-/// Velocities, and the work for them.
+/// Holds velocities, and the work for them.
 struct Found {
   ComplexVector velocity;
   double operations, seconds;

@@ -1,5 +1,6 @@
-// Defines hard instants that have an answer: narrow gaps, slender and lobed bodies, walls close by,
-// units far from one. Errors are against closed forms, symmetries, or a solution to more digits.
+// Defines hard instants that have an answer: narrow gaps, slender and lobed bodies, nearby walls,
+// lengths and viscosities far from one. Errors are differences from closed forms, from symmetries,
+// or from a solution to more digits.
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +54,7 @@ HardCase needle_in_shear(double aspect) {
           }};
 }
 
-// A rotor near the wall that encloses it.
+// Solves for a rotor near the wall that encloses it.
 HardCase near_a_wall(double gap) {
   return {"04",
           text("a turning disk next to its container's wall, gap %g of its radius; "
@@ -91,7 +92,7 @@ HardCase in_units(const std::string& what, double length, double viscosity) {
           }};
 }
 
-// A five-armed star with an arm in the valley between two arms of another star.
+// Solves for a five-armed star with an arm in the valley between two arms of another star.
 HardCase tip_in_valley() {
   return {"06", "a lobe of one star in the valley of another; against more digits", [] {
             const Star star{1.0, 0.25, 5};
@@ -121,7 +122,8 @@ HardCase degenerate_gauge() {
           }};
 }
 
-// Two circles, one inside the other, without bodies: the torque is 4 pi mu omega / (R1^-2 - R2^-2).
+// The walls are two circles, one inside the other, and there are no bodies: the torque is
+// 4 pi mu omega / (R1^-2 - R2^-2).
 HardCase walls_only() {
   return {"04", "walls and no body; relative error of the torque", [] {
             Scene cell = scene(QuiescentFlow{}, {}, 1e-10);
@@ -135,7 +137,7 @@ HardCase walls_only() {
           }};
 }
 
-// Flow outside a turning disk, (perp x) / |x|^2: pressure and vorticity vanish.
+// The flow outside a turning disk is (perp x) / |x|^2: pressure and vorticity vanish.
 HardCase stress_at_a_surface() {
   return {"07", "pressure, vorticity and strain 1e-10 from a turning disk", [] {
             Body rotor = body(Circle{1.0}, 0.0);

@@ -25,7 +25,7 @@ Body held(const Shape& shape, Complex position, double orientation = 0.0) {
   return result;
 }
 
-// Loaded and held bodies in an unbounded fluid.
+// Returns a scene of loaded and held bodies in an unbounded fluid.
 Scene pressed(const std::vector<Body>& bodies, double separation) {
   Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
   scene.gauge_length = 100.0;
@@ -46,7 +46,7 @@ Finding tunnelling() {
   });
 }
 
-// Disks of a square lattice, all pushed towards its centre.
+// Pushes all disks of a square lattice towards its centre.
 Finding lattice() {
   constexpr int side = 9;
   constexpr double separation = 0.1;
@@ -63,7 +63,7 @@ Finding lattice() {
   });
 }
 
-// A heavy ellipse on the floor of a container.
+// Runs a heavy ellipse that lies on the floor of a container.
 Finding thousand_steps_in_contact() {
   Body heavy = pushed(Ellipse{0.5, 0.3}, {0.1, -1.6}, {0.0, -20.0});
   heavy.orientation = 0.1;
@@ -74,8 +74,8 @@ Finding thousand_steps_in_contact() {
   return run(cell, 1e-3, [&](const RecordedRun& recorded) { return shortfall(cell, recorded); });
 }
 
-// Two circles on the line of centres of an extension; only contact stops them. Their final gap must
-// be the separation.
+// An extension drives two circles together along their line of centres, and only contact stops
+// them. Their final gap must be the separation.
 Finding head_on() {
   const double separation = 0.1;
   Scene pair = in_contact(ExtensionalFlow{-30.0}, {body(Circle{1.0}, -1.4), body(Circle{1.0}, 1.4)},
@@ -92,7 +92,7 @@ Finding head_on() {
   });
 }
 
-// Sum of the contact forces on a body at rest plus its load, relative to the load.
+// Returns the sum of the load of a body at rest and the contact forces on it, relative to the load.
 double missing_support(const Frame& end, std::size_t body, Complex load) {
   Complex sum = 0.0;
   for (const ContactForce& contact : end.contacts) {
@@ -102,7 +102,8 @@ double missing_support(const Frame& end, std::size_t body, Complex load) {
   return std::abs(sum + load) / std::abs(load);
 }
 
-// A body that comes to rest on two held bodies; both together must carry its load.
+// Runs a body that comes to rest at two or more contacts with held bodies. The contacts together
+// must carry its load.
 Finding resting_on_two(const Body& pressed_body, const std::vector<Body>& held_bodies) {
   std::vector<Body> bodies{pressed_body};
   bodies.insert(bodies.end(), held_bodies.begin(), held_bodies.end());
@@ -126,8 +127,8 @@ Finding pinch() {
                         {held(Circle{1.0}, {-1.2, 0.0}), held(Circle{1.0}, {1.2, 0.0})});
 }
 
-// Two ellipses with their long sides facing: a film as long as the bodies, out of which they turn
-// and slide apart.
+// Runs two ellipses whose long sides face each other. The film between the ellipses is as long as
+// they are, and they turn and slide apart.
 Finding flat_pair() {
   Scene pair = in_contact(QuiescentFlow{},
                           {pushed(Ellipse{1.0, 0.1}, {0.02, 0.1252}, {0.0, -100.0}),
@@ -153,7 +154,7 @@ Finding turning_crowd() {
   return run(crowd, 1e-3, [=](const RecordedRun& recorded) { return shortfall(crowd, recorded); });
 }
 
-// The published ellipses by the lagged coupling, with steps of a given length.
+// Runs the published ellipses by the lagged coupling, with steps of a given length.
 HardCase lagged(double dt) {
   return {"12",
           text("48 ellipses in vortices by the lagged coupling, with contact and steps of %g", dt),

@@ -14,13 +14,14 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Result of a hard case.
 struct Finding {
   double tolerance = unknown;  ///< required tolerance
-  double error = unknown;      ///< against a closed form, a symmetry or a finer solution
+  double error = unknown;      ///< difference from a closed form, a symmetry or a finer solution
   double estimate = unknown;   ///< solver's own estimate of the error
   long long iterations = 0;    ///< GMRES iterations
   std::string refusal = {};    ///< reason why there is no answer; empty if there is one
 };
 
-/// Required kind of result. Both are accepted if rounding errors decide.
+/// Names the required kind of result. The value `either` accepts both kinds, and is used where
+/// rounding errors decide between them.
 enum class Due { answer, refusal, either };
 
 /// A hard problem, and the required kind of result.
@@ -39,7 +40,7 @@ bool is_met(const HardCase& hard, const Finding& finding);
 /// Returns the difference of a solution from the known result, as a velocity.
 using Measure = std::function<double(const Solution&)>;
 
-/// Formats a number in a sentence, by a format of printf.
+/// Writes a number into a sentence, by a format of printf.
 std::string text(const char* format, double number);
 
 /// Returns the larger of the differences of velocities and of angular velocities times a length.
@@ -57,7 +58,7 @@ Body body(const Shape& shape, Complex position, double orientation = 0.0);
 /// Returns a scene with a solver tolerance.
 Scene scene(const BackgroundFlow& flow, std::vector<Body> bodies, double tolerance);
 
-/// Two circles of radius 1 with a gap, in extension along the line of centres.
+/// Returns two circles of radius 1 with a gap, in extension along the line of centres.
 Scene circles_in_extension(double gap, double tolerance);
 
 /// @name The cases

@@ -1,4 +1,4 @@
-// Runs hard scenes in time, and measures gaps against the separation.
+// Runs hard scenes in time, and compares gaps with the separation.
 #include "hard_run.hpp"
 
 #include <algorithm>

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int exit_case_fails = 2, exit_io = 3;
 
-// Controls of the test itself: it must reject an answer outside its tolerance, and an answer in
+// Checks the test itself: the test must reject an answer outside its tolerance, and an answer in
 // place of a refusal.
 bool rejects_bad_answers() {
   Scene pair = circles_in_extension(0.1, 0.3);

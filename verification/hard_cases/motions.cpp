@@ -19,7 +19,8 @@ Finding thousand_steps() {
   });
 }
 
-// Two circles that a flow drives together, from a distance of 3 radii to nearly 2.
+// Returns a scene of two circles that a flow drives together, from a distance of 3 radii to
+// nearly 2.
 Scene approach(double t_final, double dt, SteppingMethod method) {
   return over(scene(ExtensionalFlow{-1.0}, {body(Circle{1.0}, -1.5), body(Circle{1.0}, 1.5)}, 1e-8),
               t_final, dt, method);

@@ -1,4 +1,4 @@
-// Defines complementarity problems whose solution is known, and a problem without solution.
+// Defines complementarity problems whose solution is known, and a problem without a solution.
 #include <cmath>
 
 #include "hard_case.hpp"
@@ -14,9 +14,9 @@ namespace {
 
 constexpr double pivoting_tolerance = 1e-9;
 
-/// Solves by pivoting. The error is that of z if z is unique, otherwise that of w = q + M z. The
-/// matrix M is symmetric and semidefinite, so that w is unique. Both errors are independent of the
-/// units of rows.
+/// Solves by pivoting. The error is the error of z if z is unique, otherwise the error of
+/// w = q + M z. The matrix M is symmetric and semidefinite, so that w is unique. Both errors are
+/// independent of the units of rows.
 Finding solve_by_pivoting(const PlantedLcp& lcp) {
   const auto& [matrix, offset] = lcp.problem;
   const LcpResult found = lemke(lcp.problem);
@@ -42,8 +42,8 @@ PlantedLcp scaled(const PlantedLcp& lcp) {
   return in_other_units(lcp, scale);
 }
 
-/// Two contacts that must both open although each force closes the other contact: there is no
-/// solution.
+/// Poses two contacts that must both open, although the force at each contact closes the other
+/// contact: there is no solution.
 Finding without_solution() {
   const LcpProblem problem{matrix2(1.0, -1.0, -1.0, 1.0), vector2(-1.0, -1.0)};
   const LcpResult found = lemke(problem);

@@ -25,8 +25,8 @@ Finding sum(const std::vector<Curve>& curves, double tolerance) {
   return sum(curves, tolerance, FmmSettings::for_tolerance(tolerance));
 }
 
-// The errors of points at one place add up. The order is therefore the least for which p 2^-p meets
-// the tolerance, see FmmSettings::for_tolerance().
+// The errors of points at one place add up. The order p is therefore the least order for which
+// p 2^-p meets the tolerance, see FmmSettings::for_tolerance().
 Finding coincident(const ComplexVector& points, double tolerance) {
   FmmSettings settings = FmmSettings::for_tolerance(tolerance);
   while (std::ldexp(settings.order, -settings.order) > tolerance) ++settings.order;

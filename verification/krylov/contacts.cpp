@@ -1,5 +1,6 @@
 // Counts GMRES iterations with cluster preconditioners on scenes of bodies that nearly touch, and
-// measures seconds; compares the counts with the requirements and over gaps and bodies.
+// measures seconds. Compares the counts with the requirements, and for various gaps and numbers of
+// bodies.
 #include <chrono>
 #include <functional>
 #include <string>
@@ -19,13 +20,14 @@ namespace {
 
 using Kind = PreconditionerKind;
 
-/// Cost of solving a scene's start to 1e-8.
+/// Holds the cost of solving the system of a scene's start to the tolerance 1e-8.
 struct Effort {
   double iterations, unknowns;
   double seconds;  // seconds for discretisation, operator, preconditioner and iteration
 };
 
-/// A preconditioner: a kind that scenes name, or clusters in one form.
+/// Selects a preconditioner, either by a kind from the settings of a scene, or by the form of its
+/// clusters.
 using Choice = std::variant<PreconditionerKind, ClusterForm>;
 
 test::Discretised discretised(const Scene& scene, const Choice& choice) {
@@ -42,7 +44,8 @@ Effort effort(const Scene& scene, const Choice& choice) {
           taken.count()};
 }
 
-/// A scene at a place on the x axis; a quick study may skip it.
+/// Holds a scene and its position on the x axis of a figure. A quick study skips the scene if
+/// `full_only` is set.
 struct Case {
   double x;
   std::string name;

@@ -1,5 +1,5 @@
-// Counts the multiplications of a GMRES solve by the number of nodes: k n^2 against n^3 of a
-// factorisation.
+// Counts the multiplications of a GMRES solve for various numbers of nodes. Compares the count
+// k n^2 of GMRES with the count n^3 of a factorisation.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -23,7 +23,7 @@ double multiplications(double unknowns, double iterations) {
   return (iterations + 1.0) * unknowns * unknowns + 2.0 * unknowns * iterations * iterations;
 }
 
-/// Iterations for nine circles in shear, to the tolerance 1e-12.
+/// Returns the iterations for nine circles in shear, to the tolerance 1e-12.
 double reduced_iterations(Index nodes) {
   const BodySystem system(nine_circles(), nodes, shear);
   return gmres(system.map(), {}, system.rhs(), {1e-12, 500}).iterations;

@@ -40,11 +40,11 @@ study::Experiment solvers();
 study::Experiment costs_of_a_solve();
 /// @}
 
-/// Order of the matrices that are constructed for their spectra.
+/// Matrices that are constructed from a given spectrum have this order.
 inline constexpr Eigen::Index matrix_order = 200;
 
-/// Returns the relative residuals of GMRES that restarts after every `length` iterations: the
-/// initial residual, and that after each iteration.
+/// Returns the relative residuals of GMRES that restarts after every `length` iterations. The list
+/// contains the initial residual and the residual after each iteration.
 std::vector<double> restarted(const LinearMap& apply, const LinearMap& precondition,
                               const Eigen::VectorXd& b, int length, int iterations);
 

@@ -36,14 +36,15 @@ MatrixXd dense(const SuspensionOperator& system) {
   return matrix;
 }
 
-/// Holds all bodies; the Stokeslets have the gauge length of the clusters.
+/// Returns the scene with all bodies held. The Stokeslets have the gauge length of the clusters.
 Scene held(Scene scene) {
   for (Body& body : scene.bodies) body.held = true;
   scene.gauge_length = 100.0;
   return scene;
 }
 
-/// A hexagon of seven disks: operators of free and held bodies, rigid motions, neighbours.
+/// Describes a hexagon of seven disks by the operators of free and held bodies, the rigid motions
+/// and the neighbours.
 class Hexagon {
  public:
   explicit Hexagon(double gap)
@@ -131,8 +132,8 @@ MatrixXd blocks(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// Block-diagonal inverse, plus the difference that the inverse of each pair of neighbours makes to
-/// its two blocks.
+/// Returns the block-diagonal inverse plus a correction for each pair of neighbours. The correction
+/// is the inverse for the pair minus the block-diagonal inverse of its two bodies.
 MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
   const MatrixXd alone = blocks(hexagon, matrix);
   MatrixXd result = alone;
@@ -147,7 +148,8 @@ MatrixXd additive_pairs(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// Restricted additive Schwarz: the rows of each body are its rows in the inverse of its cluster.
+/// Returns the approximate inverse of the restricted additive Schwarz method. The rows of each body
+/// are taken from the inverse for its cluster.
 MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd result = MatrixXd::Zero(matrix.rows(), matrix.cols());
   for (const BodyIndices& cluster : hexagon.clusters) {
@@ -157,7 +159,7 @@ MatrixXd schwarz(const Hexagon& hexagon, const MatrixXd& matrix) {
   return result;
 }
 
-/// Inverse of the matrix without the blocks between bodies that are not neighbours.
+/// Returns the inverse of the matrix without the blocks between bodies that are not neighbours.
 MatrixXd near_field(const Hexagon& hexagon, const MatrixXd& matrix) {
   MatrixXd near = MatrixXd::Zero(matrix.rows(), matrix.cols());
   for (const BodyIndices& cluster : hexagon.clusters) {
@@ -180,7 +182,7 @@ Idea free_bodies(Approximate approximate) {
   };
 }
 
-/// Inverse for free bodies from the inverse H for held bodies and the resistances R:
+/// Returns the inverse for free bodies from the inverse H for held bodies and the resistances R:
 /// A^{-1} = H - (H K + K) R^{-1} Pi H, see (05.16).
 MatrixXd let_go(const Hexagon& hexagon, const MatrixXd& inverse, const MatrixXd& resistance) {
   const MatrixXd motions = test::inverse(resistance) * (hexagon.projection * inverse);
@@ -194,7 +196,8 @@ Idea held_bodies(Approximate approximate) {
   };
 }
 
-/// A planted defect: the resistances of all bodies together instead of those of the clusters.
+/// Uses, as a planted defect, the resistances of all bodies together instead of the resistances of
+/// the clusters.
 LinearMap true_resistances(const Hexagon& hexagon) {
   const MatrixXd exact = test::inverse(hexagon.held_matrix);
   return product_with(let_go(hexagon, schwarz(hexagon, hexagon.held_matrix),

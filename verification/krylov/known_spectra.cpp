@@ -15,7 +15,7 @@ namespace {
 constexpr double radius = 0.5;   // radius of the disk of eigenvalues about 1
 constexpr double spread = 25.0;  // quotient of the largest and the least eigenvalue of the interval
 
-/// A system with a known operator, and the residuals of its solution.
+/// Holds a system with a known operator, and its right-hand side.
 struct System {
   LinearMap apply;
   VectorXd rhs;
@@ -27,15 +27,16 @@ VectorXd shifted(const VectorXd& v) {
   return result;
 }
 
-/// Operator centre + radius S with the cyclic shift S: its eigenvalues are equidistant on a circle.
+/// Returns a system with the operator centre + radius S, in which S is the cyclic shift. The
+/// eigenvalues of this operator are equidistant on a circle.
 /// The right-hand side is the sum of all eigenvectors with equal weights.
 System circle_of_eigenvalues(double centre, double circle) {
   return {[=](const VectorXd& v) -> VectorXd { return centre * v + circle * shifted(v); },
           VectorXd::Unit(matrix_order, 0)};
 }
 
-/// Eigenvalues at the Chebyshev points of [1, spread]; the right-hand side has equal parts of all
-/// eigenvectors.
+/// Returns a system whose eigenvalues are the Chebyshev points of [1, spread]. The right-hand side
+/// has equal parts of all eigenvectors.
 System interval_of_eigenvalues() {
   VectorXd eigenvalues(matrix_order);
   for (Index j = 0; j < matrix_order; ++j) {
@@ -46,7 +47,8 @@ System interval_of_eigenvalues() {
           VectorXd::Ones(matrix_order)};
 }
 
-/// The circle of eigenvalues about 1, and a few eigenvalues far outside its disk.
+/// Returns a system with the circle of eigenvalues about 1 and a few eigenvalues far outside the
+/// disk of this circle.
 System disk_and_outliers() {
   VectorXd outliers(6);
   outliers << 1e-3, 1e-2, 0.1, -0.3, 3.0, 10.0;
@@ -61,15 +63,16 @@ System disk_and_outliers() {
           rhs};
 }
 
-/// Residuals for the circle about 1 (05.7): the least mean square on the circle of a polynomial
-/// with p(0) = 1.
+/// Returns the residual after k iterations for the circle about 1 (05.7): the least mean square on
+/// the circle of a polynomial with p(0) = 1.
 double least_on_circle(int k) {
   double sum = 0.0;
   for (int j = 0; j <= k; ++j) sum += std::pow(radius, -2.0 * j);
   return 1.0 / std::sqrt(sum);
 }
 
-/// Residuals for the interval, by its orthonormal polynomials sqrt(2) T_j.
+/// Returns the residual after k iterations for the interval. The formula uses the orthonormal
+/// polynomials sqrt(2) T_j of the interval.
 double least_on_interval(int k) {
   const double at_zero = std::acosh((spread + 1.0) / (spread - 1.0));
   double sum = 1.0;
@@ -100,8 +103,8 @@ Measure restarted_history(const System& system, int iterations, int length) {
   };
 }
 
-/// The naive symmetric method: iterates with (1 + r S)^T (1 + r S) x = (1 + r S)^T b, two products
-/// in each iteration.
+/// Applies the naive symmetric method: solves (1 + r S)^T (1 + r S) x = (1 + r S)^T b by GMRES.
+/// Each iteration requires two products.
 std::vector<Measurement> normal_equations(Size) {
   const System system = circle_of_eigenvalues(1.0, radius);
   const auto transposed = [](const VectorXd& v) -> VectorXd {
@@ -114,7 +117,8 @@ std::vector<Measurement> normal_equations(Size) {
   return as_measurements(history_of(normal, 25), 2);
 }
 
-/// A planted defect: the Krylov space is left out after every five iterations.
+/// Restarts, as a planted defect, after every five iterations, so that the earlier Krylov space is
+/// lost.
 std::vector<double> restarted_history_of(const System& system, int iterations) {
   return restarted(system.apply, {}, system.rhs, 5, iterations);
 }

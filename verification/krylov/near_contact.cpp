@@ -16,7 +16,8 @@ constexpr GmresOptions near_contact_options{1e-8, 1000};
 
 using Arrangement = std::vector<PlacedBody> (*)(double gap);
 
-/// Number of nodes that resolve densities with modes e^{-alpha |k|}, cosh alpha = 1 + gap / 2.
+/// Returns a number of nodes that resolves densities with modes e^{-alpha |k|}, in which
+/// cosh alpha = 1 + gap / 2.
 Index nodes_at_gap(double gap) {
   return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
 }

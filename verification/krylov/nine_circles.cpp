@@ -1,5 +1,5 @@
-// Counts iterations for the published case of nine circles, by form of the closure and number of
-// nodes.
+// Counts iterations for the published case of nine circles, for each form of the closure and
+// various numbers of nodes.
 #include <cmath>
 #include <functional>
 
@@ -26,7 +26,7 @@ Count reduced_form() {
   };
 }
 
-/// The reduced form, preconditioned by the blocks of a shape.
+/// Counts iterations for the reduced form with the preconditioner of a shape's blocks.
 Count reduced_form_with_blocks(const Shape& shape) {
   return [=](Index nodes) {
     const BodySystem system(nine_circles(), nodes, shear);

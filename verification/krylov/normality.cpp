@@ -1,5 +1,5 @@
-// Compares normal and non-normal matrices with equal eigenvalues: whether eigenvalues determine the
-// residuals of GMRES.
+// Compares normal and non-normal matrices with equal eigenvalues. The comparison shows whether the
+// eigenvalues determine the residuals of GMRES.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -29,7 +29,8 @@ std::vector<Measurement> residuals_of(const LinearMap& apply, const VectorXd& rh
   return measurements;
 }
 
-/// Operator 1 + coupling N with (N v)_i = v_{i+1}; all its eigenvalues are 1.
+/// Measures residuals for the operator 1 + coupling N with (N v)_i = v_{i+1}. All eigenvalues of
+/// the operator are 1.
 Measure jordan_block(double coupling) {
   return [=](Size) {
     const LinearMap apply = [=](const VectorXd& v) -> VectorXd {
@@ -41,13 +42,14 @@ Measure jordan_block(double coupling) {
   };
 }
 
-/// A normal matrix with these eigenvalues; the right-hand side has equal parts of all eigenvectors.
+/// Measures residuals for a normal matrix with the given eigenvalues. The right-hand side has equal
+/// parts of all eigenvectors.
 std::vector<Measurement> normal_matrix(const VectorXd& eigenvalues, int iterations) {
   return residuals_of([&](const VectorXd& v) -> VectorXd { return eigenvalues.cwiseProduct(v); },
                       VectorXd::Ones(eigenvalues.size()), iterations);
 }
 
-/// Two circles with their own blocks, and random data.
+/// Holds the system of two circles with their own blocks, and random data.
 struct Pair {
   BodySystem system{circle_pair(pair_gap), pair_nodes, shear};
   BlockDiagonalPreconditioner solve_blocks = block_diagonal(circle_pair(pair_gap), pair_nodes);
@@ -61,7 +63,7 @@ std::vector<Measurement> pair_residuals(Size) {
   return residuals_of([&](const VectorXd& v) { return pair.apply(v); }, interleaved(pair.data), 45);
 }
 
-/// A normal matrix with the eigenvalues of the pair.
+/// Measures residuals for a normal matrix with the eigenvalues of the pair.
 std::vector<Measurement> pair_if_normal(Size) {
   const Pair pair;
   const Index size = pair.system.size();
@@ -72,7 +74,8 @@ std::vector<Measurement> pair_if_normal(Size) {
   return normal_matrix(test::eigenvalues(matrix).real(), 45);
 }
 
-/// A planted defect: eigenvalues within a tenth of 1 in place of those of the pair.
+/// Measures residuals for eigenvalues within a tenth of 1. The function is a planted defect: it
+/// does not use the eigenvalues of the pair.
 std::vector<Measurement> normal_near_one(Size) {
   return normal_matrix(VectorXd::LinSpaced(matrix_order, 0.9, 1.1), 45);
 }

@@ -36,12 +36,13 @@ MatrixXd basis_of_library() {
   return basis.leftCols(basis_size);  // the last vector is the solution, for its residual
 }
 
-/// Classical Gram-Schmidt: all projections are of the same vector.
+/// Applies the classical Gram-Schmidt method, in which all projections use the same vector w.
 void classical(const MatrixXd& basis, VectorXd& w) {
   w -= basis * (basis.transpose() * w);
 }
 
-/// Modified Gram-Schmidt: each projection is of the remainder of the previous one.
+/// Applies the modified Gram-Schmidt method, in which each projection uses the remainder of the
+/// previous projection.
 void modified(const MatrixXd& basis, VectorXd& w) {
   for (Index i = 0; i < basis.cols(); ++i) w -= basis.col(i).dot(w) * basis.col(i);
 }
@@ -59,7 +60,7 @@ MatrixXd basis_by(const Orthogonalise& orthogonalise) {
   return basis;
 }
 
-/// Largest |V^T V - I| of the first k columns.
+/// Returns the largest entry of |V^T V - I| for the first k columns of the basis V.
 std::vector<Measurement> loss(const MatrixXd& basis) {
   const MatrixXd defect =
       (basis.transpose() * basis - MatrixXd::Identity(basis.cols(), basis.cols())).cwiseAbs();

@@ -1,5 +1,5 @@
-// Compares the spectrum of two circles with its closed form (05.13), and shows how the eigenvalues
-// cluster by the gap.
+// Compares the spectrum of two circles with its closed form (05.13), and shows how the clustering
+// of the eigenvalues depends on the gap.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,19 +19,21 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Parameter alpha of the bipolar coordinates of two unit circles, cosh(alpha) = 1 + gap / 2.
+/// Returns the parameter alpha of the bipolar coordinates of two unit circles, from
+/// cosh(alpha) = 1 + gap / 2.
 double bipolar(double gap) {
   return std::acosh(1.0 + 0.5 * gap);
 }
 
-/// Number of nodes that resolve the eigenvectors of many modes.
+/// Returns a number of nodes that resolves the eigenvectors of many modes.
 Index nodes_for_modes(double gap) {
   return 2 * static_cast<Index>(std::ceil(12.0 + 40.0 / bipolar(gap)));
 }
 
-/// Eigenvalues of A M^{-1} - 1 in closed form (05.13): +-e^{-y} with sinh(2 n alpha - y) = +-n
-/// sinh(2 alpha), each twice; for n = 1 only those with the larger y. The other eigenvalues are 0:
-/// those of rigid motions, and of modes that the nodes do not resolve.
+/// Returns the eigenvalues of A M^{-1} - 1 in closed form (05.13). The nonzero eigenvalues are
+/// +-e^{-y} with sinh(2 n alpha - y) = +-n sinh(2 alpha), and each eigenvalue occurs twice. The
+/// mode n = 1 has only the eigenvalues with the larger y. The eigenvalues of rigid motions, and of
+/// modes that the nodes do not resolve, are 0.
 VectorXd known_spectrum(double gap) {
   const double alpha = bipolar(gap);
   const Index nodes = nodes_for_modes(gap);
@@ -72,8 +74,9 @@ VectorXcd computed_spectrum(double gap, const Shape& block) {
   return all;
 }
 
-/// Number of eigenvalues that are compared at either end of the spectrum. The inner eigenvalues of
-/// A M^{-1} are nearer to 1, where rounding errors move them more because the matrix is not normal.
+/// This many eigenvalues are compared at either end of the spectrum. The inner eigenvalues of
+/// A M^{-1} are nearer to 1. Rounding errors change these eigenvalues more, because the matrix is
+/// not normal.
 constexpr Index outer = 16;
 
 Measure spectrum_errors(const Shape& block) {
@@ -91,7 +94,8 @@ Measure spectrum_errors(const Shape& block) {
   };
 }
 
-/// Distances from 1 of the eigenvalues, one of each four equal values.
+/// Returns the distances of the eigenvalues from 1. Each distance occurs four times and is returned
+/// once.
 Measure clustering(double gap, const Shape& block) {
   return [=](Size) {
     VectorXd distances = computed_spectrum(gap, block).cwiseAbs();

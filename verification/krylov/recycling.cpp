@@ -1,5 +1,5 @@
-// Measures Krylov recycling: the iterations that one step's solve saves by directions of the
-// previous step, and the products that these directions cost.
+// Measures Krylov recycling. Directions of the previous step save iterations in the solve of the
+// next step, but these directions require products with the operator.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr GmresOptions step_options{1e-8, 500};
 
-/// The operator A M^{-1} on interleaved vectors.
+/// Returns the operator A M^{-1} on interleaved vectors.
 LinearMap preconditioned(const LinearSystem& discrete) {
   return [&discrete](const VectorXd& v) -> VectorXd {
     const VectorXd density = discrete.precondition ? discrete.precondition(v) : v;
@@ -33,8 +33,8 @@ LinearMap preconditioned(const LinearSystem& discrete) {
   };
 }
 
-/// Arnoldi's method: an orthonormal basis of a Krylov space and the matrix H with A V_k = V_{k+1} H
-/// (05.3).
+/// Computes, by Arnoldi's method, an orthonormal basis of a Krylov space and the matrix H with
+/// A V_k = V_{k+1} H (05.3).
 struct Arnoldi {
   MatrixXd basis, hessenberg;
 
@@ -54,8 +54,8 @@ struct Arnoldi {
   }
 };
 
-/// Returns the harmonic Ritz vectors of the harmonic Ritz values of least modulus, as real and
-/// imaginary parts.
+/// Returns the harmonic Ritz vectors that belong to the harmonic Ritz values of least modulus. Each
+/// complex vector is returned as its real and its imaginary part.
 MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   const Index size = arnoldi.hessenberg.cols();
   MatrixXd square = arnoldi.hessenberg.topRows(size);
@@ -79,7 +79,7 @@ MatrixXd softest_directions(const Arnoldi& arnoldi, Index count) {
   return arnoldi.basis.leftCols(size) * chosen;
 }
 
-/// The systems of a scene's start and of a time dt later, on the same nodes.
+/// Holds two linear systems on the same nodes: at the start of a scene, and a time dt later.
 struct TwoSteps {
   test::Discretised first;
   LinearSystem second;
@@ -99,15 +99,16 @@ struct TwoSteps {
     second = first.solver.linear_system({moved}, first.discretisation);
   }
 
-  /// Products with the operator, including the products for the recycled directions.
+  /// Returns the number of products with the operator, including the products for the recycled
+  /// directions.
   double products(Index recycled) const {
     const ComplexVector data = second.system.right_hand_side();
     const VectorXd rhs = interleaved(data), old = solved.solution;
     const ComplexVector of_old = second.system(deinterleaved(old));
     const VectorXd rest = rhs - interleaved(of_old);
     const LinearMap apply = preconditioned(second);
-    // GMRES counts its tolerance relative to the residual of the earlier density, with which all
-    // solves begin.
+    // All solves begin with the density of the earlier step, and GMRES measures its tolerance
+    // relative to the residual of this density.
     const double tolerance = step_options.tolerance * rhs.norm() / rest.norm();
     if (recycled == 0) return gmres(apply, {}, rest, {tolerance, 500}).iterations;
     const ComplexVector earlier = first.discrete.system.right_hand_side();

@@ -1,5 +1,5 @@
-// Shows why clusters of held bodies can be local: the decay of forces between held bodies with
-// distance, and the force due to closed pores (05.17).
+// Shows why clusters of held bodies can be local: measures how forces between held bodies decay
+// with distance, and the force due to closed pores (05.17).
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -17,11 +17,11 @@ using namespace study;
 
 namespace {
 
-/// State of the other bodies while one body is moved.
+/// Selects whether the other bodies are held or free while one body is moved.
 enum class Others { held, free };
 
-/// Returns motions and loads if the body in the middle of the list moves at unit speed. The gauge
-/// length of the Stokeslets is a hundred radii.
+/// Returns the motions and loads of all bodies if the body in the middle of the list moves at unit
+/// speed. The gauge length of the Stokeslets is a hundred radii.
 Completion moved_middle(Scene scene, Others others, PreconditionerKind preconditioner) {
   const std::size_t middle = scene.bodies.size() / 2;
   scene.flow = QuiescentFlow{};
@@ -35,8 +35,9 @@ Completion moved_middle(Scene scene, Others others, PreconditionerKind precondit
   return system.discrete.system.closure().complete(deinterleaved(result.solution));
 }
 
-/// Forces of held disks in a hexagonal patch (or velocities of free disks) relative to those of the
-/// moved disk: root mean squares over disks at equal distances from it.
+/// Returns the forces of held disks in a hexagonal patch, or the velocities of free disks, relative
+/// to the force or velocity of the moved disk. Each value is the root mean square over the disks at
+/// equal distance from the moved disk.
 std::vector<Measurement> responses(int rings, Others others) {
   const Scene scene = test::disk_hexagon(rings, 0.05, 1e-2);
   const Completion completion = moved_middle(scene, others, PreconditionerKind::clusters);
@@ -70,7 +71,7 @@ Measure by_distance(Others others) {
 
 const std::vector<double> pore_gaps{0.005, 0.01, 0.02};
 
-/// Force on the middle disk of seven that moves among held disks.
+/// Returns the force on the middle disk of seven disks, which moves among six held disks.
 double force_in_hexagon(double gap) {
   return std::abs(moved_middle(test::disk_hexagon(1, gap, 1e-3), Others::held,
                                PreconditionerKind::block_diagonal)
@@ -78,7 +79,7 @@ double force_in_hexagon(double gap) {
                       .force);
 }
 
-/// The same force as the sum over the six pairs.
+/// Returns the sum of the same force over the six pairs.
 double force_of_pairs(double gap) {
   const Scene hexagon = test::disk_hexagon(1, gap, 1e-3);
   Complex force = 0.0;

@@ -1,5 +1,5 @@
-// Counts iterations for slender bodies with the block-diagonal preconditioner, also with blocks
-// that are not rotated with the bodies (a defect).
+// Counts iterations for slender bodies with the block-diagonal preconditioner. A planted defect
+// uses blocks that are not rotated with the bodies.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr GmresOptions slender_options{1e-10, 1000};
 
-/// Blocks of the preconditioner: none, rotated with the bodies, or not rotated.
+/// Selects the blocks of the preconditioner: none, rotated with the bodies, or not rotated.
 enum class EllipseBlocks { none, turned, not_turned };
 
 LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, EllipseBlocks blocks) {
@@ -27,13 +27,13 @@ LinearMap blocks_of(std::vector<PlacedBody> bodies, Index nodes, EllipseBlocks b
   return block_diagonal(bodies, nodes);
 }
 
-/// Number of nodes that resolve an ellipse: the modes of its double layer decay by the factor (a -
-/// b) / (a + b).
+/// Returns a number of nodes that resolves an ellipse. The modes of the double layer decay by the
+/// factor (a - b) / (a + b).
 Index nodes_of_ellipse(double aspect) {
   return 16 * std::lround(1.0 + aspect);
 }
 
-/// Iterations for a single rotated ellipse with random data.
+/// Returns the iterations for a single rotated ellipse with random data.
 int alone_count(double aspect, EllipseBlocks blocks) {
   const std::vector<PlacedBody> body{{Ellipse{1.0, 1.0 / aspect}, 0.0, 0.7}};
   const Index nodes = nodes_of_ellipse(aspect);

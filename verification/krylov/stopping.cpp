@@ -1,5 +1,5 @@
 // Compares the solver's tolerance with true residuals (preconditioned from the left and from the
-// right, (05.9)) and with errors of velocities; measures their cost.
+// right, (05.9)) and with errors of velocities. Measures the cost of the solutions.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most = 1000;
 
-/// A system with its preconditioner and right-hand side.
+/// Holds a system with its preconditioner and right-hand side.
 struct SolvableSystem {
   BodySystem system;
   BlockDiagonalPreconditioner solve_blocks;
@@ -50,8 +50,8 @@ SolvableSystem woven() {
   return {woven_ellipses(2, 2, 6.0), 64, generic_flow};
 }
 
-/// Two needles 16:1 side by side in a flow that would bend them, which is the mode with the
-/// smallest eigenvalue.
+/// Returns the system of two needles of aspect ratio 16:1 side by side. The flow would bend the
+/// needles; bending is the mode with the smallest eigenvalue.
 SolvableSystem needles() {
   const Shape needle = Ellipse{1.0, 1.0 / 16.0};
   const auto bending = [](Complex z) {
@@ -60,7 +60,7 @@ SolvableSystem needles() {
   return {{{needle, 0.0}, {needle, {0.2, 0.3}}}, 272, bending};
 }
 
-/// Difference of the residual that GMRES reports from the residual of its iterate.
+/// Measures the difference between the residual that GMRES reports and the residual of its iterate.
 Measure residual_differences(Solver solve) {
   return [=](Size) {
     const SolvableSystem problem = woven();
@@ -97,8 +97,8 @@ Measure true_residuals(Solver solve) {
   };
 }
 
-/// Velocities and angular velocities of all bodies. The longest semi-axis is 1, so that both have
-/// one unit.
+/// Returns velocities and angular velocities of all bodies. The longest semi-axis is 1, so both
+/// quantities have the same unit.
 VectorXd velocities(const BodySystem& system, const VectorXd& density) {
   std::vector<double> values;
   for (const RigidMotion& motion : system.motions(density)) {
@@ -115,7 +115,8 @@ double seconds_of(const Function& function) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Returns the largest error of a velocity, relative to the largest velocity.
+/// Holds the exact velocities. The error is the largest error of a velocity, relative to the
+/// largest exact velocity.
 struct Reference {
   VectorXd exact;
 
@@ -146,7 +147,8 @@ Measure velocity_errors(Solver solve, int most_iterations = most) {
   };
 }
 
-/// The naive method: assembles the matrix, one product for each column, and factorises it.
+/// Measures the error and the cost of the naive method, which assembles the matrix by one product
+/// for each column, and factorises the matrix.
 std::vector<Measurement> by_factorisation(Size size) {
   const SolvableSystem problem = woven();
   const Reference reference(problem);

@@ -1,4 +1,4 @@
-// Study of GMRES and its preconditioners: compares numbers of iterations with the theory.
+// Studies GMRES and its preconditioners: compares numbers of iterations with the theory.
 #include "experiments.hpp"
 #include "studies.hpp"
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double near_tolerance = 1e-14;
 
-/// Makes one object for each shape; bodies of equal shape share it.
+/// Makes one object for each shape. Bodies of equal shape use the same object.
 template <class Object, class Make>
 std::vector<std::shared_ptr<const Object>> shared_by_shape(const std::vector<PlacedBody>& bodies,
                                                            const Make& make) {

@@ -14,27 +14,27 @@
 
 namespace stokesbook::verification::krylov {
 
-/// A free body, without load.
+/// Describes a free body without load.
 struct PlacedBody {
   Shape shape;
   Complex position;
   double orientation = 0.0;
 };
 
-/// Undisturbed velocity at a point.
+/// Returns the undisturbed velocity at a point.
 using Flow = std::function<Complex(Complex)>;
 
-/// The shear flow (y, 0).
+/// Returns the velocity (y, 0) of the shear flow.
 inline Complex shear(Complex z) {
   return z.imag();
 }
 
-/// A flow without the symmetries of the arrangements.
+/// Returns the velocity of a flow without the symmetries of the arrangements.
 inline Complex generic_flow(Complex z) {
   return z.imag() + 0.7 * std::conj(z) + 0.3 * std::exp(0.4 * z) * imaginary;
 }
 
-/// Evaluation of the double layer of one body on another.
+/// Selects how the double layer of one body is evaluated on another body.
 enum class Between {
   trapezoid,  ///< by the trapezoid rule: an error of order 1 if the gap is below a spacing
   resolved    ///< with near corrections, exact for the densities that the nodes resolve
@@ -47,14 +47,15 @@ StokesProblem problem_of(const std::vector<PlacedBody>& bodies, Eigen::Index nod
 /// Discretises one free body of the given shape in its own frame.
 Component alone(const Shape& shape, Eigen::Index nodes);
 
-/// The inverse of the bodies' diagonal blocks; bodies of equal shape share one.
+/// Returns the inverse of the diagonal blocks of all bodies. Bodies of equal shape use the same
+/// inverse.
 BlockDiagonalPreconditioner block_diagonal(const std::vector<PlacedBody>& bodies,
                                            Eigen::Index nodes);
 
-/// The near corrections between bodies.
+/// Returns the near corrections between bodies.
 NearCorrection near_correction(const std::vector<PlacedBody>& bodies, Eigen::Index nodes);
 
-/// The reduced system of bodies in a flow.
+/// Holds the reduced system of bodies in a flow.
 class BodySystem {
  public:
   BodySystem(std::vector<PlacedBody> bodies, Eigen::Index nodes, const Flow& flow,
@@ -79,14 +80,15 @@ class BodySystem {
   std::optional<NearCorrection> near_;
 };
 
-/// A bordered form of the same system; its matrix is dense, its near corrections are not.
+/// Holds a bordered form of the same system. The matrix is dense, but the near corrections are not
+/// dense.
 class BorderedSystem {
  public:
   BorderedSystem(const std::vector<PlacedBody>& bodies, Eigen::Index nodes, const Flow& flow,
                  Between between, ClosureForm form);
 
-  /// Returns the operator, and the inverse of its diagonal blocks, each block with its border. Both
-  /// refer to this object.
+  /// The first function returns the operator; the second function returns the inverse of its
+  /// diagonal blocks, each with its border. Both results refer to this object.
   LinearMap map() const {
     return [this](const Eigen::VectorXd& v) { return apply(v); };
   }
@@ -109,17 +111,18 @@ class BorderedSystem {
 /// @name Arrangements
 /// @{
 
-/// Nine circles of radius .5 at the pitch 1.25, with gaps of .25.
+/// Returns nine circles of radius .5 at the pitch 1.25, with gaps of .25.
 std::vector<PlacedBody> nine_circles();
 
-/// A woven lattice of ellipses: neighbours are perpendicular to each other, and the tip of an
-/// ellipse is .0555 from the flank of the next.
+/// Returns a woven lattice of ellipses. Neighbours are perpendicular to each other, and the tip of
+/// each ellipse is at a distance of .0555 from the long side of the next ellipse.
 std::vector<PlacedBody> woven_ellipses(int columns, int rows, double aspect);
 
-/// Two unit circles.
+/// Returns two unit circles.
 std::vector<PlacedBody> circle_pair(double gap);
 
-/// A unit circle and six circles around it; each nearly touches its neighbours.
+/// Returns a unit circle and six circles around this circle. Each circle nearly touches its
+/// neighbours.
 std::vector<PlacedBody> hexagon(double gap);
 
 /// @}

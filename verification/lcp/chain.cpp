@@ -1,4 +1,4 @@
-// Counts the iterations of the solvers on a chain of contacts, by its length.
+// Counts the iterations of the solvers on chains of contacts of various lengths.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,8 +19,8 @@ double distance_from_solution(const VectorXd& z) {
   return largest(z - VectorXd::Ones(z.size()));
 }
 
-// Number of sweeps after which only the slowest part of the error is left, up to a factor exp(-9
-// pi^2 / 4).
+// Returns a number of sweeps after which only the slowest part of the error is left, up to a factor
+// exp(-9 pi^2 / 4).
 int enough_sweeps(Index m) {
   return static_cast<int>(3 * (m + 1) * (m + 1) / 4) + 1;
 }
@@ -56,7 +56,7 @@ Measure counts(const CountOfSize& count) {
   };
 }
 
-// Number of sweeps until the error of z is below 1e-3, by bisection.
+// Returns the number of sweeps until the error of z is below 1e-3, by bisection.
 double sweeps_for_three_digits(const LcpProblem& problem, const VectorXd& z) {
   const auto near = [&](int sweeps) {
     const LcpOptions options{.tolerance = 0.0, .max_iterations = sweeps};

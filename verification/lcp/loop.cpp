@@ -29,8 +29,8 @@ VectorXd free_end(double p) {
   return (1.0 - p) * on_the_disk(0.6);
 }
 
-// The free motion of the point ends at the depth p in the disk; a contact force also moves the
-// point sideways.
+// Returns a step in which the free motion of the point ends at the depth p in the disk. A contact
+// force also moves the point sideways.
 ContactStep into_the_disk(double p) {
   ContactStep step = point_and_disk(start, free_end(p) - start, 1.0);
   step.tolerance = 1e-15;
@@ -40,7 +40,8 @@ ContactStep into_the_disk(double p) {
   return step;
 }
 
-// Exact solution by bisection: at the end, the path from the free end has the direction of B n.
+// Returns the exact solution by bisection. The path from the free end to the exact end has the
+// direction of B n, and n is the normal at the exact end.
 VectorXd resting(double p) {
   const auto turn = [&](double angle) {
     const VectorXd way = on_the_disk(angle) - free_end(p),
@@ -55,7 +56,7 @@ VectorXd resting(double p) {
   return on_the_disk(low) - start;
 }
 
-// Exact solution if the force keeps its direction of the start.
+// Returns the exact solution if the force keeps its direction of the start.
 VectorXd resting_directed(double p) {
   const VectorXd way = slanted_mobility() * start.normalized();
   const double half = free_end(p).dot(way), depth = 1.0 - free_end(p).squaredNorm();
@@ -63,7 +64,8 @@ VectorXd resting_directed(double p) {
   return free_end(p) + force * way - start;
 }
 
-// Result after so many linear problems, with open gaps accepted only at the end.
+// Returns the result after the given number of linear problems. Open gaps are accepted only at the
+// end.
 ContactResult after(int iterations, const ContactStep& step) {
   return resolve_contact(
       step, {.max_iterations = iterations, .open_gap_after = iterations, .open_gap = closed});
@@ -71,7 +73,7 @@ ContactResult after(int iterations, const ContactStep& step) {
 
 using Change = void (*)(ContactRows& rows);
 
-// A step with a change of its rows.
+// Returns the step with its rows changed by a function.
 ContactStep changed(ContactStep step, Change change) {
   step.rows = [rows = step.rows, change](const VectorXd& velocity) {
     ContactRows result = rows(velocity);
@@ -85,17 +87,18 @@ GapGradient normal_at_start() {
   return MatrixXd(start.normalized().transpose()).sparseView();
 }
 
-// A step that uses the gap's gradient of the start instead of the end.
+// Returns the step with the gap's gradient at the start instead of the gap's gradient at the end.
 ContactStep frozen(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) { rows.gradient = normal_at_start(); });
 }
 
-// A step whose forces keep their direction of the start; the gap's gradient is that of the end.
+// Returns the step with forces that keep their direction of the start. The gap's gradient is taken
+// at the end.
 ContactStep directed(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) { rows.force_gradient = normal_at_start(); });
 }
 
-// A step whose forces and gap's gradient are both those of the start.
+// Returns the step with both the direction of the forces and the gap's gradient at the start.
 ContactStep directed_and_frozen(const ContactStep& step) {
   return changed(step, [](ContactRows& rows) {
     rows.force_gradient = normal_at_start();
@@ -103,7 +106,7 @@ ContactStep directed_and_frozen(const ContactStep& step) {
   });
 }
 
-// Error of the velocity after k linear problems.
+// Returns the error of the velocity after k linear problems.
 double error(int k, double p) {
   return largest(after(k, into_the_disk(p)).velocity - resting(p));
 }
@@ -147,7 +150,7 @@ Measure over_iterations(double (*residual)(int iterations)) {
 
 constexpr double deep = 0.4;
 
-// Points in a row: the worst result of twenty random scenes of n points.
+// Measures the largest error in twenty random scenes of n points in a row.
 Measure over_rows(double (*error)(Index n, unsigned seed)) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -173,7 +176,8 @@ double power_given(Index n, unsigned seed) {
   return std::max(0.0, result.power) / (1.0 + result.force.norm() * result.velocity.norm());
 }
 
-// Power of the forces, of either sign, that keep the neighbours at a fixed distance.
+// Returns the power, if it is positive, of forces that keep neighbours at a fixed distance. These
+// forces can have either sign. The power is divided by 1 + |force| |velocity|.
 double power_of_rods(Index n, unsigned seed) {
   MatrixXd gradient = MatrixXd::Zero(n - 1, n);
   for (Index i = 0; i + 1 < n; ++i) gradient.row(i).segment(i, 2) << -1.0, 1.0;
@@ -186,14 +190,15 @@ double power_of_rods(Index n, unsigned seed) {
   return std::max(0.0, force.dot(velocity)) / (1.0 + force.norm() * velocity.norm());
 }
 
-// Largest difference between two solvers in the velocities.
+// Returns the largest difference between the velocities of two solvers.
 double disagreement(Index n, unsigned seed) {
   const ContactStep step = random_row(n, seed);
   return largest(resolve_contact(step).velocity -
                  resolve_contact(step, {.solver = fischer_newton}).velocity);
 }
 
-// A planted defect: for one of the solvers a force moves its own point only.
+// Returns the same difference with a planted defect: in the problem of one solver, a force moves
+// only its own point.
 double disagreement_without_coupling(Index n, unsigned seed) {
   const MatrixXd own = mobility_of(n, seed).diagonal().asDiagonal();
   const ContactStep uncoupled = row_of_points(normal_matrix(n, 1, seed), 1.0, own);
@@ -222,8 +227,8 @@ Measure over_rotations(int restore_rows_after) {
   };
 }
 
-// Two gaps in conflict: one requires U <= 1; the other, 0.1 - 3 U + 1.2 U^2, linearised at U*,
-// requires U > 1. At U = 0 both gaps are open.
+// Returns a step with two gaps in conflict. The first gap requires U <= 1. The second gap is
+// 0.1 - 3 U + 1.2 U^2 and, linearised at U*, requires U > 1. Both gaps are open at U = 0.
 ContactStep at_odds(double free) {
   ContactStep step = step_of(
       VectorXd::Constant(1, free), 1.0, MatrixXd::Identity(1, 1), [](const VectorXd& velocity) {
@@ -256,7 +261,7 @@ Measure over_free_velocities(const LcpSolver& solver) {
   };
 }
 
-// A claim about an order in the depth; the control has a wrong gradient.
+// Returns a line with a claim about an order in the depth. The control uses a wrong gradient.
 Line order_line(const std::string& key, const std::string& label, double (*residual)(double p),
                 Claim claim, double (*defective)(double p)) {
   claim.window = {.to = 0.15, .floor = 1e-15};

@@ -14,8 +14,8 @@ namespace {
 
 constexpr Index pair_count = 20;
 
-// Half of the pairs are in contact (z > 0). The others are all open (w > 0), or half of them have z
-// = w = 0.
+// Returns a problem in which half of the pairs are in contact (z > 0). The other pairs are open
+// (w > 0); if `degenerate`, half of the other pairs have z = w = 0 instead.
 PlantedLcp pairs(bool degenerate) {
   const MatrixXd matrix = definite_matrix(pair_count, 8);
   VectorXd z = VectorXd::Zero(pair_count), w = z;

@@ -25,7 +25,7 @@ LcpProblem random_definite(Index m) {
   return planted("definite", definite_matrix(m, static_cast<unsigned>(m)), 1, true).problem;
 }
 
-// Difference of the number of Lemke's pivots from a known count.
+// Measures the difference between the number of Lemke's pivots and a known count.
 Measure miscount(ProblemOfSize make, double (*count)(double m)) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -49,10 +49,11 @@ double one_more(double m) {
 
 enum class Coupling {
   both_ways,
-  one_way  ///< a planted defect: a contact feels only the contacts before it
+  one_way  ///< a planted defect: only the contacts before a contact act on it
 };
 
-// Largest violation of M^T v <= 0 by the ray v; 1 if q . v < 0 is violated, or if there is no ray.
+// Returns the largest relative violation of M^T v <= 0 by the ray v. Returns 1 if q . v < 0 is
+// violated, or if there is no ray.
 double flaw(const LcpProblem& problem, Coupling coupling) {
   LcpProblem solved = problem;
   if (coupling == Coupling::one_way) {
@@ -66,8 +67,8 @@ double flaw(const LcpProblem& problem, Coupling coupling) {
          (largest(v) * problem.matrix.cwiseAbs().maxCoeff());
 }
 
-// A problem without solution: each contact occurs twice, up to 1e-6. All forces together balance
-// and cause no motion, but q requires a motion.
+// Returns a problem without solution, in which each contact occurs twice, up to 1e-6. All forces
+// together balance and cause no motion, but q requires a motion.
 LcpProblem pinched(Index m, unsigned seed) {
   MatrixXd factor = normal_matrix(m, m / 4, seed);
   factor.row(m - 1) -= factor.colwise().sum();

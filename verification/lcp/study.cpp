@@ -1,5 +1,5 @@
-// Study of the complementarity solvers and of the contact loop: iteration counts, orders, and
-// proofs that there is no solution.
+// Studies the complementarity solvers and the contact loop: measures iteration counts and orders,
+// and tests proofs that there is no solution.
 #include "experiments.hpp"
 #include "studies.hpp"
 

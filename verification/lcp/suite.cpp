@@ -1,4 +1,4 @@
-// Runs all solvers on twenty problems: residuals, and costs.
+// Runs all solvers on twenty problems, and measures residuals and costs.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,8 @@ using namespace test;
 
 namespace {
 
-// A solver, and its cost in products of an m x m matrix and a vector (2 m^2 operations each). A
-// factorisation costs m/3 products.
+// Holds a solver, and its cost in products of an m x m matrix and a vector (2 m^2 operations each).
+// A factorisation costs m/3 products.
 struct Method {
   std::string key, label;
   LcpSolver solve;
@@ -39,7 +39,7 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-// The figure shows residuals below this number at this number, because it cannot show 0.
+// Residuals are raised to at least this number, because the figure cannot show 0.
 constexpr double invisible = 1e-17;
 
 struct Run {
@@ -58,7 +58,8 @@ std::vector<Run> run_suite(const Method& method) {
   return runs;
 }
 
-// Runs once for the figures of residuals and of costs.
+// Runs the suite once for each method, and returns the same results for the figures of residuals
+// and of costs.
 const std::vector<Run>& runs_of(const Method& method) {
   static Once<std::string, std::vector<Run>> runs;
   return runs(method.key, [&] { return run_suite(method); });
@@ -105,7 +106,7 @@ Measure unsolved(const Method& method) {
   };
 }
 
-// Residuals of a problem if the solver may take 1, 2, 4, ... iterations.
+// Measures the residuals of a problem if at most 1, 2, 4, ... iterations are allowed.
 Measure history(const Method& method, const std::function<LcpProblem()>& make) {
   return [&method, make](Size size) {
     const LcpProblem problem = make();

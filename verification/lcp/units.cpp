@@ -1,4 +1,4 @@
-// Solves one problem with its rows in more and more different units.
+// Solves one problem several times. The units of its rows differ more and more.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -15,7 +15,7 @@ constexpr Index row_count = 20;
 
 using Attempt = VectorXd (*)(const LcpProblem& problem);
 
-// Error of z, converted back to the units of the first problem.
+// Measures the relative error of z, converted back to the units of the first problem.
 Measure errors(Attempt attempt) {
   return [=](Size size) {
     const PlantedLcp here = planted("", definite_matrix(row_count, 5), 5, true);
@@ -40,8 +40,8 @@ VectorXd without_diagonal(const LcpProblem& problem) {
   return matrix_free_barzilai_borwein({apply, problem.offset}).z;
 }
 
-// Newton's method that stops when Fischer's functions are small; the criterion depends on the
-// units.
+// Applies Newton's method, and stops when Fischer's functions are small. This criterion depends on
+// the units.
 VectorXd without_units(const LcpProblem& problem) {
   VectorXd z = VectorXd::Zero(row_count);
   for (int step = 0; step < 100; ++step) {

@@ -1,6 +1,6 @@
 // Implements naive and published methods for comparison with the library: enumeration of all
-// contact sets, a clipped equation, sweeps, Fischer's Newton method without safeguards (11.7),
-// (11.8), and a contact loop in increments.
+// contact sets, an equation whose negative results are set to zero, sweeps, Fischer's Newton method
+// without safeguards (11.7), (11.8), and a contact loop in increments.
 #include "variants.hpp"
 
 #include "lcp/scaled_problem.hpp"

@@ -4,7 +4,8 @@
 
 #include "support/contact_scenes.hpp"
 
-/// Naive and published methods for comparison with the library; some are wrong.
+/// Contains naive and published methods for comparison with the library. Some of these methods are
+/// wrong.
 namespace stokesbook::verification::lcp {
 
 using Eigen::Index;
@@ -13,7 +14,7 @@ using Eigen::VectorXd;
 
 /// Tries all 2^m sets of contacts, the empty one first.
 /// @return  `iterations` counts the sets; the status is stalled for more than 12 rows, or if no set
-///          fits
+///          gives a solution
 LcpResult try_all_sets(const LcpProblem& problem);
 
 /// Solves M z = -q, and sets negative entries to zero.
@@ -23,8 +24,8 @@ VectorXd clipped_equation(const LcpProblem& problem);
 /// uses the new z of the earlier rows (Gauss-Seidel), otherwise the old z of all rows (Jacobi).
 VectorXd swept(const LcpProblem& problem, int sweeps, bool in_turn);
 
-/// The radius r of a pair (z_i, w_i) in Fischer's Jacobian, with entries z_i/r - 1 and w_i/r - 1
-/// (11.8).
+/// Returns the radius r of a pair (z_i, w_i) in Fischer's Jacobian, which has the entries z_i/r - 1
+/// and w_i/r - 1 (11.8).
 using Radius = std::function<double(double z, double w)>;
 double true_radius(double z, double w);       ///< sqrt(z^2 + w^2)
 double published_radius(double z, double w);  ///< sqrt(z + w), a misprint
@@ -33,17 +34,17 @@ double published_radius(double z, double w);  ///< sqrt(z + w), a misprint
 /// or regularisation.
 VectorXd bare_fischer(const LcpProblem& problem, VectorXd z, const Radius& radius, int steps);
 
-/// Returns z after a step that takes the rows with z > 0 for contacts.
+/// Returns z after a Newton step in which the rows with z > 0 are the contacts.
 VectorXd step_by_sign_of_z(const LcpProblem& problem, const VectorXd& z);
 
-/// Result of the loop in increments.
+/// Holds the result of the loop in increments.
 struct Increments {
   VectorXd velocity;
   double residual = 0.0;  ///< largest violation of a gap, or largest gap across which a force acts
 };
 
-/// The nonlinear loop in increments of the multipliers. Each increment is >= 0, so that the loop
-/// never reduces a multiplier.
+/// Solves the contact step by a nonlinear loop that adds increments to the multipliers. Each
+/// increment is >= 0, so the loop never reduces a multiplier.
 Increments increments(const ContactStep& step, int iterations);
 
 }  // namespace stokesbook::verification::lcp

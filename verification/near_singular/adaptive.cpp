@@ -16,7 +16,7 @@ namespace stokesbook::verification::near_singular {
 
 namespace {
 
-/// One component of the integrand for one target.
+/// Holds one component of the integrand for one target.
 struct Integrand {
   const TrigonometricPolynomial &shape, &density;
   double sign;

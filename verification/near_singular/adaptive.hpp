@@ -4,7 +4,7 @@
 
 namespace stokesbook::verification::near_singular {
 
-/// Result of an adaptive quadrature.
+/// Holds the result of an adaptive quadrature.
 struct AdaptiveResult {
   Complex velocity;
   Eigen::Index evaluations;  ///< kernel evaluations

@@ -14,8 +14,8 @@ using Eigen::Index;
 
 namespace {
 
-/// Two circles with nodes that face each other across a gap, at an arbitrary place and angle. Each
-/// circle has the density of a flow that is singular inside it.
+/// Holds two circles with nodes that face each other across a gap, at an arbitrary place and angle.
+/// Each circle has the density of a flow that is singular inside it.
 class Pair {
  public:
   explicit Pair(double gap) {
@@ -31,7 +31,7 @@ class Pair {
   Complex centre(std::size_t k) const { return centres_[k]; }
   Curve reference(std::size_t k) const { return schemes_[k]->curve(); }
 
-  /// Density of body k in its own frame.
+  /// Returns the density of body k in the body's own frame.
   ComplexVector local_density(std::size_t k) const {
     return std::conj(frame(k)) * density_.segment(k == 0 ? 0 : 96, curves_[k].size());
   }
@@ -49,8 +49,8 @@ class Pair {
     return result;
   }
 
-  /// Largest error of a sum at the nodes, relative to the flow. `sum` excludes the principal values
-  /// on the bodies themselves.
+  /// Returns the largest error of a sum at the nodes, relative to the flow. `sum` excludes the
+  /// principal values on the bodies themselves.
   double error(const ComplexVector& sum) const {
     const ComplexVector exact = flow_.velocity(nodes());
     ComplexVector velocity = sum - 0.5 * density_;
@@ -103,8 +103,8 @@ ComplexVector by_interpolation(const Pair& pair) {
   return corrected(pair, true, NearStorage::explicit_rows);
 }
 
-/// A planted defect: a kernel without the bound on small distances. The sum and the subtraction
-/// round their distances in different frames.
+/// A planted defect: the kernel has no bound on small distances. The sum and the subtraction round
+/// their distances in different frames.
 ComplexVector unbounded(const Pair& pair) {
   ComplexVector velocity = plain(pair);  // sum of each body on itself; the other part is replaced
   for (std::size_t source : {0, 1}) {

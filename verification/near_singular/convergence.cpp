@@ -14,7 +14,8 @@ namespace {
 
 constexpr double fixed_distance = 1e-3;
 
-/// A pole in the ellipse (1, 1/2) whose preimage has the imaginary part `height`.
+/// Returns a set-up with a pole in the ellipse (1, 1/2). The pole's preimage has the imaginary part
+/// `height`.
 SetUp pole_at(double height, Index n) {
   const Complex t{0.7, height};
   const Complex pole = std::cos(t) + 0.5 * imaginary * std::sin(t);

@@ -17,20 +17,20 @@ using Defect = void (*)(const Solved&, Data&);
 
 void none(const Solved&, Data&) {}
 
-/// A planted defect: the stress of a straight curve, without phi''.
+/// A planted defect: the stress is that of a straight curve, without phi''.
 void no_second_derivative(const Solved&, Data& data) {
   data.ddphi.setZero();
 }
-/// A planted defect: d chi/dt instead of psi' + conj(t) phi''.
+/// A planted defect: d chi/dt replaces psi' + conj(t) phi''.
 void no_tangent(const Solved& solved, Data& data) {
   const ComplexVector turn = solved.curve.dx.conjugate().cwiseQuotient(solved.curve.dx);
   data.stress += data.dphi.cwiseProduct(turn);
 }
-/// A planted defect: derivatives with respect to the parameter.
+/// A planted defect: the derivatives are taken with respect to the parameter.
 void by_the_parameter(const Solved& solved, Data& data) {
   data.dphi = data.dphi.cwiseProduct(solved.curve.dx);
 }
-/// A planted defect: the sign of the opposite orientation.
+/// A planted defect: the sign is that of the opposite orientation.
 void other_sign(const Solved&, Data& data) {
   data.dphi = -data.dphi;
 }

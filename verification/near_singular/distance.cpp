@@ -24,8 +24,8 @@ std::vector<double> distances_in_spacings(Size size) {
   return distances;
 }
 
-/// Errors of a method by the distance. For a solved set-up, `method` returns a function that
-/// evaluates velocities at points.
+/// Measures the errors of a method by the distance. For a solved set-up, `method` returns a
+/// function that evaluates velocities at points.
 template <class Method>
 Measure errors_over_distance(const SetUp& set_up, const Method& method) {
   return [=](Size size) {
@@ -53,7 +53,7 @@ auto by_cauchy(const Solved& solved) {
   };
 }
 
-/// A planted defect: another divisor of the weights (06.14).
+/// A planted defect: the weights have another divisor (06.14).
 auto cauchy_divided_by(Divisor divisor) {
   return [divisor](const Solved& solved) {
     return [&solved, divisor,
@@ -63,15 +63,15 @@ auto cauchy_divided_by(Divisor divisor) {
   };
 }
 
-/// The divisor of an enclosing wall; on a body the sum of the weights is 0, not 1.
+/// Returns the divisor of an enclosing wall; on a body the sum of the weights is 0, not 1.
 Complex without_one(Complex sum) {
   return sum;
 }
-/// The divisor 1, as if the rule for the constant 1 had no error.
+/// Returns the divisor 1, as if the rule for the constant 1 had no error.
 Complex uncompensated(Complex) {
   return 1.0;
 }
-/// The divisor of a body.
+/// Returns the divisor of a body.
 Complex with_one(Complex sum) {
   return 1.0 + sum;
 }
@@ -94,7 +94,7 @@ auto published_without_jump(const Solved& solved) {
   return [curve, data](const ComplexVector& points) { return curve.velocity(data, 0, points); };
 }
 
-/// Four of the points at a distance, because each takes thousands of evaluations.
+/// Returns four of the points at a distance, because each point takes thousands of evaluations.
 ComplexVector few_points(const Solved& solved, double spacings) {
   return solved.points_at(spacings)(Eigen::seqN(3, 4, 31));
 }
@@ -123,7 +123,8 @@ Measure adaptive(ComplexVector (*density_of)(ComplexVector)) {
   };
 }
 
-/// Share of points at which the quadrature reports success although its error exceeds one per cent.
+/// Measures the share of points at which the quadrature reports success although its error exceeds
+/// one per cent.
 Measure false_successes(double tolerance) {
   return [=](Size size) {
     const Solved& solved = solved_ellipse();

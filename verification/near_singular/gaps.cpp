@@ -19,12 +19,12 @@ const Ellipse two_to_one{1.0, 0.5};
 
 using Preimage = Complex (*)(const Curve&, Index, Complex);
 
-/// A planted defect: only the first term of the preimage.
+/// A planted defect: the preimage consists of its first term only.
 Complex linear(const Curve& curve, Index node, Complex target) {
   return (target - curve.x[node]) / curve.dx[node];
 }
 
-/// Largest |x(t + s) - z|/|x'| of targets round five nodes.
+/// Returns the largest |x(t + s) - z|/|x'| of targets round five nodes.
 double preimage_error(double distance, Preimage find) {
   const Curve curve = sample(two_to_one, 32, Side::fluid_outside);
   double error = 0.0;
@@ -53,7 +53,7 @@ using Gap = double (*)(const SmoothCurve&, const SmoothCurve&);
 double least_gap(const SmoothCurve& a, const SmoothCurve& b) {
   return closest_points(a, b).gap;
 }
-/// A planted defect: the least distance between nodes.
+/// A planted defect: the gap is the least distance between nodes.
 double between_nodes(const SmoothCurve& a, const SmoothCurve& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const Complex x : a.nodes.x) {

@@ -15,7 +15,7 @@ namespace {
 
 const SetUp elliptic_container{Ellipse{1.0, 0.5}, Side::fluid_inside, 128, outer_poles};
 
-/// Largest error at distances below one step of the polynomial.
+/// Returns the largest error at distances below one step of the polynomial.
 double worst_error(const Solved& solved, const InterpolationSettings& settings) {
   const InterpolationCurve curve(solved.curve, settings);
   const InterpolationData data = curve.data(solved.density);
@@ -57,8 +57,8 @@ Line upsampling_line(const std::string& key, const std::string& id, double step,
           .control = Control{"a polynomial of degree 2", over_upsampling(step, 2)}};
 }
 
-/// Errors by the number of nodes. The flow's poles are so deep that 60 nodes resolve the density;
-/// only the spacing changes.
+/// Measures errors by the number of nodes. The flow's poles are so deep that 60 nodes resolve the
+/// density; only the spacing changes.
 Measure over_nodes(int degree, int upsampling) {
   return [=](Size size) {
     std::vector<Index> counts{128, 192, 256, 384, 512};
@@ -73,8 +73,9 @@ Measure over_nodes(int degree, int upsampling) {
   };
 }
 
-/// Order of the polynomial's error between the spacings of two numbers of nodes. For a pole of the
-/// flow at the distance l, u ~ 1/(l + d), the error is prod_j (d - j h)/(l + j h)/(l + d).
+/// Returns the order of the polynomial's error between the spacings that belong to two numbers of
+/// nodes. For a pole of the flow at the distance l, u ~ 1/(l + d), the error is
+/// prod_j (d - j h)/(l + j h)/(l + d).
 double order_above_a_pole(int degree, double first, double last) {
   constexpr double depth = 0.49,
                    speed = 1.0;  // depth of the pole at 0.1 + 0.01 i below the flat side
@@ -103,8 +104,8 @@ Line degree_line(const std::string& key, const std::string& id, int degree) {
           .control = Control{"one fine node a node", over_nodes(degree, 1)}};
 }
 
-/// Largest error at all distances below three spacings, relative to the density and over the
-/// tolerance. With 256 nodes the flow is resolved in steps of their spacing.
+/// Measures, for each tolerance, the largest error at all distances up to three spacings, relative
+/// to the density. With 256 nodes, steps of one spacing resolve the flow.
 Measure over_tolerances(const SetUp& set_up, double share_of_fine_nodes) {
   return [=](Size) {
     const Solved solved = Solved(set_up).on_nodes(256);
@@ -142,8 +143,8 @@ Line tolerance_line(const std::string& key, const std::string& id, const std::st
           .control = Control{"half of the fine nodes", over_tolerances(set_up, 0.5)}};
 }
 
-/// A distance, and the specification's error there, for comparison with the errors of the published
-/// parameters at half a spacing and less.
+/// Holds a distance, and the specification's error there, for comparison with the errors of the
+/// published parameters at half a spacing and less.
 struct TableEntry {
   double spacings, error;
 };
@@ -181,9 +182,9 @@ Line table_line(const std::string& key, const std::string& id, Index n,
           .control = Control{"half of the step", beside_table(n, entries, 0.55)}};
 }
 
-/// An entry of the specification's sweep of parameters; the polynomial's step is one spacing. For
-/// fluid inside, the flow is not the specification's: the errors of the polynomial differ, those of
-/// the fine rule do not.
+/// Holds an entry of the specification's sweep of parameters; the polynomial's step is one spacing.
+/// For fluid inside, the flow differs from the specification's flow, so the errors of the
+/// polynomial differ from those of the specification; the errors of the fine rule do not differ.
 struct SweepEntry {
   int degree, upsampling;
   double error;

@@ -39,11 +39,11 @@ CloseScheme scheme_of(const Curve& curve, Between between) {
   }
 }
 
-/// Velocity at the centroid, and angular velocity, of each body.
+/// Holds the velocity at the centroid, and the angular velocity, of each body.
 using Motions = ComplexVector;
 
-/// Free bodies r = (1 + cos(k t)/5)/2, k = 2, 3, 4, 5, 5, 4, 3, 2, in a row with equal spacings, in
-/// the shear flow (y, 0). At the spacing 5/4 the gaps are 0.05 and 0.25.
+/// Solves for free bodies r = (1 + cos(k t)/5)/2, k = 2, 3, 4, 5, 5, 4, 3, 2, in a row with equal
+/// spacings, in the shear flow (y, 0). At the spacing 5/4 the gaps are 0.05 and 0.25.
 class Row {
  public:
   Row(Index n, double spacing, Between between) : n_(n) {
@@ -117,8 +117,8 @@ const Motions& motions_of(Index n, double spacing, Between between) {
   return solved({n, spacing, between}, [&] { return Row(n, spacing, between).motions(); });
 }
 
-/// Largest error of a motion, against a solution on twice as many nodes with Cauchy integrals
-/// between the bodies.
+/// Returns the largest error of a motion, compared with a solution on twice as many nodes with
+/// Cauchy integrals between the bodies.
 double error_of(Index n, double spacing, Between between) {
   return test::largest(motions_of(n, spacing, between) -
                        motions_of(2 * n, spacing, Between::cauchy));
@@ -136,8 +136,8 @@ Measure over_nodes(Between between) {
   };
 }
 
-/// Errors on 64 nodes for each body; the spacings range from bodies that nearly touch to distant
-/// ones.
+/// Measures errors on 64 nodes for each body; the spacings range from bodies that nearly touch to
+/// distant ones.
 Measure over_plain_error(Between between) {
   return [=](Size size) {
     std::vector<double> spacings{2.0, 1.4, 1.3, 1.25, 1.22};

@@ -18,7 +18,7 @@ namespace {
 const SetUp slender{Ellipse{1.5, 0.3}, Side::fluid_outside, 200, inner_poles};
 const SetUp coarse_star{Star{1.0, 0.2, 5}, Side::fluid_outside, 256, inner_poles};
 
-/// A target, and its distance from its foot on the curve in local spacings.
+/// Holds a target, and its distance from its foot on the curve in local spacings.
 struct Target {
   Complex z;
   double spacings;
@@ -52,13 +52,13 @@ double by_preimage(const Curve& curve, const Target& target) {
   return static_cast<double>(curve.size()) * std::abs(s.imag());
 }
 
-/// A planted defect: the exponent of a straight curve, 2 pi d/h.
+/// A planted defect: the exponent is that of a straight curve, 2 pi d/h.
 double by_distance(const Curve&, const Target& target) {
   return 2.0 * std::numbers::pi * target.spacings;
 }
 
-/// For each interval of the exponent: the target for which the quotient of error and exponential is
-/// largest.
+/// Finds, for each interval of the exponent, the target for which the quotient of error and
+/// exponential is largest.
 Measure worst_of_intervals(const SetUp& set_up, Exponent exponent) {
   return [=](Size size) {
     const Solved solved(set_up);

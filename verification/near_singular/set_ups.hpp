@@ -17,7 +17,7 @@ namespace stokesbook::verification::near_singular {
 using test::inner_poles;
 using test::outer_poles;
 
-/// A curve, and an exact flow whose density on the curve n nodes resolve to rounding.
+/// Holds a curve, and an exact flow. On the curve, n nodes resolve the flow's density to rounding.
 struct SetUp {
   Shape shape;
   Side side;
@@ -30,7 +30,7 @@ inline const SetUp star{Star{1.0, 0.2, 5}, Side::fluid_outside, 400, inner_poles
 inline const SetUp slender_container{Ellipse{1.0, 0.1}, Side::fluid_inside, 512, outer_poles};
 inline const SetUp round_container{Circle{1.0}, Side::fluid_inside, 96, outer_poles};
 
-/// Nodes and density of a set-up, and points of the fluid near the curve.
+/// Holds nodes and density of a set-up, and returns points of the fluid near the curve.
 struct Solved {
   explicit Solved(const SetUp& of)
       : set_up(of),
@@ -74,7 +74,7 @@ struct Solved {
   }
 };
 
-/// The ellipse, solved once.
+/// Returns the ellipse, which is solved once.
 inline const Solved& solved_ellipse() {
   static const Solved solved(ellipse);
   return solved;

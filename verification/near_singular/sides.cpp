@@ -21,18 +21,19 @@ using SumsOf = Barycentric (*)(Curve);
 Barycentric right_sums(Curve curve) {
   return Barycentric(curve);
 }
-/// A planted defect: the opposite orientation.
+/// A planted defect: the curve has the opposite orientation.
 Barycentric reversed(Curve curve) {
   curve.side = curve.side == Side::fluid_inside ? Side::fluid_outside : Side::fluid_inside;
   return Barycentric(curve);
 }
-/// A planted defect: a body's sum lacks the 1, as that of a wall which is run through backwards.
+/// A planted defect: a body's sum lacks the 1, like the sum of a wall that is traversed in the
+/// opposite direction.
 Barycentric without_one(Curve curve) {
   curve.dx *= -1.0;
   return reversed(curve);
 }
 
-/// Number of wrong answers at 400 random points, half of them on either side.
+/// Counts the wrong answers at 400 random points, half of them on either side.
 int wrong_answers(const Curve& curve, const Shape& shape, double spacings, SumsOf sums_of) {
   const Barycentric sums = sums_of(curve);
   const Curve points = sample(shape, 10000, curve.side);
@@ -87,8 +88,8 @@ Line resolved_line(const std::string& key, const std::string& id, const std::str
           .control = control};
 }
 
-/// Largest distance between the curve and the line on which Re Delta has the value of the border,
-/// in local spacings.
+/// Returns the largest distance between the curve and the line on which Re Delta has the value of
+/// the border, in local spacings.
 double border_displacement(const Ellipse& shape, Index n, double border) {
   const Curve curve = sample(shape, n, Side::fluid_outside);
   const Barycentric sums(curve);

@@ -16,10 +16,10 @@ using Eigen::Index;
 
 namespace {
 
-/// Distances in spacings, all below one.
+/// The distances are in spacings, and all of them are below one.
 constexpr std::array distances{1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.9};
 
-/// 61 points at each of these distances.
+/// Returns 61 points at each of these distances.
 ComplexVector close_points(const Solved& solved) {
   ComplexVector points(0);
   for (const double d : distances) {
@@ -30,8 +30,8 @@ ComplexVector close_points(const Solved& solved) {
   return points;
 }
 
-/// A row of the table: error and least time of three runs of a function that evaluates velocities
-/// at points.
+/// Returns a row of the table: the error, and the least time of three runs, of a function that
+/// evaluates velocities at points.
 template <class Evaluate>
 Measurement row(const Solved& solved, const ComplexVector& points, double evaluations_a_target,
                 const Evaluate& evaluate) {
@@ -49,7 +49,8 @@ Measurement row(const Solved& solved, const ComplexVector& points, double evalua
           .seconds = seconds / static_cast<double>(points.size())};
 }
 
-/// The flow's density on n nodes; interpolated from 128 nodes, which resolve it, if n is larger.
+/// Returns the flow's density on n nodes. If n is larger than 128, the density is interpolated from
+/// 128 nodes, which resolve it.
 Solved solved_on(Index n) {
   if (n > 128) return solved_ellipse().on_nodes(n);
   SetUp set_up = ellipse;
@@ -94,7 +95,7 @@ Measurement interpolation(const Solved& solved, const InterpolationSettings& set
 Measurement published(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::published(solved.curve.size()));
 }
-/// A planted defect: the upsampling for 128 nodes at all n.
+/// A planted defect: the upsampling is that for 128 nodes at all n.
 Measurement fixed_upsampling(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::published(128));
 }
@@ -105,7 +106,7 @@ Measurement for_ten_digits(const Solved& solved) {
   return interpolation(solved, InterpolationSettings::for_tolerance(1e-10));
 }
 
-/// Two points at each distance, because each takes thousands of evaluations.
+/// Measures at two points for each distance, because each point takes thousands of evaluations.
 Measurement adaptive_row(const Solved& solved) {
   const ComplexVector points = close_points(solved)(Eigen::seqN(3, 14, 30)).eval();
   Index evaluations = 0;

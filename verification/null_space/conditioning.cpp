@@ -27,8 +27,8 @@ Measure conditions(Factor factor) {
   });
 }
 
-/// Error of the load in an annulus with c N_0 on the wall. N_0 is obtained as the difference of two
-/// matrices.
+/// Measures the error of the load in an annulus with c N_0 on the wall. N_0 is obtained as the
+/// difference of two matrices.
 Measure load_errors(double sign, AnnulusMatrix with_n0) {
   std::vector<double> factors;
   for (int k = -12; k <= 12; k += 2) factors.push_back(std::pow(10.0, k));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Complex shared_centre{0.3, -0.2};
 
-/// Turning circles of radii 1 and R. The speed is u = A r + B / r.
+/// Describes turning circles of radii 1 and R. The speed is u = A r + B / r.
 struct CouetteCell {
   double radius, inner_omega, outer_omega, viscosity;
 
@@ -60,7 +60,7 @@ ErrorOfNodes profile_error(const CouetteCell& cell, bool rotlet) {
     const StokesProblem problem = cell.problem(n);
     AnnulusSolution solution = solve_annulus(problem, right_matrix(problem));
     if (!rotlet) solution.load = {};
-    // directions at various places between the nodes
+    // The directions lie at various places between the nodes.
     ComplexVector directions(5);
     for (Index k = 0; k < 5; ++k)
       directions[k] = std::polar(1.0, 0.3 + 1.1 * static_cast<double>(k));

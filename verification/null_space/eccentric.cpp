@@ -19,8 +19,8 @@ namespace {
 
 using test::EccentricAnnulus;
 
-/// Resistance matrix: the columns are the loads (F_1, F_2, L) of an inner circle of radius 1 that
-/// moves along axis 1, moves along axis 2, and turns. The outer circle is at rest.
+/// Returns the resistance matrix. Its columns are the loads (F_1, F_2, L) of an inner circle of
+/// radius 1 that moves along axis 1, moves along axis 2, and turns. The outer circle is at rest.
 template <class LoadOf>
 Matrix3d resistance(EccentricAnnulus annulus, const LoadOf& load_of) {
   annulus.outer = {};
@@ -34,8 +34,8 @@ Matrix3d resistance(EccentricAnnulus annulus, const LoadOf& load_of) {
   return result;
 }
 
-/// Errors by the number N of nodes on each circle. All motions are compared at once, because a
-/// single load may be accurate by accident.
+/// Measures errors by the number N of nodes on each circle. All motions are compared at once,
+/// because a single load may be accurate by accident.
 Measure resistance_errors(double relative_gap, AnnulusMatrix matrix) {
   const EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const Matrix3d exact =
@@ -74,7 +74,8 @@ Line eccentric_line(const std::string& key, const std::string& id, double relati
           .control = Control{defect.name, resistance_errors(relative_gap, defect.matrix)}};
 }
 
-/// Fourier coefficients of the wall's density from N nodes, relative to the largest coefficient.
+/// Measures the Fourier coefficients of the wall's density from N nodes, relative to the largest
+/// coefficient.
 Measure density_coefficients(double relative_gap, Index n) {
   return [=](Size) {
     const StokesProblem problem = annulus_problem(eccentric_annulus(relative_gap), 1.0, n, n);
@@ -94,8 +95,8 @@ Line density_line(const std::string& key, const std::string& id, double relative
   const EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const double e = std::abs(annulus.outer_centre - annulus.inner_centre);
   const double r1 = annulus.inner_radius, r2 = annulus.outer_radius;
-  // Bipolar coordinate of the outer circle: the foci are at the distances R_2 e^{+-alpha} from its
-  // centre, cosh(alpha) = (R_2^2 - R_1^2 + e^2) / (2 e R_2).
+  // alpha is the bipolar coordinate of the outer circle. The foci are at the distances R_2
+  // e^{+-alpha} from the circle's centre, with cosh(alpha) = (R_2^2 - R_1^2 + e^2) / (2 e R_2).
   const double alpha = std::acosh((r2 * r2 - r1 * r1 + e * e) / (2.0 * e * r2));
   const double distance = wall_distance(annulus), nodes = static_cast<double>(n);
   return {.key = key,
@@ -114,7 +115,7 @@ Line density_line(const std::string& key, const std::string& id, double relative
 
 const std::vector<double> gaps{0.01, 0.014, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5};
 
-/// @param  narrowest  narrowest gap that is set up; not 0: a planted defect
+/// @param  narrowest  narrowest gap that is set up; a value other than 0 is a planted defect
 Measure gap_errors(Index n, double narrowest = 0.0) {
   return over(gaps, [=](double gap) {
     const EccentricAnnulus annulus = eccentric_annulus(std::max(gap, narrowest));
@@ -134,9 +135,9 @@ Measure gap_residuals(Index n) {
   });
 }
 
-/// Compares the torque of the outer circle about its centre if only the inner circle turns with the
-/// closed form of the inner circle's torque if only the outer circle turns. Both are equal by
-/// reciprocity.
+/// Compares two torques that are equal by reciprocity: the torque of the outer circle about its
+/// centre if only the inner circle turns, and the closed form of the inner circle's torque if only
+/// the outer circle turns.
 Measure torque_differences(bool with_arm) {
   return over({0.4, 0.5, 0.6, 0.7}, [=](double gap) {
     EccentricAnnulus annulus = eccentric_annulus(gap);

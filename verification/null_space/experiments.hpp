@@ -28,8 +28,8 @@ study::Experiment choices();
 study::Experiment work();
 /// @}
 
-/// Circles of radii 1 and 2 away from the origin, with centres on an oblique line. Both circles
-/// move.
+/// Returns circles of radii 1 and 2 away from the origin, with centres on an oblique line. Both
+/// circles move.
 /// @param  relative_gap  the least gap relative to the gap of concentric circles
 test::EccentricAnnulus eccentric_annulus(double relative_gap);
 
@@ -64,23 +64,23 @@ Eigen::MatrixXd matrix_with_other_sign(const StokesProblem& problem);
 Eigen::MatrixXd matrix_without_n0(const StokesProblem& problem);
 /// N_0 lacks the integral: -n (n . eta) at every node.
 Eigen::MatrixXd matrix_with_local_n0(const StokesProblem& problem);
-/// The mean of the density instead of its normal part: -<eta>.
+/// N_0 contains the mean of the density instead of its normal part: -<eta>.
 Eigen::MatrixXd matrix_with_mean(const StokesProblem& problem);
 /// The wall's normal points into the fluid.
 Eigen::MatrixXd matrix_with_turned_wall(const StokesProblem& problem);
 /// @}
 
-/// Factor of N_0 on a wall of the given length.
+/// Returns the factor of N_0 on a wall of the given length.
 using Factor = double (*)(double length);
 
 /// @name Factors of N_0 that differ from 1
 /// @{
 double zero_factor(double length);
-/// Factor of the draft's term + \int n(x) n(y) . eta ds.
+/// Returns the factor of the draft's term + \int n(x) n(y) . eta ds.
 double draft_factor(double length);
 /// @}
 
-/// A solved annulus.
+/// Holds a solved annulus.
 struct AnnulusSolution {
   ComplexVector inner, outer;  ///< densities
   Load load;                   ///< of the inner circle on the fluid

@@ -16,8 +16,9 @@ namespace {
 /// @name Data with a net flux
 /// @{
 
-/// An annulus with flow through both circles. Fluid enters through the inner circle and leaves
-/// through the wall, where additionally the net flux q flux_scale() leaves, unevenly distributed.
+/// Describes an annulus with flow through both circles. Fluid enters through the inner circle and
+/// leaves through the wall, where additionally the net flux q flux_scale() leaves, unevenly
+/// distributed.
 struct LeakingCell {
   StokesProblem tight = annulus_problem(eccentric_annulus(0.5), 1.0, 96, 96);
   double flux = 0.0;
@@ -73,7 +74,7 @@ double flux_error(const LeakingCell& cell) {
   return std::abs(net_flux(cell.problem()) - cell.flux) / flux_scale(cell.problem());
 }
 
-/// A planted defect: the flux of the enclosing wall only.
+/// A planted defect: the flux is that of the enclosing wall only.
 double flux_error_without_inner(const LeakingCell& cell) {
   const StokesProblem problem = cell.problem();
   const Component& wall = problem.components[1];
@@ -86,7 +87,7 @@ double repair_error(const LeakingCell& cell) {
                     flow_of(cell.repaired(repaired_component), right_matrix));
 }
 
-/// Difference from the flow for the data without net flux.
+/// Returns the difference from the flow for the data without net flux.
 double silent_error(const LeakingCell& cell) {
   return difference(flow_of(cell.problem(), right_matrix), flow_of(cell.tight, right_matrix));
 }
@@ -115,8 +116,8 @@ constexpr double inner_radius = 1.0, outer_radius = 4.0, source_distance = 0.75;
 constexpr Complex inner_centre{0.4, -0.3}, outer_centre{0.8, 0.0};
 const test::ExactFlow source_flow{{{inner_centre + std::polar(source_distance, 2.1), 0.0, 1.0}}};
 
-/// Error of the flow of a source. Either the flux of every component is subtracted from its data,
-/// as the draft's condition requires, or all fluxes are kept.
+/// Returns the error of the flow of a source. Either the flux of every component is subtracted from
+/// its data, as the draft's condition requires, or all fluxes are kept.
 template <bool each_without_flux>
 double source_error(Index n) {
   StokesProblem problem{{test::held_body(Circle{inner_radius}, n, {inner_centre}, {}),

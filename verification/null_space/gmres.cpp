@@ -14,8 +14,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The eccentric annulus in a unit of length, with c N_0 on the wall of length |Gamma_0|. A net
-/// flux of `leak` times flux_scale() leaves mainly where the wall is farthest from the inner
+/// Describes the eccentric annulus in a unit of length, with c N_0 on the wall of length |Gamma_0|.
+/// A net flux of `leak` times flux_scale() leaves mainly where the wall is farthest from the inner
 /// circle.
 struct Cell {
   double unit = 1.0;

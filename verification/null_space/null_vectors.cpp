@@ -125,7 +125,7 @@ double preimage_distance(const Ellipse& ellipse, Complex z) {
                   std::abs(std::log(std::abs((z - root) / (a + b)))));
 }
 
-/// Rate for the swimmer's point nearest to the wall.
+/// Returns the rate for the swimmer's point nearest to the wall.
 double rate_with_bodies() {
   const ComplexVector points = sample(swimmer, 720, Side::fluid_outside).x;
   double least = std::numeric_limits<double>::infinity();

@@ -39,8 +39,8 @@ Measure density_flux(AnnulusMatrix matrix) {
   });
 }
 
-/// Error of the load if the data of the wall have a net flux of `leak` times flux_scale(), against
-/// the exact load without net flux.
+/// Measures the error of the load if the data of the wall have a net flux of `leak` times
+/// flux_scale(). The load is compared with the exact load without net flux.
 Measure load_error(AnnulusMatrix matrix, double leak) {
   return at_counts([=](const StokesProblem& problem) {
     StokesProblem leaking = problem;

@@ -53,8 +53,8 @@ const Solve dense_without = [](const StokesProblem& problem) {
   return by_dense(problem, matrix_without_n0);
 };
 
-/// Errors by the mean number N of nodes of a circle. The outer circle has `ratio` times as many
-/// nodes as the inner one.
+/// Measures errors by the mean number N of nodes of a circle. The outer circle has `ratio` times as
+/// many nodes as the inner one.
 Measure measure(double relative_gap, Index ratio, const Solve& solve) {
   const test::EccentricAnnulus annulus = eccentric_annulus(relative_gap);
   const Load exact = inner_load(annulus, 1.0);

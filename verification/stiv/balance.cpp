@@ -13,8 +13,8 @@ using namespace study;
 
 namespace {
 
-// Larger of |F_a + F_b| and the sum of the torques about the origin, for the positions at the start
-// of the step (10.10).
+// Returns the larger of |F_a + F_b| and the sum of the torques about the origin, for the positions
+// at the start of the step (10.10).
 double imbalance(const PairWrench& wrench, const PathPair& paths) {
   const auto& [on_a, on_b] = wrench;
   const double torque = cross(paths.path_a.start.position, on_a.force) + on_a.torque +
@@ -47,9 +47,9 @@ Measure imbalances(PairWrench ContactRow::*form) {
   };
 }
 
-// Two circles with a small offset that approach each other by .4, for an observer who moves to the
-// left. At the observer's velocity .2 the right circle rests; at higher velocities the left circle
-// chases it.
+// Returns the paths of two circles with a small offset that approach each other by .4. The observer
+// moves to the left: at the observer's velocity .2 the right circle rests, and at higher velocities
+// the left circle chases it.
 PathPair seen_by(double observer) {
   return {0,
           1,

@@ -52,7 +52,7 @@ Measure queries_by_edges(double travel) {
   };
 }
 
-// Number of comparisons of each vertex with each edge.
+// Counts the comparisons of each vertex with each edge.
 std::vector<Measurement> all_edges(Size size) {
   std::vector<Measurement> measurements;
   for (double m = 64; m <= (size == Size::full ? 65536.0 : 4096.0); m *= 4) {
@@ -66,7 +66,7 @@ std::vector<int> sides(Size size) {
                             : std::vector<int>{8, 12, 16, 24};
 }
 
-// A lattice of circles, each slightly displaced.
+// Returns a lattice of circles, each slightly displaced.
 Step lattice(int side) {
   static const auto circle = body(Circle{0.4}, 64);
   std::mt19937 generator(3);

@@ -61,7 +61,7 @@ Measure point_errors(double (*distance)(const Polygon& polygon, Complex z)) {
   };
 }
 
-// Two ellipses side by side, which are separate for all orientations.
+// Holds two ellipses side by side, which are separate for all orientations.
 struct Pair {
   ContactShapes shapes;
   std::vector<Pose> poses;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double approach_separation = 0.1;
 
-// A step of two components, and the distance that they have travelled when circles are at the
-// separation.
+// Describes a step of two components, and the distance that they have travelled when the circles
+// are at the separation.
 struct Approach {
   double exact;
   double travel;
@@ -48,7 +48,7 @@ Approach enclosed() {
   return {std::sqrt(touching * touching - 0.3 * 0.3) - 0.2, approach_travel, enclosed_step};
 }
 
-// Largest error of a method over many orientations of the polygons.
+// Measures the largest error of a method over many orientations of the polygons.
 Measure errors(const Approach& approach,
                double (*time)(const Approach& approach, double phase_a, double phase_b, Index m)) {
   return [=](Size size) {
@@ -99,7 +99,7 @@ Line line(const std::string& key, const std::string& label, const Approach& appr
                              errors(approach, by_instants)}};
 }
 
-// An ellipse and a star that turn and meet, at one of many orientations.
+// Returns the step of an ellipse and a star that turn and meet, at one of many orientations.
 Step turning_step(int scene) {
   Step step = slanting_impact(2.0, 200);
   step.paths[0].start.orientation = 0.4 + 0.02 * scene;
@@ -108,8 +108,8 @@ Step turning_step(int scene) {
 
 constexpr int scenes = 12;
 
-// The first contact of a vertex of the ellipse by some method, and its difference from the
-// separation.
+// Holds the first contact of a vertex of the ellipse by some method, and the difference of its
+// distance from the separation.
 struct Found {
   double time = 1.0, error = 0.0, queries = 0.0;
 };
@@ -140,7 +140,8 @@ Found by_events(const Step& step, double tolerance) {
           static_cast<double>(found.cost.queries) / static_cast<double>(found.cost.vertices)};
 }
 
-// An independent march along the path of each vertex, tau += next_step(excess, bound of the speed).
+// Marches along the path of each vertex, without the library's search:
+// tau += next_step(excess, bound of the speed).
 template <class NextStep>
 Found by_march(const Step& step, double tolerance, const NextStep& next_step) {
   const Polygon& a = step.shapes[0]->polygon;

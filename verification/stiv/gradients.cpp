@@ -14,7 +14,7 @@ using Eigen::Index;
 
 namespace {
 
-// A change of one component's displacement or rotation.
+// Holds a change of one component's displacement or rotation.
 struct Change {
   Complex shift;
   double turn;
@@ -38,8 +38,8 @@ bool touches_a_corner(const Polygon& polygon, const VertexEvent& event) {
          event.point == polygon.vertex((event.edge + 1) % polygon.size());
 }
 
-// Largest difference over all vertices that touch the same edge at all three states. If the edge
-// changes, the gap has no derivative.
+// Returns the largest difference over all vertices that touch the same edge at all three states. If
+// the edge changes, the gap has no derivative.
 double worst_difference(const Step& step, double h, PairWrench ContactRow::*form) {
   const PathPair paths{0, 1, step.paths[0], step.paths[1]};
   const Polygon &a = step.shapes[0]->polygon, &b = step.shapes[1]->polygon;

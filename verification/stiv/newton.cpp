@@ -18,11 +18,11 @@ namespace {
 
 constexpr double landing_separation = 0.01;
 
-// An ellipse that moves onto a held ellipse. The displacement and rotation u satisfy 0 <= g
-// perpendicular to lambda >= 0, u = u* + W J' lambda.
+// Represents an ellipse that moves onto a held ellipse. The displacement and rotation u satisfy
+// 0 <= g perpendicular to lambda >= 0, u = u* + W J' lambda.
 class Landing {
  public:
-  /// @param depth  depth, approximately, at which the ellipse would end without contact
+  /// @param depth  approximate depth at which the ellipse would end without contact
   explicit Landing(double depth) : step_(approach()) {
     const Step deep = step_to(free_);
     const double time =

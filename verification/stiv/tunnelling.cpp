@@ -39,7 +39,7 @@ double swept(const Step& step) {
   return least_gap(violations(step, {{crossing_separation}, 1e-4}));
 }
 
-// Returns the least gap at some instants; 0 if the circles do not overlap at any of them.
+// Returns the least gap at some instants, or 0 if the circles do not overlap at any of them.
 double seen_at(const Step& step, int instants) {
   double least = 0.0;
   for (int k = 1; k <= instants; ++k) {

@@ -25,7 +25,8 @@ double meeting_place(const ContactShape& star, Complex axis) {
   return outside;
 }
 
-// Least length of a row's force on the disk as the disk moves down the axis of the valley.
+// Measures the least length of a row's force on the disk while the disk moves down the axis of the
+// valley.
 Measure lengths(RowChoice rows) {
   return [=](Size size) {
     const Complex axis = std::polar(1.0, std::numbers::pi / 3.0);

@@ -18,7 +18,7 @@ struct Impact {
   double separation, depth;
 };
 
-// Two circles that approach along the x axis from a wide gap to a depth.
+// Returns the contacts of two circles that approach along the x axis from a wide gap to a depth.
 std::vector<Contact> contacts(const Impact& impact, Index m, Index m_of_other, double phase) {
   constexpr double travel = 0.2;
   const double distance = 2.0 * radius + impact.separation + travel - impact.depth;
@@ -35,8 +35,8 @@ double volume(const Impact& impact, Index m, Index m_of_other, double phase) {
   return sum;
 }
 
-// Returns the gap of the point at an angle phi from the axis. The depths are below half of the
-// separation, for which the gap is the distance at the end of the step minus the separation.
+// Returns the gap of the point at an angle phi from the axis. All depths are below half of the
+// separation, so that the gap is the distance at the end of the step minus the separation.
 double gap(const Impact& impact, double phi) {
   const double distance = 2.0 * radius + impact.separation - impact.depth;
   return std::abs(distance - std::polar(radius, phi)) - radius - impact.separation;
@@ -86,12 +86,12 @@ double measured(const Impact& impact) {
   return volume(impact, 8192, 8192, 1e-4);
 }
 
-// A planted defect: edges as long as the contact.
+// A planted defect: the edges are as long as the contact.
 double with_long_edges(const Impact& impact) {
   return volume(impact, 64, 64, 1e-4);
 }
 
-// Root mean square of the errors over orientations of the polygons.
+// Measures the root mean square of the errors over orientations of the polygons.
 //
 // @param  m_of_other  vertices of the other circle; 0: as many as on the first
 Measure over_vertices(double (*reference)(const Impact& impact), Index m_of_other = 0) {

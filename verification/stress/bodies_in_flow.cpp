@@ -17,7 +17,7 @@ const FlowDerivatives shear = flow_derivatives({.du1_dx2 = 1.0});
 
 using StressletOf = Complex (*)(const Curve&, const ComplexVector&, double);
 
-/// A free ellipse alone, whose system is factorised once for all linear flows.
+/// Represents a free ellipse alone, whose system is factorised once for all linear flows.
 class FreeEllipse {
  public:
   FreeEllipse(double ratio, Index n)
@@ -63,7 +63,7 @@ Complex with_inward_normal(const Curve& curve, const ComplexVector& density, dou
   return body_stresslet(turned, density, mu);
 }
 
-/// A planted defect: the scalar product instead of the complex one.
+/// A planted defect: the scalar product replaces the complex product.
 Complex with_scalar_product(const Curve& curve, const ComplexVector& density, double mu) {
   return -mu * normals(curve).conjugate().cwiseProduct(weights(curve)).cwiseProduct(density).sum();
 }
@@ -103,20 +103,20 @@ Line stresslet_line(const std::string& key, const std::string& id, double ratio,
           .control = Control{defect, stresslet_errors(ratio, defective)}};
 }
 
-/// Returns the angle of the long axis at a phase of the Jeffery orbit; the phase is proportional to
+/// Returns the angle of the long axis at a phase of the Jeffery orbit. The phase is proportional to
 /// time.
 double orbit_angle(double ratio, double phase) {
   return std::atan2(-std::sin(phase), ratio * std::cos(phase));
 }
 
-/// A planted defect: equal angles instead of equal times.
+/// A planted defect: the mean is over equally spaced angles instead of times.
 double equal_angle(double, double phase) {
   return phase;
 }
 
 using Angle = double (*)(double, double);
 
-/// Mean over half a turn, after which the ellipse has the same shape.
+/// Returns the mean over half a turn, after which the ellipse has the same shape.
 double mean_viscosity(const FreeEllipse& ellipse, Index phases, Angle angle,
                       StressletOf stresslet_of = body_stresslet) {
   double sum = 0.0;
@@ -173,7 +173,7 @@ double mean_error(double ratio, Angle angle) {
   return std::abs(0.5 * mean_viscosity(resolved_ellipse(ratio), phases, angle) - 1.0);
 }
 
-/// Largest relative error over angles against
+/// Returns the largest relative error over angles against
 /// (a + b)^2 / (2 a b) [sin^2 2 theta + 2 a b / (a^2 + b^2) cos^2 2 theta].
 double instant_error(double ratio, StressletOf stresslet_of) {
   const FreeEllipse& ellipse = resolved_ellipse(ratio);

@@ -30,7 +30,7 @@ ComplexVector traction_of(const SolvedFlow& flow, Traction traction = boundary_t
   return traction(flow.problem(), flow.derivatives(flow.nodes()));
 }
 
-/// An ellipse under a load and a circle under the opposite force, at a gap.
+/// Returns an ellipse under a load and a circle under the opposite force, at a gap.
 StokesProblem loaded_pair(double gap) {
   return {
       {test::free_body(Ellipse{1.0, 0.6}, 192, {{-1.0 - 0.5 * gap, 0.0}, 0.0}, {{1.0, -2.0}, 0.5}),
@@ -40,7 +40,7 @@ StokesProblem loaded_pair(double gap) {
       {}};
 }
 
-/// The pair inside an ellipse at rest.
+/// Returns the pair inside an ellipse at rest.
 StokesProblem contained_pair(double gap) {
   StokesProblem problem = loaded_pair(gap);
   problem.components.push_back(test::enclosing_wall(Ellipse{4.0, 3.0}, 192, {{0.2, 0.1}, 0.3}));
@@ -49,7 +49,8 @@ StokesProblem contained_pair(double gap) {
 
 const std::vector<double> gaps{0.1, 0.2, 0.4, 0.8};
 
-/// Largest difference of the integrated loads from the given loads, relative to the largest load.
+/// Measures the largest difference of the integrated loads from the given loads, relative to the
+/// largest load.
 Measure load_errors(StokesProblem (*problem)(double), Traction traction) {
   return over(gaps, [=](double gap) {
     static Once<std::pair<StokesProblem (*)(double), double>, SolvedFlow> solved;
@@ -59,8 +60,9 @@ Measure load_errors(StokesProblem (*problem)(double), Traction traction) {
   });
 }
 
-/// Circles of radii 1 and 2 that move and turn. For multiples of 8 a node is at the closest point,
-/// so that the errors over N do not scatter with the place of the nodes in the gap.
+/// Returns circles of radii 1 and 2 that move and turn. If the number of nodes is a multiple of 8,
+/// a node is at the closest point, so that the errors over N do not scatter with the place of the
+/// nodes in the gap.
 test::EccentricAnnulus annulus_of(double relative_gap) {
   return {1.0,
           2.0,
@@ -70,7 +72,7 @@ test::EccentricAnnulus annulus_of(double relative_gap) {
           {{0.1, 0.2}, -0.7}};
 }
 
-/// Power of the motions of both circles, by the closed form of the inner circle's load.
+/// Returns the power of the motions of both circles, by the closed form of the inner circle's load.
 double exact_power(const test::EccentricAnnulus& annulus) {
   const Load inner = test::inner_load(annulus, viscosity);
   const Complex arm = annulus.inner_centre - annulus.outer_centre;
@@ -86,8 +88,8 @@ const SolvedFlow& solved_annulus(double relative_gap, Index n) {
   });
 }
 
-/// The annulus of the experiment over N; outer_coordinate() is the bipolar coordinate of its outer
-/// circle.
+/// The experiment over N uses the annulus with this gap; outer_coordinate() is the bipolar
+/// coordinate of its outer circle.
 constexpr double relative_gap = 0.05;
 
 double outer_coordinate() {
@@ -108,8 +110,9 @@ double force_error(Index n, Traction traction) {
          std::abs(exact.torque);
 }
 
-/// Tractions on the outer circle between the nodes, relative to the first point's pressure because
-/// the pressure has an arbitrary constant. The viscous part alone is a planted defect.
+/// Returns tractions on the outer circle between the nodes. They are relative to the first point's
+/// pressure because the pressure has an arbitrary constant. The viscous part alone is a planted
+/// defect.
 ComplexVector traction_on_wall(Index n, bool with_pressure) {
   const SolvedFlow& flow = solved_annulus(relative_gap, n);
   const auto [inner_radius, radius, inner_centre, centre, inner, outer] = annulus_of(relative_gap);
@@ -132,8 +135,8 @@ double traction_error(Index n, Traction traction) {
          test::largest(exact);
 }
 
-/// Difference of the integrated traction on the inner circle from the circle's load in the same
-/// solution.
+/// Returns the difference of the integrated traction on the inner circle from the circle's load in
+/// the same solution.
 double disagreement(Index n, Traction traction) {
   const SolvedFlow& flow = solved_annulus(relative_gap, n);
   const Load& load = flow.completion().loads[0];
@@ -154,8 +157,8 @@ Measure over_eights(ErrorOf error, Traction traction) {
 
 const std::vector<double> relative_gaps{0.3, 0.45, 0.7};
 
-/// Returns the fluid's dissipation by one method; it is compared with the power of motions and
-/// loads.
+/// Returns the fluid's dissipation by one method. The experiments compare the dissipation with the
+/// power of motions and loads.
 using Power = std::function<double(const SolvedFlow&)>;
 
 Measure power_differences(const Power& power) {
@@ -165,7 +168,7 @@ Measure power_differences(const Power& power) {
   });
 }
 
-/// A quadrature of the fluid, and the flow's derivatives at its points.
+/// Holds a quadrature of the fluid, and the flow's derivatives at its points.
 struct Sampled {
   FluidQuadrature rule;
   std::vector<FlowDerivatives> at;
@@ -184,7 +187,8 @@ double by_volume(const SolvedFlow& flow) {
   return volume_dissipation(rule, at, viscosity);
 }
 
-/// A planted defect: the squares of all derivatives, mu grad u : grad u = mu (|q|^2 + w^2) / 2.
+/// A planted defect: the squares of all derivatives are summed,
+/// mu grad u : grad u = mu (|q|^2 + w^2) / 2.
 double by_squares_of_gradients(const SolvedFlow& flow) {
   const auto& [rule, at] = sampled(flow);
   double sum = 0.0;
@@ -201,7 +205,7 @@ Power by_boundary(Traction traction) {
   };
 }
 
-/// The Couette cell of reference C6, with its centre at some place relative to the grid.
+/// Returns the Couette cell of reference C6, with its centre at some place relative to the grid.
 StokesProblem couette(Complex centre) {
   return {{test::held_body(Circle{1.0}, 64, {centre}, {0.0, 0.4}),
            test::enclosing_wall(Circle{2.5}, 64, {centre}, {0.0, -0.7})},
@@ -210,7 +214,7 @@ StokesProblem couette(Complex centre) {
           {}};
 }
 
-/// Differences of the power of loads on n nodes a circle from that of the closed form.
+/// Measures the differences of the power of loads on n nodes a circle from that of the closed form.
 Measure closed_form_differences(Index n) {
   return over(relative_gaps, [=](double gap) {
     const double computed = total(power_of_loads(solved_annulus(gap, n)));
@@ -222,7 +226,7 @@ constexpr double couette_dissipation = 23.532024971889261;
 
 using Rule = FluidQuadrature (*)(const std::vector<Curve>&, double);
 
-/// A planted defect, which is also the naive method: a grid whose points in the fluid have equal
+/// A planted defect, which is also the naive method: all points of the grid in the fluid have equal
 /// weights.
 FluidQuadrature masked(const std::vector<Curve>& curves, double points) {
   const double spacing = strip_width(curves) / points;
@@ -241,8 +245,8 @@ FluidQuadrature masked(const std::vector<Curve>& curves, double points) {
           Eigen::VectorXd::Constant(m, spacing * spacing)};
 }
 
-/// Root mean square over five places of the cell, because a single place may have a small error by
-/// accident.
+/// Measures the root mean square of the errors over five places of the cell, because a single place
+/// may have a small error by accident.
 Measure quadrature_errors(Rule rule) {
   return over({9.0, 25.0, 49.0, 81.0, 121.0, 169.0, 225.0, 289.0}, [=](double square) {
     double sum = 0.0;

@@ -19,7 +19,7 @@ using test::outer_poles;
 
 namespace {
 
-/// A curve whose nodes resolve the density of an exact flow to rounding.
+/// Describes a curve whose nodes resolve the density of an exact flow to rounding.
 struct Case {
   Shape shape;
   Side side;
@@ -56,7 +56,7 @@ std::vector<FlowDerivatives> by_trapezoid(const Solved& solved, const ComplexVec
   return StressletSum({solved.curve}).derivatives(targets, solved.density);
 }
 
-/// Central differences of the Cauchy scheme's velocity, with a step of half the distance.
+/// Computes central differences of the Cauchy scheme's velocity, with a step of half the distance.
 std::vector<FlowDerivatives> by_differences(const Solved& solved, const ComplexVector& targets,
                                             double distance) {
   const double step = 0.5 * distance;
@@ -135,7 +135,7 @@ Line distance_line(const std::string& key, const std::string& id, const std::str
           .control = Control{defect, over_distances(c, defective)}};
 }
 
-/// A density that is an entire function of the parameter.
+/// Returns a density that is an entire function of the parameter.
 ComplexVector smooth_densities(Index n) {
   return ComplexVector::NullaryExpr(n, [n](Index j) {
     const double t = 2.0 * pi * static_cast<double>(j) / static_cast<double>(n);
@@ -143,8 +143,9 @@ ComplexVector smooth_densities(Index n) {
   });
 }
 
-/// Errors of the trapezoid rule by the distance in spacings. The exact values are by a rule that is
-/// so fine that no target is near. Equal weights of all nodes are a planted defect.
+/// Measures errors of the trapezoid rule by the distance in spacings. The exact values come from a
+/// rule with such a small spacing that no target is near. Equal weights of all nodes are a planted
+/// defect.
 Measure errors_over_spacings(const Shape& shape, Index n, Side side, bool equal_weights = false) {
   return [=](Size size) {
     const Curve curve = sample(shape, n, side), fine = sample(shape, 16 * n, side);

@@ -24,7 +24,7 @@ const test::ExactFlow pole_flow{
 
 constexpr Index target_count = 16;
 
-/// The flow's density, resolved on 208 nodes.
+/// Returns the flow's density, resolved on 208 nodes.
 ComplexVector resolved_density(Index n) {
   static const ComplexVector density = [] {
     const Curve body = sample(body_ellipse, 208, Side::fluid_outside);
@@ -33,7 +33,7 @@ ComplexVector resolved_density(Index n) {
   return resample(density, n);
 }
 
-/// Strains at every (N / 16)-th node, and the number of kernel evaluations.
+/// Holds the strains at every (N / 16)-th node, and the number of kernel evaluations.
 struct Evaluation {
   ComplexVector strain;
   Index kernels;
@@ -115,8 +115,8 @@ Evaluation extrapolated_too_near(const Curve& body, const ComplexVector& density
   return extrapolated_from(1.0, body, density);
 }
 
-/// One-sided differences of second order of the Cauchy scheme's velocities along the normal and the
-/// tangent: q = 2 du/d(conj z) (07.4).
+/// Computes one-sided differences of second order of the Cauchy scheme's velocities along the
+/// normal and the tangent: q = 2 du/d(conj z) (07.4).
 Evaluation differences_of_step(double step, const Curve& body, const ComplexVector& density) {
   const CauchyCurve cauchy(body);
   const CauchyData data = cauchy.data(density);
@@ -138,13 +138,13 @@ Evaluation differences(const Curve& body, const ComplexVector& density) {
   return differences_of_step(2.0 * pi / static_cast<double>(body.size()), body, density);
 }
 
-/// A planted defect: a step that does not decrease with the spacing.
+/// A planted defect: the step does not decrease with the spacing.
 Evaluation differences_of_fixed_step(const Curve& body, const ComplexVector& density) {
   return differences_of_step(0.05, body, density);
 }
 
-/// The limit by Cauchy integrals takes N weights for each target, and three matrices of the curve
-/// on itself.
+/// Computes the limit by Cauchy integrals. The limit requires N weights for each target, and three
+/// matrices of the curve on itself.
 Evaluation cauchy_limit(const Curve& body, const ComplexVector& density) {
   const CauchyCurve cauchy(body);
   const CauchyDerivativeData data = cauchy.derivative_data(cauchy.data(density));
@@ -155,7 +155,7 @@ Evaluation cauchy_limit(const Curve& body, const ComplexVector& density) {
   return {strain, 3 * n * n + n * target_count};
 }
 
-/// A planted defect: the limit from the other side.
+/// A planted defect: the limit is taken from the other side.
 Evaluation limit_from_inside(const Curve& body, const ComplexVector& density) {
   Curve turned = body;
   turned.side = Side::fluid_inside;
@@ -190,7 +190,7 @@ const std::vector<Index> many{64, 128, 256, 512, 1024, 2048},
     very_many{256, 512, 1024, 2048, 4096, 8192, 16384}, moderate{32, 64, 128, 256, 512},
     few{32, 48, 64, 80, 96, 112, 128, 144, 160};
 
-/// Returns an error on the surface at points between the nodes; the density is solved for on the
+/// Returns an error on the surface at points between the nodes. The density is the solution on the
 /// nodes.
 using Quantity = std::function<double(const CauchyCurve&, const CauchyData&, const ComplexVector&)>;
 
@@ -218,8 +218,8 @@ double velocity_error(const CauchyCurve& cauchy, const CauchyData& data,
   return test::largest(cauchy.velocity(data, 0, targets) - exact) / test::largest(exact);
 }
 
-/// Largest error of a part of the derivatives, relative to its largest value. The other sign of
-/// phi' is a planted defect.
+/// Returns the largest error of a part of the derivatives, relative to its largest value. The other
+/// sign of phi' is a planted defect.
 template <class Part>
 Quantity error_of(const Part& part, double sign = 1.0) {
   return [=](const CauchyCurve& cauchy, const CauchyData& data, const ComplexVector& targets) {

@@ -33,7 +33,7 @@ const SolvedFlow& disk(double fraction) {
   });
 }
 
-/// A planted defect: a fluid of viscosity 1.
+/// A planted defect: the fluid has viscosity 1.
 SolvedFlow disk_in_other_fluid(double fraction) {
   return in_container({test::free_body(Circle{std::sqrt(fraction)}, 64, {})}, 1.0);
 }
@@ -49,7 +49,7 @@ SolvedFlow disk_without_wall(double fraction) {
   return test::solve_flow({{body}, viscosity, linear_velocity(strained, body.curve.x), {}});
 }
 
-/// Dissipation relative to that of the fluid alone, mu |q|^2 pi.
+/// Returns the dissipation relative to that of the fluid alone, mu |q|^2 pi.
 double relative_power(const SolvedFlow& flow) {
   return total(power_of_loads(flow)) / (dissipation_density(strained, viscosity) * pi);
 }
@@ -59,7 +59,7 @@ enum class Bodies {
   but_the_first  ///< a planted defect
 };
 
-/// Sum of the stresslets of free bodies.
+/// Returns the sum of the stresslets of free bodies.
 Complex stresslet_of_bodies(const SolvedFlow& flow, Bodies bodies) {
   Complex sum{};
   Index first = 0;
@@ -77,14 +77,15 @@ double excess_by_stresslets(const SolvedFlow& flow, Bodies bodies = Bodies::all)
   return intrinsic_viscosity(stresslet_of_bodies(flow, bodies), strained.strain, pi, viscosity);
 }
 
-/// Exact viscosity with a disk in the middle: 1 + 2 phi (1 + phi + phi^2) / (1 - phi)^3.
+/// Returns the exact viscosity with a disk in the middle:
+/// 1 + 2 phi (1 + phi + phi^2) / (1 - phi)^3.
 double exact_viscosity(double phi) {
   return 1.0 + 2.0 * phi * (1.0 + phi + phi * phi) / std::pow(1.0 - phi, 3);
 }
 
 const std::vector<double> fractions{0.01, 0.05, 0.1, 0.2, 0.35, 0.5};
 
-/// Two bodies without symmetry, scaled by a factor.
+/// Returns two bodies without symmetry, scaled by a factor.
 std::vector<Component> odd_bodies(double factor) {
   return {test::free_body(Ellipse{factor, 0.5 * factor}, 192, {{-0.4, 0.2}, 0.7}),
           test::free_body(test::lopsided_curve(0.5 * factor), 192, {{0.35, -0.2}, 0.3})};
@@ -92,8 +93,8 @@ std::vector<Component> odd_bodies(double factor) {
 
 const std::vector<double> factors{0.05, 0.1, 0.2, 0.3};
 
-/// Relative difference between the excess of the dissipation by tractions on the wall and by the
-/// stresslets.
+/// Measures the relative difference of the excess of the dissipation by tractions on the wall from
+/// that by the stresslets.
 Measure excess_differences(Bodies bodies) {
   return over(factors, [=](double factor) {
     static Once<double, SolvedFlow> solved;

@@ -9,8 +9,9 @@
 namespace stokesbook::test {
 
 /// Returns the motion of a loaded ellipse in an unbounded quiescent fluid, in closed form (03.13).
-/// In the ellipse's frame U_1 = F_1 / (4 pi mu) [-log((a + b) / (2 ell)) + a / (a + b)]; U_2 has b
-/// / (a + b) in place of a / (a + b); omega = L / (2 pi mu (a^2 + b^2)).
+/// The velocity in the ellipse's frame is
+/// U_1 = F_1 / (4 pi mu) [-log((a + b) / (2 ell)) + a / (a + b)]; U_2 has b / (a + b) in place of
+/// a / (a + b). The angular velocity is omega = L / (2 pi mu (a^2 + b^2)).
 inline RigidMotion loaded_ellipse(const Ellipse& ellipse, double orientation, const Load& load,
                                   double mu, double ell) {
   const auto [a, b] = ellipse;
@@ -41,23 +42,23 @@ inline Complex velocity_around_circle(Complex r, double a, Complex force, double
   return sum / (4.0 * std::numbers::pi * mu);
 }
 
-/// Two equal circles of radius a whose centres are 2 a cosh(alpha) apart.
+/// Describes two equal circles of radius a whose centres are 2 a cosh(alpha) apart.
 struct CirclePair {
   double a, gap;
 
   double alpha() const { return 2.0 * std::asinh(std::sqrt(gap / (4.0 * a))); }
 
-  /// Speed of either circle along the line of centres, positive if the circles separate, in the
-  /// flow u = e (x, -y) whose x axis is that line.
+  /// Returns the speed of either circle in the flow u = e (x, -y), whose x axis is the line of
+  /// centres. The speed is along this line, and positive if the circles separate.
   double speed_in_extension(double e) const {
     return 2 * a * e * std::pow(std::sinh(alpha()), 3) / std::cosh(2 * alpha());
   }
-  /// Speed of either circle if opposite forces F pull the two circles apart.
+  /// Returns the speed of either circle if opposite forces F pull the two circles apart.
   double speed_of_pull(double force, double mu) const {
     return force / (4 * std::numbers::pi * mu) * (alpha() - std::tanh(2 * alpha()) / 2);
   }
-  /// Angular velocity of either circle if both are under a force F perpendicular to the line of
-  /// centres.
+  /// Returns the angular velocity of either circle if a force F perpendicular to the line of
+  /// centres acts on each circle.
   double turn_of_settling(double force, double mu) const {
     return force * std::sinh(alpha()) / (4 * std::numbers::pi * mu * a * std::cosh(2 * alpha()));
   }

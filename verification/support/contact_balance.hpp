@@ -9,10 +9,11 @@
 
 namespace stokesbook::test {
 
-/// Returns the net force and torque of contact in a frame: the loads that contact adds to free
-/// bodies, plus the reactions of walls and held bodies in the list of contacts. The force is
-/// relative to the largest contact force, the torque to that force times the largest distance from
-/// the origin. The result is the larger of the two, and 0 if there is no contact.
+/// Returns the relative size of the net contact force and torque in a frame; 0 if there is no
+/// contact. The function adds the loads of contact on free bodies and the reactions of walls and
+/// held bodies in the list of contacts. The net force is divided by the largest contact force. The
+/// net torque is divided by this force times the largest distance from the origin. The larger
+/// quotient is returned.
 inline double contact_imbalance(const Scene& scene, const Frame& frame) {
   if (frame.contacts.empty()) return 0.0;
   Complex net{};

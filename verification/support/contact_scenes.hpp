@@ -32,8 +32,8 @@ class RowBuilder {
   std::vector<VectorXd> gradients_;
 };
 
-/// A step with the mobility B and the separation 0.01. Its tolerance is a thousandth of the
-/// separation.
+/// Returns a step with the mobility B and the separation 0.01. The tolerance of the step is a
+/// thousandth of the separation.
 inline ContactStep step_of(const VectorXd& free_velocity, double dt, const MatrixXd& mobility,
                            std::function<ContactRows(const VectorXd&)> rows) {
   ContactStep step{free_velocity, dt, 0.01, 1e-5, std::move(rows), {}};
@@ -43,8 +43,8 @@ inline ContactStep step_of(const VectorXd& free_velocity, double dt, const Matri
   return step;
 }
 
-/// A point that starts at `start` and must end at a distance of at least 1 from the origin; the
-/// mobility B is the identity.
+/// Returns the step of a point that starts at `start` and must end at a distance of at least 1 from
+/// the origin. The mobility B is the identity.
 inline ContactStep point_and_disk(const VectorXd& start, const VectorXd& free_velocity, double dt) {
   return step_of(free_velocity, dt, MatrixXd::Identity(2, 2), [=](const VectorXd& velocity) {
     const VectorXd end = start + dt * velocity;
@@ -54,8 +54,8 @@ inline ContactStep point_and_disk(const VectorXd& start, const VectorXd& free_ve
   });
 }
 
-/// Points in a row at 0, 1, 2, ... that must keep a distance of 0.9. Every pair of points is a row,
-/// so that there are far more rows than unknowns.
+/// Returns the step of points on a line, at 0, 1, 2, ..., which must keep a distance of 0.9. Every
+/// pair of points has a constraint row, so there are far more rows than unknowns.
 inline ContactStep row_of_points(const VectorXd& free_velocity, double dt,
                                  const MatrixXd& mobility) {
   return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {
@@ -71,8 +71,8 @@ inline ContactStep row_of_points(const VectorXd& free_velocity, double dt,
   });
 }
 
-/// A rod above a floor. The unknowns are its upward velocity and its angular velocity. Both ends
-/// are at height 0, and only the deeper end is a row.
+/// Returns the step of a rod above a floor. The unknowns are the upward velocity and the angular
+/// velocity of the rod. Both ends are at height 0, and only the deeper end has a constraint row.
 inline ContactStep rod(const VectorXd& free_velocity) {
   return step_of(free_velocity, 1.0, MatrixXd::Identity(2, 2), [](const VectorXd& velocity) {
     const VectorXd left = vector2(1.0, -1.0), right = vector2(1.0, 1.0);
@@ -84,8 +84,8 @@ inline ContactStep rod(const VectorXd& free_velocity) {
   });
 }
 
-/// A table above a floor. The unknowns are its upward velocity and its two angular velocities. Only
-/// the deepest of its three feet is a row.
+/// Returns the step of a table above a floor. The unknowns are the upward velocity and the two
+/// angular velocities of the table. Only the deepest of the three feet has a constraint row.
 inline ContactStep table(const VectorXd& free_velocity) {
   return step_of(free_velocity, 1.0, MatrixXd::Identity(3, 3), [](const VectorXd& velocity) {
     MatrixXd feet(3, 3);
@@ -98,8 +98,8 @@ inline ContactStep table(const VectorXd& free_velocity) {
   });
 }
 
-/// Disks of radius 1/2 in the plane, with their centres at `centres` (x_0, y_0, x_1, ...). The rows
-/// are the pairs whose gap at the end of the step is at most 1/4.
+/// Returns the step of disks of radius 1/2 in the plane, with their centres at `centres` (x_0, y_0,
+/// x_1, ...). Each pair whose gap at the end of the step is at most 1/4 has a constraint row.
 inline ContactStep disks(const VectorXd& centres, const VectorXd& free_velocity, double dt,
                          const MatrixXd& mobility) {
   return step_of(free_velocity, dt, mobility, [=](const VectorXd& velocity) {

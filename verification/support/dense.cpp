@@ -1,6 +1,6 @@
-// Solves small dense systems, the reference for iterative and fast methods: LU with partial
-// pivoting, least squares, QR. Eigen's decompositions take long to compile, so they are compiled
-// only here.
+// Solves small dense systems by LU with partial pivoting, by least squares and by QR. The solutions
+// are the reference for iterative and fast methods. Eigen's decompositions take long to compile, so
+// they are compiled only here.
 #include "support/dense.hpp"
 
 #include <Eigen/LU>

@@ -4,8 +4,8 @@
 
 namespace stokesbook::test {
 
-// Dense linear algebra. Eigen's decompositions take many seconds to compile, so they are compiled
-// once, in dense.cpp.
+// This header declares functions for dense linear algebra. Eigen's decompositions take many seconds
+// to compile, so they are compiled once, in dense.cpp.
 
 /// Solves matrix x = rhs by LU factorisation with partial pivoting.
 Eigen::VectorXd solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);

@@ -34,8 +34,8 @@ inline Eigen::MatrixXd completed_system(const Curve& curve, const Eigen::MatrixX
 }
 
 /// Solves (-1/2 + D) eta = u densely on one curve. The velocity limit u belongs to a flow without
-/// force and torque (body) or without net flux (enclosing wall). The solution is not unique; the
-/// function returns the one of completed_system(): on a body, the density without rigid part.
+/// force and torque (body) or without net flux (enclosing wall). The solution is not unique. The
+/// function returns the solution of completed_system(), which on a body has no rigid part.
 inline ComplexVector density_of(const Curve& curve, const ComplexVector& velocity) {
   const Eigen::VectorXd density =
       solve(completed_system(curve, double_layer_matrix(curve)), interleaved(velocity));

@@ -7,7 +7,7 @@
 
 namespace stokesbook::test {
 
-/// Two circles, one inside the other, with their motions about their own centres.
+/// Describes two circles, one inside the other, with their motions about their own centres.
 struct EccentricAnnulus {
   double inner_radius, outer_radius;
   Complex inner_centre, outer_centre;  ///< must differ
@@ -33,7 +33,7 @@ inline Load inner_load(const EccentricAnnulus& annulus, double mu) {
   const Real w = dot(relative, x), v = dot(relative, y);
   const Real w1 = annulus.inner.omega, w2 = annulus.outer.omega;
   const Real sum = r1 * r1 + r2 * r2, difference = r2 * r2 - r1 * r1;
-  // cosh(tau) - 1 is the product of the least and the greatest gap over 2 R1 R2.
+  // cosh(tau) - 1 is the product of the least and the greatest gap, divided by 2 R1 R2.
   const Real excess = (r2 - r1 - e) * (r2 - r1 + e) / (2 * r1 * r2);
   const Real sinh_tau = std::sqrt(excess * (excess + 2)), tau = std::asinh(sinh_tau);
   const Real s = r1 * r2 * sinh_tau / e, d1 = (difference - e * e) / (2 * e);
@@ -46,7 +46,8 @@ inline Load inner_load(const EccentricAnnulus& annulus, double mu) {
   return {fx * x + fy * y, static_cast<double>(scale * (a + f * d1))};
 }
 
-/// The bounded problem of the two circles: component 0 is the inner circle, component 1 the outer.
+/// Returns the bounded problem of the two circles. Component 0 is the inner circle, and component 1
+/// is the outer circle.
 inline StokesProblem annulus_problem(const EccentricAnnulus& annulus, double mu,
                                      Eigen::Index inner_nodes, Eigen::Index outer_nodes) {
   const Circle inner{annulus.inner_radius}, outer{annulus.outer_radius};

@@ -9,12 +9,14 @@
 
 namespace stokesbook::test {
 
-/// Pressure over viscosity, vorticity and strain of an exact flow; the flow's viscosity is 1.
+/// Returns pressure / viscosity, vorticity and strain of an exact flow. The viscosity of the flow
+/// is 1.
 inline FlowDerivatives derivatives_of(const ExactFlow& flow, Complex z) {
   return {flow.pressure(z), flow.vorticity(z), flow.strain(z)};
 }
 
-/// Velocity of the linear flow with vorticity w and strain q that vanishes at the origin.
+/// Returns the velocity of the linear flow with vorticity w and strain q. The velocity is 0 at the
+/// origin.
 inline ComplexVector linear_velocity(const FlowDerivatives& linear, const ComplexVector& z) {
   return 0.5 * (imaginary * linear.vorticity * z + linear.strain * z.conjugate());
 }
@@ -22,8 +24,8 @@ inline ComplexVector linear_velocity(const FlowDerivatives& linear, const Comple
 /// Returns the largest error of pressure, vorticity and strain at the points, relative to the
 /// largest strain at these points.
 ///
-/// Inside an enclosing wall the pressure is known up to a constant, so the pressure at the first
-/// point is the datum.
+/// The pressure inside an enclosing wall is known up to a constant, so pressures are compared after
+/// the error of the pressure at the first point is subtracted.
 inline double derivative_error(const std::vector<FlowDerivatives>& found, const ExactFlow& flow,
                                const ComplexVector& points, Side side) {
   const double datum =

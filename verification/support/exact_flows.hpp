@@ -6,18 +6,20 @@
 
 namespace stokesbook::test {
 
-/// A stresslet and a source of fluid at one point. Their flow carries neither force nor torque.
+/// Describes a stresslet and a source of fluid at one point. The flow of both exerts neither a
+/// force nor a torque.
 struct Pole {
   Complex at;
   Complex dipole;       ///< a of the Goursat function phi = a / r
   double source = 0.0;  ///< m of the radial flow m r / rho^2
 };
 
-/// An exact Stokes flow of viscosity 1: poles outside the fluid, plus the extension e (x, -y).
+/// Describes an exact Stokes flow of viscosity 1: the sum of poles outside the fluid and the
+/// extension e (x, -y).
 ///
-/// \f$ u = \sum [a/r + r\,\overline{a/r^2} + m/\bar r] + e\bar z,\ r = z - z_k \f$, which is u =
-/// phi - z conj(phi') - conj(psi) with p = -4 Re phi'. The formula is independent of the kernels
-/// under test.
+/// \f$ u = \sum [a/r + r\,\overline{a/r^2} + m/\bar r] + e\bar z,\ r = z - z_k \f$, which is
+/// u = phi - z conj(phi') - conj(psi) with p = -4 Re phi'. The formula is independent of the
+/// kernels under test.
 struct ExactFlow {
   std::vector<Pole> poles;
   double extension = 0.0;
@@ -63,13 +65,14 @@ struct ExactFlow {
     return 2.0 * slope;
   }
 
-  /// Returns the traction sigma n, by 2 e n = q conj(n).
+  /// Returns the traction sigma n, computed with 2 e n = q conj(n).
   Complex traction(Complex z, Complex n) const {
     return -pressure(z) * n + strain(z) * std::conj(n);
   }
 };
 
-/// Flows with poles inside a body and outside a container, of sizes about 1.
+/// These two flows have poles inside a body and outside a container, respectively. The body and the
+/// container have sizes of about 1.
 inline const ExactFlow inner_poles{
     {{{0.1, 0.01}, {0.5, -0.3}, 0.4}, {{-0.2, -0.01}, {0.1, 0.8}, -0.1}}};
 inline const ExactFlow outer_poles{

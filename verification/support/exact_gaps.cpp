@@ -41,8 +41,8 @@ Jet jet(const Star& star, double t) {
                -k * k * wave * std::cos(k * t));
 }
 
-// Superellipse in polar coordinates: r = g^{-1/p} with g = c^p + s^p, c = cos(t) / a, s = sin(t) /
-// b.
+// The superellipse in polar coordinates is r = g^{-1/p} with g = c^p + s^p, c = cos(t) / a,
+// s = sin(t) / b.
 Jet jet(const Superellipse& shape, double t) {
   const int p = shape.power;
   const double c = std::cos(t) / shape.a, dc = -std::sin(t) / shape.a, s = std::sin(t) / shape.b,
@@ -82,8 +82,8 @@ double distance(const PlacedShape& a, const PlacedShape& b, double s, double t) 
   return std::abs(at(a, s).x - at(b, t).x);
 }
 
-// Minimises the distance, starting at a pair of parameters, by Newton's method. Where the Hessian
-// is not positive definite, the step uses the Gauss-Newton matrix, its diagonal enlarged by a
+// Minimises the distance, starting at a pair of parameters, by Newton's method. If the Hessian is
+// not positive definite, the step uses the Gauss-Newton matrix with its diagonal enlarged by a
 // tenth. Steps are halved until the distance decreases.
 double descended(const PlacedShape& a, const PlacedShape& b, double s, double t) {
   double found = distance(a, b, s, t);
@@ -125,8 +125,9 @@ int winding_number(const std::vector<Complex>& polygon, Complex point) {
   return winding;
 }
 
-// Returns whether a curve that does not cross another curve lies inside it. Nine points vote,
-// because a single point may lie within rounding error of the polygon.
+// Returns whether a curve lies inside a polygon that the curve does not cross. The function tests
+// nine points and returns the result of the majority, because a single point may be so near the
+// polygon that rounding errors determine its result.
 bool lies_inside(const std::vector<Complex>& curve, const std::vector<Complex>& polygon) {
   int inside = 0;
   constexpr std::size_t asked = 9;
@@ -162,7 +163,8 @@ double exact_gap(const PlacedShape& a, const PlacedShape& b, int samples) {
     longest = std::max({longest, std::abs(on_a[i] - on_a[(i + 1) % on_a.size()]),
                         std::abs(on_b[i] - on_b[(i + 1) % on_b.size()])});
   }
-  // Refines every local minimum of the samples behind which the global minimum may hide.
+  // Refines every local minimum of the sampled distances that may be near the global minimum of the
+  // distance.
   double gap = std::sqrt(least2);
   const double bound = gap + longest;
   for (std::size_t i = 0; i < nearest.size(); ++i) {

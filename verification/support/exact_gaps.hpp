@@ -5,7 +5,7 @@
 
 namespace stokesbook::test {
 
-/// A curve in the plane, given by its formula.
+/// Describes a curve in the plane by its formula.
 struct PlacedShape {
   Shape shape;  ///< a circle, an ellipse, a star or a superellipse
   Complex position{};
@@ -13,15 +13,16 @@ struct PlacedShape {
   bool encloses = false;  ///< whether the curve encloses the fluid and all other curves
 };
 
-/// Returns the least distance of two curves through the fluid, from their formulas alone: takes the
-/// closest pairs of sampled points and refines each by Newton's method for |x_a(s) - x_b(t)|^2. The
-/// function shares no code with the geometry that it checks.
+/// Returns the least distance of two curves through the fluid, computed only from the formulas of
+/// the curves. The function takes the closest pairs of sampled points and refines each pair by
+/// Newton's method for |x_a(s) - x_b(t)|^2. The function and the geometry that it checks have no
+/// code in common.
 ///
 /// @return  the distance; 0 if the curves cross; minus the distance if one curve lies on the wrong
 ///          side of the other
 double exact_gap(const PlacedShape& a, const PlacedShape& b, int samples = 256);
 
-/// Returns the shapes of a scene's bodies and walls at their places in a frame, bodies first.
+/// Returns the shapes of a scene's bodies and walls at their positions in a frame, bodies first.
 std::vector<PlacedShape> placed_shapes(const Scene& scene, const Frame& frame);
 
 /// Returns the least gap of all pairs, or the limit if no gap is smaller. Pairs whose bounding

@@ -4,11 +4,12 @@
 
 namespace stokesbook::test {
 
-/// Step of the differences. For fields that vary over lengths of order 1, truncation and rounding
-/// errors are both near 1e-12.
+/// The step of the differences is 0.01. If a field varies over lengths of order 1, truncation and
+/// rounding errors are then both near 1e-12.
 inline constexpr double difference_step = 0.01;
 
-/// Central difference of order 8 of a field along a direction of the plane.
+/// Returns the derivative of a field along a direction of the plane, by central differences of
+/// order 8.
 template <class Field>
 auto derivative(const Field& f, Complex z, Complex direction) {
   const Complex h = difference_step * direction;
@@ -18,7 +19,7 @@ auto derivative(const Field& f, Complex z, Complex direction) {
          difference_step;
 }
 
-/// Laplacian of a field by central differences of order 8.
+/// Returns the Laplacian of a field, by central differences of order 8.
 template <class Field>
 auto laplacian(const Field& f, Complex z) {
   const auto ring = [&](double k) {
@@ -30,19 +31,19 @@ auto laplacian(const Field& f, Complex z) {
          (difference_step * difference_step);
 }
 
-/// Divergence of a velocity field.
+/// Returns the divergence of a velocity field.
 template <class Velocity>
 double divergence(const Velocity& u, Complex z) {
   return derivative(u, z, 1.0).real() + derivative(u, z, imaginary).imag();
 }
 
-/// Residual of the Stokes equation, mu Lap u - grad p.
+/// Returns the residual of the Stokes equation, mu Lap u - grad p.
 template <class Velocity, class Pressure>
 Complex momentum_residual(const Velocity& u, const Pressure& p, double mu, Complex z) {
   return mu * laplacian(u, z) - Complex{derivative(p, z, 1.0), derivative(p, z, imaginary)};
 }
 
-/// Traction sigma n, sigma = -p I + mu (grad u + grad u^T).
+/// Returns the traction sigma n with sigma = -p I + mu (grad u + grad u^T).
 template <class Velocity, class Pressure>
 Complex traction(const Velocity& u, const Pressure& p, double mu, Complex z, Complex n) {
   const Complex along_1 = derivative(u, z, 1.0), along_2 = derivative(u, z, imaginary);

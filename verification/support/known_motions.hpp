@@ -5,9 +5,9 @@
 
 namespace stokesbook::test {
 
-/// Returns the angle at time t of an ellipse with aspect ratio lambda in shear of rate 1 that
-/// starts at angle 0: tan theta = -tan(lambda t / (1 + lambda^2)) / lambda, continued beyond the
-/// half turns.
+/// Returns the angle theta at time t of an ellipse with aspect ratio lambda in shear of rate 1. The
+/// ellipse starts at the angle 0. The formula is
+/// tan theta = -tan(lambda t / (1 + lambda^2)) / lambda, continued beyond the half turns.
 inline double jeffery_angle(double lambda, double t) {
   const double phase = lambda * t / (1.0 + lambda * lambda);
   const double half_turns = std::round(phase / std::numbers::pi);
@@ -15,8 +15,8 @@ inline double jeffery_angle(double lambda, double t) {
          std::atan(std::tan(phase - half_turns * std::numbers::pi) / lambda);
 }
 
-/// Returns the distance D = 2 cosh(al) at time t of the centres of two unit circles in the flow u =
-/// (-x, y), from 2 al - coth al = const - 2 t.
+/// Returns the distance D = 2 cosh(al) of the centres of two unit circles at time t in the flow
+/// u = (-x, y). The equation 2 al - coth al = const - 2 t determines al.
 inline double circle_distance(double start, double t) {
   const auto invariant = [](double al) { return 2.0 * al - 1.0 / std::tanh(al); };
   const double target = invariant(std::acosh(0.5 * start)) - 2.0 * t;

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A problem whose solution is known.
+/// Holds a problem whose solution is known.
 struct PlantedLcp {
   std::string name;
   LcpProblem problem;
@@ -22,20 +22,20 @@ struct PlantedLcp {
   bool unique = false;  ///< whether z is the only solution
 };
 
-/// Independent normal deviates, the same in every run.
+/// Returns independent normal deviates, which are the same in every run.
 inline MatrixXd normal_matrix(Index rows, Index columns, unsigned seed) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
   return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
 }
 
-/// Symmetric matrix with eigenvalues of at least 0.1.
+/// Returns a symmetric matrix with eigenvalues of at least 0.1.
 inline MatrixXd definite_matrix(Index m, unsigned seed) {
   const MatrixXd factor = normal_matrix(m, m, seed);
   return factor * factor.transpose() / static_cast<double>(m) + 0.1 * MatrixXd::Identity(m, m);
 }
 
-/// Symmetric positive semidefinite matrix of a given rank.
+/// Returns a symmetric positive semidefinite matrix of a given rank.
 inline MatrixXd semidefinite_matrix(Index m, Index rank, unsigned seed) {
   const MatrixXd factor = normal_matrix(m, rank, seed);
   return factor * factor.transpose() / static_cast<double>(rank);
@@ -46,7 +46,7 @@ inline MatrixXd hilbert_matrix(Index m) {
       m, m, [](Index i, Index j) { return 1.0 / static_cast<double>(i + j + 1); });
 }
 
-/// Tridiagonal matrix (-1, 2, -1): the contacts of a chain of disks in a row.
+/// Returns the tridiagonal matrix (-1, 2, -1), which describes the contacts of a row of disks.
 inline MatrixXd chain_matrix(Index m) {
   MatrixXd matrix = 2.0 * MatrixXd::Identity(m, m);
   matrix.diagonal(1).setConstant(-1.0);
@@ -54,19 +54,21 @@ inline MatrixXd chain_matrix(Index m) {
   return matrix;
 }
 
-/// The chain pushed together at both ends; the solution is z = 1 in every contact.
+/// Returns the problem of a chain that is pushed together at both ends. The solution is z = 1 in
+/// every contact.
 inline LcpProblem chain(Index m) {
   return {chain_matrix(m), -VectorXd::Unit(m, 0) - VectorXd::Unit(m, m - 1)};
 }
 
-/// Murty's problem: ones on the diagonal, twos below the diagonal, q = -1; the solution is z = e_1.
+/// Returns Murty's problem. The matrix has ones on the diagonal and twos below the diagonal, and
+/// q = -1. The solution is z = e_1.
 inline LcpProblem murty(Index m) {
   MatrixXd matrix = MatrixXd::Identity(m, m);
   matrix.triangularView<Eigen::StrictlyLower>().setConstant(2.0);
   return {matrix, -VectorXd::Ones(m)};
 }
 
-/// Doubles the contacts: each pair of contacts is equal up to 1e-6.
+/// Doubles every contact. The two copies of a contact are equal up to 1e-6.
 inline MatrixXd near_duplicates(const MatrixXd& matrix) {
   const Index m = matrix.rows();
   MatrixXd result(2 * m, 2 * m);
@@ -79,15 +81,15 @@ inline MatrixXd near_duplicates(const MatrixXd& matrix) {
   return result;
 }
 
-/// Random factors 10^u, u uniform in (-6, 0).
+/// Returns random factors 10^u with u uniform in (-6, 0).
 inline VectorXd random_scale(Index m, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> power(-6.0, 0.0);
   return VectorXd::NullaryExpr(m, [&] { return std::pow(10.0, power(generator)); });
 }
 
-/// Returns a problem with the given matrix that a random z solves. In 30 % of the pairs z = w = 0;
-/// half of the other pairs have z > 0, the other half w > 0.
+/// Returns a problem that has the given matrix and a random solution z. About 30 % of the pairs
+/// have z = w = 0. Half of the other pairs have z > 0, and the other half have w > 0.
 inline PlantedLcp planted(std::string name, const MatrixXd& matrix, unsigned seed, bool unique) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform;
@@ -100,7 +102,7 @@ inline PlantedLcp planted(std::string name, const MatrixXd& matrix, unsigned see
   return {std::move(name), {matrix, w - matrix * z}, z, unique};
 }
 
-/// Returns the same problem with every row in another unit.
+/// Returns the same problem with each row in a different unit.
 inline PlantedLcp in_other_units(const PlantedLcp& lcp, const VectorXd& scale) {
   return {lcp.name + " in mixed units",
           {scale.asDiagonal() * lcp.problem.matrix * scale.asDiagonal(),
@@ -109,7 +111,8 @@ inline PlantedLcp in_other_units(const PlantedLcp& lcp, const VectorXd& scale) {
           lcp.unique};
 }
 
-/// Twenty solvable problems: well and ill conditioned, singular, degenerate, badly scaled.
+/// Returns twenty problems that have a solution. Some are well conditioned, and others are ill
+/// conditioned, singular, degenerate or badly scaled.
 inline std::vector<PlantedLcp> suite() {
   std::vector<PlantedLcp> cases;
   for (const Index m : {5, 20, 100}) {

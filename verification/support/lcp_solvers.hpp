@@ -8,7 +8,7 @@
 
 namespace stokesbook::test {
 
-/// A solver and its name in messages.
+/// Holds a solver and its name in messages.
 struct NamedSolver {
   const char* name;
   LcpSolver solve;

@@ -7,8 +7,8 @@
 
 namespace stokesbook::test {
 
-/// Samples r = 1 + .2 cos 2t + .15 cos(3t + 1), times a length. The curve has no symmetry, and its
-/// centroid is not the origin.
+/// Samples the curve r = 1 + .2 cos 2t + .15 cos(3t + 1), multiplied by a length. The curve has no
+/// symmetry, and its centroid is not the origin.
 inline NodalCurve lopsided_curve(double length = 1.0) {
   NodalCurve shape{ComplexVector(16), {}};
   for (Eigen::Index j = 0; j < 16; ++j) {

@@ -7,9 +7,10 @@
 
 namespace stokesbook::test {
 
-/// Returns the matrix of a problem's dense system between mean-square norms: node values are
-/// weighted by the square root of the node's share of the curve's length; the unknowns and rows of
-/// a border are not weighted.
+/// Scales the matrix of a problem's dense system, so that the 2-norm of the result is the norm of
+/// the original matrix between mean-square norms. The rows of each node are multiplied, and its
+/// columns are divided, by the square root of the node's share of the curve's length. The unknowns
+/// and rows of a border are not scaled.
 inline Eigen::MatrixXd between_mean_squares(Eigen::MatrixXd matrix, const StokesProblem& problem) {
   Eigen::Index row = 0;
   for (const Component& component : problem.components) {
@@ -23,7 +24,7 @@ inline Eigen::MatrixXd between_mean_squares(Eigen::MatrixXd matrix, const Stokes
   return matrix;
 }
 
-/// Condition number of a problem's dense matrix between mean-square norms.
+/// Returns the condition number of a problem's dense matrix between mean-square norms.
 inline double mean_square_condition(const Eigen::MatrixXd& matrix, const StokesProblem& problem) {
   return condition_number(between_mean_squares(matrix, problem));
 }

@@ -7,7 +7,8 @@ namespace stokesbook::test {
 /// Returns the mobility matrix of free bodies. Each column holds the motions (U_1, U_2, omega of
 /// every body) under one unit load (F_1, F_2, L of every body).
 ///
-/// @param  arm  from the centre of a body to the point at which forces act; not 0: a planted defect
+/// @param  arm  from the centre of a body to the point at which forces act; if not 0, a planted
+///              defect
 inline Eigen::MatrixXd mobility_matrix(StokesProblem problem, ClosureForm form, Complex arm = {}) {
   const auto bodies = static_cast<Eigen::Index>(problem.components.size());
   Eigen::MatrixXd matrix(3 * bodies, 3 * bodies);

@@ -4,7 +4,8 @@
 
 namespace stokesbook::test {
 
-/// Computes a value once for each key, so that lines and controls share expensive results.
+/// Computes a value once for each key, so that the lines and controls of an experiment can use the
+/// same expensive results.
 template <class Key, class Value>
 class Once {
  public:

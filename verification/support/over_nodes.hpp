@@ -9,7 +9,8 @@
 
 namespace stokesbook::test {
 
-/// Returns even numbers of nodes from first to last, as equidistant as possible; none is below 4.
+/// Returns even numbers of nodes from first to last, as equidistant as possible. Numbers below 4
+/// are left out.
 inline std::vector<Eigen::Index> even_counts(double first, double last, int steps) {
   std::vector<Eigen::Index> counts;
   for (int k = 0; k <= steps; ++k) {
@@ -32,7 +33,7 @@ std::vector<study::Measurement> errors_at(const std::vector<Eigen::Index>& count
 }
 
 /// Measures an error, a function of the number of nodes, at `steps` numbers of nodes from first to
-/// last. A quick study takes half as many.
+/// last. A quick study takes half as many steps.
 template <class Error>
 study::Measure over_nodes(double first, double last, int steps, const Error& error,
                           double unknowns_a_node) {

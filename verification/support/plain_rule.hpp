@@ -20,8 +20,8 @@ inline ComplexVector plain_rule(const Curve& curve, const ComplexVector& density
   });
 }
 
-/// A planted defect: returns the density with which a rule of the curve's weights is that of equal
-/// weights, as if the nodes were equidistant along the curve.
+/// Rescales a density so that a quadrature rule has the effect of equal weights at all nodes, as if
+/// the nodes were equidistant along the curve. The function is a planted defect.
 inline ComplexVector with_equal_weights(const Curve& curve, const ComplexVector& density) {
   const double mean = perimeter(curve) / static_cast<double>(curve.size());
   return mean * density.cwiseQuotient(weights(curve));

@@ -10,15 +10,15 @@
 
 namespace stokesbook::test {
 
-/// Points with random normals and equal weights, in the form of a curve: the sums use only the
-/// nodes.
+/// Returns points with random normals and equal weights. The points have the type of a curve,
+/// because the sums use only the nodes of a curve.
 inline Curve cloud(const ComplexVector& points, double weight) {
   const double speed = weight * static_cast<double>(points.size()) / (2.0 * std::numbers::pi);
   const ComplexVector dx = speed * random_vector(points.size(), 99).cwiseSign();
   return {points, dx, dx, Side::fluid_outside};
 }
 
-/// Ellipses 2:1 in a square array, at various angles, n nodes each.
+/// Returns ellipses of aspect ratio 2:1 in a square array, at various angles, with n nodes each.
 inline std::vector<Curve> ellipses(int side, Eigen::Index n) {
   const Curve ellipse = sample(Ellipse{1.0, 0.5}, n, Side::fluid_outside);
   const ComplexVector jitter = random_vector(side * side, 5);
@@ -41,18 +41,18 @@ inline ComplexVector points_in_a_square(Eigen::Index n) {
 inline ComplexVector points_on_a_line(Eigen::Index n) {
   return random_vector(n, 1).real().cast<Complex>();
 }
-/// Points in two squares, a distance of ten thousand apart.
+/// Returns points in two squares whose distance is ten thousand.
 inline ComplexVector two_clusters(Eigen::Index n) {
   ComplexVector points = random_vector(n, 1);
   for (Eigen::Index i = 1; i < n; i += 2) points[i] += 1e4;
   return points;
 }
-/// Points that accumulate at the origin, over eight decades.
+/// Returns points that accumulate at the origin, over eight decades.
 inline ComplexVector crowding_points(Eigen::Index n) {
   const Eigen::ArrayXd exponents = -9.0 * (1.0 + random_vector(n, 2).real().array());
   return (random_vector(n, 1).array() * exponents.exp()).matrix();
 }
-/// Three quarters of the points at one place.
+/// Returns points of which three quarters coincide.
 inline ComplexVector coincident_points(Eigen::Index n) {
   ComplexVector points = random_vector(n, 1);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -62,7 +62,7 @@ inline ComplexVector coincident_points(Eigen::Index n) {
 }
 /// @}
 
-/// A set of n points that may be difficult for a tree.
+/// Holds a set of n points that may be difficult for a tree.
 struct PointSet {
   const char* name;
   ComplexVector points;

@@ -22,7 +22,7 @@ inline Component free_body(const Shape& shape, Eigen::Index n, const Pose& pose,
   return {ComponentKind::free_body, curve, pose.position, load.force, load.torque, {}};
 }
 
-/// A held body or an inner wall that moves rigidly.
+/// Returns a held body or an inner wall that moves rigidly.
 inline Component held_body(const Shape& shape, Eigen::Index n, const Pose& pose,
                            const RigidMotion& motion) {
   Component held = free_body(shape, n, pose);

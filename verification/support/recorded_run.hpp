@@ -8,7 +8,7 @@
 
 namespace stokesbook::test {
 
-/// The frames, steps and totals of a run, kept in memory.
+/// Keeps the frames, steps and totals of a run in memory.
 struct RecordedRun {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
@@ -17,8 +17,8 @@ struct RecordedRun {
   std::string stopped;  ///< why the run did not reach its end; empty if it did
 };
 
-/// Treatment of an exception that ends a run early: throw it on, or record its message. Programming
-/// errors are treated alike.
+/// Selects whether an exception that ends a run early is thrown again, or its message is recorded.
+/// Exceptions due to programming errors are treated in the same way.
 enum class Refusals { thrown, recorded };
 
 /// Runs a scene and keeps the results in memory.
@@ -40,8 +40,8 @@ inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals
   return run;
 }
 
-/// Returns a scene of bodies in a flow that keep a separation, with automatic nodes and a solver
-/// tolerance of 1e-5.
+/// Returns a scene in which bodies in a flow keep a separation. The scene has automatic nodes and a
+/// solver tolerance of 1e-5.
 inline Scene in_contact(const BackgroundFlow& flow, const std::vector<Body>& bodies,
                         double separation) {
   Scene scene;

@@ -6,7 +6,8 @@
 
 namespace stokesbook::test {
 
-/// A curve in its own frame, with the interpolant of its nodes, placed in the plane.
+/// Places a curve, which is given in its own frame, in the plane. The parametrisation interpolates
+/// the nodes of the curve.
 inline SmoothCurve smooth_curve(const Curve& reference, Complex position, double orientation) {
   return {place(reference, position, orientation),
           std::make_shared<const Parametrisation>(TrigonometricPolynomial(reference.x)), position,

@@ -7,8 +7,9 @@
 
 namespace stokesbook::test {
 
-/// Corrects the reduced system of a problem near other components: adds, at the nodes there, the
-/// Cauchy scheme's velocity minus the trapezoid rule's. The curves are placed without rotation.
+/// Corrects the reduced system of a problem at nodes that are near another component. The
+/// correction is the velocity of the Cauchy scheme minus the velocity of the trapezoid rule. The
+/// curves are placed without rotation.
 inline void add_near_correction(DenseSystem& system, const StokesProblem& problem,
                                 const std::vector<PlacedCurve>& placed) {
   const std::vector<Eigen::Index> offsets = node_offsets(problem);

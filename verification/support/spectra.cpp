@@ -14,8 +14,8 @@
 namespace stokesbook::test {
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
-  // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). Eigen's BDCSVD would take 25
-  // s to compile.
+  // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). The compilation of Eigen's
+  // BDCSVD would take 25 s.
   const Eigen::Index rows = matrix.rows(), columns = matrix.cols();
   Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(rows + columns, rows + columns);
   augmented.bottomLeftCorner(columns, rows) = matrix.transpose();

@@ -21,7 +21,8 @@ Scene disks(const std::vector<Complex>& positions, double tolerance) {
   return scene;
 }
 
-/// Points of a hexagonal lattice whose hexagonal distance from the origin is at most `rings`.
+/// Returns the points of a hexagonal lattice whose hexagonal distance from the origin is at most
+/// `rings`.
 std::vector<Complex> lattice(int rings, double pitch) {
   std::vector<Complex> points;
   for (int i = -rings; i <= rings; ++i) {

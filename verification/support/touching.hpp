@@ -8,26 +8,28 @@ namespace stokesbook::test {
 /// @name Scenes of bodies that nearly touch, with automatic nodes
 /// @{
 
-/// Five disks of radius 1 in a row, in shear.
+/// Returns a scene of five disks of radius 1 in a row, in shear.
 Scene disk_chain(double gap);
 
-/// A disk of radius 1 surrounded by rings of 6, 12, ... disks, in shear, solved to a tolerance.
-/// Neighbours are a gap apart.
+/// Returns a scene of a disk of radius 1 in shear, surrounded by rings of 6, 12, ... equal disks.
+/// All neighbours have the same gap. The solver has the given tolerance.
 Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 
-/// Disks of radius 1 at random places, with gaps of at least 0.001, in shear: hard disks at an area
-/// fraction of 0.6 after many random moves, the same on every machine.
+/// Returns a scene of disks of radius 1 in shear, at random positions with gaps of at least 0.001.
+/// The disks start on a lattice with an area fraction of 0.6. Random moves of one disk at a time
+/// then change the positions. The result is the same on every machine.
 Scene disk_packing(int count);
 
-/// The start of the published Taylor-Green run of 48 ellipses, solved to a tolerance.
+/// Returns the start of the published Taylor-Green run of 48 ellipses. The solver has the given
+/// tolerance.
 Scene ellipses_in_vortices(double tolerance = 1e-4);
 
 /// @}
 
-/// The same scene with a preconditioner.
+/// Returns the same scene with the given preconditioner.
 Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner);
 
-/// The linear system of a scene's start, at the resolution with which its solver begins.
+/// Holds the linear system of a scene at its start, at the first resolution of the solver.
 struct Discretised {
   SuspensionSolver solver;
   Configuration configuration;

@@ -6,12 +6,13 @@
 
 namespace stokesbook::test {
 
-/// Largest modulus of a vector's entries.
+/// Returns the largest modulus of a vector's entries.
 inline double largest(const ComplexVector& v) {
   return v.cwiseAbs().maxCoeff();
 }
 
-/// Returns complex numbers with real and imaginary parts uniform in [-1, 1], the same in every run.
+/// Returns complex numbers with real and imaginary parts uniform in [-1, 1]. The numbers are the
+/// same in every run.
 inline ComplexVector random_vector(Eigen::Index n, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);

@@ -27,7 +27,7 @@ bool is_solvable(Scene scene) {
   }
 }
 
-// Random scenes with gaps of at least 1e-2, for which the solver accepts all tolerances.
+// Generates random scenes with gaps of at least 1e-2, for which the solver accepts all tolerances.
 std::vector<Scene> scenes(int count) {
   std::mt19937_64 random(121);
   std::vector<Scene> found;
@@ -60,7 +60,7 @@ Effort chosen(Scene scene, double tolerance) {
   return {resolutions_of(solution.discretisation), solution.gmres.residual};
 }
 
-// A planted defect: the nodes that the shapes require, without more nodes at gaps.
+// Chooses the nodes that the shapes require, without more nodes at gaps: a planted defect.
 Effort for_shapes(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   return {resolutions_of(SuspensionSolver(scene).discretisation()), 0.01 * tolerance};

@@ -16,8 +16,8 @@ using namespace test;
 
 namespace {
 
-// Numbers of steps. The averages skip the first steps, in which the solver still determines the
-// accuracy that contact requires.
+// Holds the numbers of the first steps and of all steps. The averages skip the first steps, in
+// which the solver still determines the accuracy that contact requires.
 struct Steps {
   int first, all;
 };
@@ -32,7 +32,7 @@ struct ClusterRun {
   RunTotals one, first, all;  // after one step, after the first steps, and at the end
 };
 
-/// The run of a hexagon of disks in shear whose gaps equal the separation.
+/// Runs a hexagon of disks in shear whose gaps equal the separation.
 const ClusterRun& hexagon(Size size, int rings, bool in_contact) {
   static Once<std::tuple<Size, int, bool>, ClusterRun> runs;
   return runs({size, rings, in_contact}, [&] {
@@ -55,7 +55,7 @@ const ClusterRun& hexagon(Size size, int rings, bool in_contact) {
   });
 }
 
-/// Average of a quantity over the steps after the first ones.
+/// Averages a quantity over the steps after the first ones.
 double in_a_step(const ClusterRun& run, double (*quantity)(const StepInfo& step)) {
   double sum = 0.0;
   for (int k = run.counts.first; k < run.counts.all; ++k) {
@@ -77,12 +77,12 @@ double seconds(const StepInfo& step) {
   return step.seconds;
 }
 
-/// Average of a total's increase over the steps after the first ones.
+/// Averages the increase of a total over the steps after the first ones.
 double in_a_step(const ClusterRun& run, double (*quantity)(const RunTotals& totals)) {
   return (quantity(run.all) - quantity(run.first)) / (run.counts.all - run.counts.first);
 }
 
-/// The runs of one cluster with contact and without.
+/// Holds the runs of one cluster with contact and without.
 struct Cluster {
   const ClusterRun &with, &without;
 };
@@ -106,7 +106,8 @@ double solves_for_a_pair(const Cluster& cluster) {
   return in_a_step(cluster.with, solves) / in_a_step(cluster.with, contacts);
 }
 
-// A planted defect: a step without the columns of the step before, which is the first step.
+// Returns the solves for each pair in the first step, which has no columns of an earlier step: a
+// planted defect.
 double solves_without_columns(const Cluster& cluster) {
   return static_cast<double>(cluster.with.one.contact_solves) /
          static_cast<double>(cluster.with.steps.front().contacts);

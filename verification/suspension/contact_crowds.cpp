@@ -25,15 +25,16 @@ namespace {
 struct Tally {
   double scenes = 0.0, stopped = 0.0, steps = 0.0, halved = 0.0;
   double in_contact = 0.0;                         // steps in contact
-  double iterations = 0.0, most_iterations = 0.0;  // of contact; largest number in a step
-  double all_iterations = 0.0;                     // including those of rejected attempts
+  double iterations = 0.0, most_iterations = 0.0;  // contact iterations; most in a step
+  double all_iterations = 0.0;                     // with the iterations of rejected attempts
   double narrowest = 4.0;                          // least gap of any written state, in separations
   double unbalanced = 0.0, unbalanced_without_reaction = 0.0;
   double seconds = 0.0, seconds_of_contact = 0.0;
   int one_by_one = 0;  // linear problems of the step with the most contacts, see one_by_one()
 };
 
-/// A planted defect: returns a frame in which each contact force acts on one of both bodies only.
+/// Returns a frame in which each contact force acts on only one of the two bodies: a planted
+/// defect.
 Frame without_reaction(const Scene& scene, Frame frame) {
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     frame.bodies[k].force = scene.bodies[k].force;
@@ -49,7 +50,7 @@ Frame without_reaction(const Scene& scene, Frame frame) {
   return frame;
 }
 
-/// The gaps of one pair of polygons, and their derivatives.
+/// Returns the gaps of one pair of polygons, and their derivatives.
 ContactRows rows_of_pair(const std::vector<stokesbook::Contact>& contacts,
                          const ComponentPair& pair, Eigen::Index velocities) {
   ContactRows rows;
@@ -81,8 +82,8 @@ ContactRows rows_of_pair(const std::vector<stokesbook::Contact>& contacts,
   return rows;
 }
 
-/// A planted defect: resolves the contact of one Euler step pair by pair, until no pair is violated
-/// or each pair has been resolved four times.
+/// Resolves the contact of one Euler step pair by pair, until no pair is in contact or each pair
+/// has been resolved four times: a planted defect.
 ///
 /// @return  number of linear problems
 int one_by_one(Scene scene, const Frame& frame) {

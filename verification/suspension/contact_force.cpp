@@ -17,8 +17,8 @@ using namespace test;
 
 namespace {
 
-// Gaps in node spacings, and the contact force by a prototype that uses plain rules with many
-// nodes.
+// Lists gaps in node spacings, and the contact forces that a prototype computed by plain rules with
+// many nodes.
 const std::array<std::pair<double, double>, 7> known_forces{{{0.25, 9.4711},
                                                              {0.5, 9.5176},
                                                              {1.0, 9.6108},
@@ -28,10 +28,10 @@ const std::array<std::pair<double, double>, 7> known_forces{{{0.25, 9.4711},
                                                              {4.0, 10.1758}}};
 
 struct Hold {
-  double force, widest, narrowest;  // least and largest gap of all times, in separations
+  double force, widest, narrowest;  // force; largest and least gap of all times, in separations
 };
 
-/// Settings other than these are planted defects.
+/// Settings other than these defaults are planted defects.
 struct HoldSettings {
   int nodes = automatic_nodes;  ///< nodes on each disk
   double rate = 1.0;            ///< rate of strain
@@ -39,7 +39,7 @@ struct HoldSettings {
   auto operator<=>(const HoldSettings&) const = default;
 };
 
-/// Two disks of radius 1/2 on the x axis of u = (-x, y); their initial gap is the separation.
+/// Runs two disks of radius 1/2 on the x axis of u = (-x, y). Their initial gap is the separation.
 Hold hold(double gap, double dt, const HoldSettings& settings = {}) {
   static Once<std::tuple<double, double, HoldSettings>, Hold> holds;
   return holds({gap, dt, settings}, [&] {
@@ -74,7 +74,8 @@ Measure differences(int nodes) {
   };
 }
 
-// Relative distance of the force from its limit 6 pi mu e a = 3 pi as the gap tends to 0.
+// Measures the relative difference of the force from its limit 6 pi mu e a = 3 pi as the gap tends
+// to 0.
 Measure beyond_limit(const HoldSettings& settings) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -106,7 +107,7 @@ double force_spread(double dt) {
   return force_spread(dt, {});
 }
 
-// A planted defect: the published normalisation of Stokeslets, without 1 / (4 pi).
+// Uses the published normalisation of Stokeslets, without 1 / (4 pi): a planted defect.
 double published_unit(double dt) {
   return force_spread(dt, {.viscosity = 1.0 / (4.0 * std::numbers::pi)});
 }
@@ -116,7 +117,8 @@ double gap_drift(double dt) {
   return std::max(found.widest - 1.0, 1.0 - found.narrowest);
 }
 
-// A planted defect: one Euler step without contact, from the separation.
+// Returns the change of the gap in one Euler step without contact, which starts at the separation:
+// a planted defect.
 double free_drift(double dt) {
   std::vector<Body> disks(2, Body{.shape = Circle{0.5}});
   disks[0].position = -0.5 - node_spacing;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double floor_separation = 0.05;
 
-/// A heavy ellipse that lies on the floor of a container. A frame is written every `written` steps.
+/// Returns a scene with a heavy ellipse that lies on the floor of a container. A frame is written
+/// every `written` steps.
 Scene resting_scene(int steps, int written, bool with_contact) {
   Body heavy{.shape = Ellipse{0.5, 0.3}, .position = {0.1, -1.6}, .orientation = 0.1};
   heavy.force = {0.0, -20.0};
@@ -27,7 +28,8 @@ Scene resting_scene(int steps, int written, bool with_contact) {
   return scene;
 }
 
-// Difference of the gap from the gap of the sixth frame (a quarter of the time), in separations.
+// Measures the difference of the gap from the gap of the sixth frame (a quarter of the time), in
+// separations.
 Measure drift(bool with_contact) {
   return [=](Size size) {
     const int steps = size == Size::full ? 10000 : 400, written = steps / 20;

@@ -22,8 +22,8 @@ namespace {
 // Shear rate times step. The published table lists half of this product.
 const std::array<double, 5> published_steps{0.08, 0.04, 0.02, 0.01, 0.005};
 
-// One row of the published table: a separation in node spacings, and the printed changes for these
-// steps.
+// Holds one row of the published table: a separation in node spacings, and the printed changes for
+// the published steps.
 struct Row {
   double separation;
   std::array<double, 5> change;
@@ -46,8 +46,8 @@ std::size_t columns(Size size) {
   return size == Size::full ? published_steps.size() : 2;
 }
 
-/// Distance of both centres at the end from their start, relative to the distance of the start from
-/// the origin.
+/// Returns the distance of both centres at the end from their start, relative to the distance of
+/// the start from the origin.
 double change(const Scene& scene) {
   const RecordedRun run = recorded_run(scene);
   double moved = 0.0, start = 0.0;

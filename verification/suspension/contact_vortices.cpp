@@ -28,7 +28,7 @@ struct Vortices {
 };
 
 /// @param  parts       number of parts into which the longest published step is divided
-/// @param  separation  that contact keeps
+/// @param  separation  gap that contact keeps
 const Vortices& vortices(Size size, int parts, double separation = published_separation) {
   static Once<std::tuple<Size, int, double>, Vortices> runs;
   return runs({size, parts, separation}, [&] {
@@ -71,7 +71,7 @@ Measure iterations_so_far(int parts) {
   };
 }
 
-/// Two bodies of a scene that a pair of unit forces pulls apart.
+/// Holds a scene, and the two bodies that a pair of unit forces pulls apart.
 struct Pull {
   Scene scene;
   std::size_t left, right;
@@ -85,8 +85,8 @@ Pull disks(double gap) {
   return pull;
 }
 
-// Two of the 48 ellipses, tip to tip. All columns move together, so that all gaps between columns
-// are equal.
+// Selects two of the 48 ellipses that lie tip to tip. All columns are shifted so that the gaps
+// between neighbouring columns are equal.
 Pull tips(double gap) {
   Pull pull{ellipses_in_vortices(), 17, 29};
   for (Body& body : pull.scene.bodies) {
@@ -97,7 +97,7 @@ Pull tips(double gap) {
   return pull;
 }
 
-/// Speed at which the pull opens the gap, by each coupling.
+/// Holds the speed at which the pull opens the gap, for each coupling.
 struct Response {
   double coupled, lagged;
   double told;  ///< lagged; the densities of the other bodies are those under the force

@@ -1,5 +1,5 @@
 // Runs the published Couette cells for two revolutions of the outer wall from the published starts,
-// and compares the mean viscosity and order parameter with print.
+// and compares the mean viscosity and order parameter with the printed values.
 #include <cmath>
 
 #include "couette_series.hpp"
@@ -69,14 +69,15 @@ Measure means(const Cell& cell, const CouetteProperty& property) {
   });
 }
 
-/// @param  from  start of the mean, in revolutions; not 1: a planted defect
+/// @param  from  start of the mean, in revolutions; a value other than 1 is a planted defect
 Measure differences(const Cell& cell, const CouetteProperty& property, double from = 1.0) {
   return at(cell, late, [=](const CouetteSeries& series, double end) {
     return std::abs(mean(series, property, from, end) - printed_of(cell.printed, property));
   });
 }
 
-/// Differences without every other body; the steps and the tolerance of the quick size suffice.
+/// Measures the differences if every other body is left out. The steps and the tolerance of the
+/// quick size suffice.
 Measure differences_with_half_of_the_bodies(const Cell& cell, const CouetteProperty& property) {
   return [=](Size) {
     std::vector<Measurement> measurements;

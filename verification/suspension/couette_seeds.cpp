@@ -72,7 +72,8 @@ MeanEstimate estimate(const Runs& runs, const CouetteProperty& property) {
   return estimate_mean(values);
 }
 
-/// Difference of two estimates, relative to the bound that it satisfies 19 times in 20.
+/// Returns the difference of two estimates, relative to the bound that this difference satisfies 19
+/// times in 20.
 double apart(const MeanEstimate& a, const MeanEstimate& b) {
   return std::abs(a.mean - b.mean) / std::hypot(a.interval, b.interval);
 }
@@ -100,7 +101,7 @@ Measure small_intervals(const CouetteProperty& property) {
   return over_counts([=](unsigned n) { return estimate(small_runs({1, n}), property).interval; });
 }
 
-/// Difference of the viscosities of the two halves of the starts.
+/// Measures the difference between the viscosities of the two halves of the starts.
 Measure halves(SmallRun kind_of_second, unsigned most = 32) {
   return over_counts(
       [=](unsigned n) {
@@ -129,8 +130,8 @@ Measure second_revolutions(const CouetteProperty& property) {
   });
 }
 
-/// Change of a start's mean viscosity by another kind of run, relative to the 95 % interval of
-/// eight starts.
+/// Measures the change of a start's mean viscosity by another kind of run, relative to the 95 %
+/// interval of eight starts.
 Measure changes(SmallRun kind) {
   return of_starts(2, 4, [=](unsigned seed) {
     const double usual = mean(small_run(seed, SmallRun::usual), viscosity, 1.0, 2.0),
@@ -144,7 +145,8 @@ Measure lost_from_starts(SmallRun kind, unsigned last) {
       1, last, [=](unsigned seed) { return std::max(0.0, 1.0 - small_run(seed, kind).least_gap); });
 }
 
-/// Printed means of the published cells, in the order of the sweep. Disks have no order parameter.
+/// Lists the printed means of the published cells, in the order of the sweep. Disks have no order
+/// parameter.
 constexpr double unprinted = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
                                                         {1220.0, unprinted},
@@ -156,8 +158,8 @@ constexpr std::array<PrintedMeans, 9> printed_of_cells{{{1120.0, unprinted},
                                                         {1180.0, 890.0},
                                                         {unprinted, unprinted}}};
 
-/// Runs from random starts: cell 0 is the small cell, the others are the published cells in the
-/// order of the sweep.
+/// Returns the runs from random starts. Cell 0 is the small cell, and the other cells are the
+/// published cells in the order of the sweep.
 const std::vector<Runs>& cells() {
   static test::Once<int, std::vector<Runs>> all;
   return all(0, [] {
@@ -200,8 +202,8 @@ Line interval(const std::string& key, const CouetteProperty& property) {
               [=](std::size_t, const Runs& runs) { return estimate(runs, property).interval; })};
 }
 
-/// Bound on the difference of a further run from the mean of the others, 19 times in 20, plus a
-/// unit of the last printed digit.
+/// Returns the bound that the difference of a further run from the mean of the others satisfies 19
+/// times in 20, plus a unit of the last printed digit.
 double range_of_a_run(const MeanEstimate& estimate, std::size_t runs) {
   return estimate.interval * std::sqrt(static_cast<double>(runs) + 1.0) + printed_unit;
 }
@@ -217,7 +219,7 @@ Line off(const std::string& key, const CouetteProperty& property) {
           })};
 }
 
-/// Mean of a value over the runs of a cell.
+/// Averages a value over the runs of each cell.
 template <class Value>
 Line taken(const std::string& key, const std::string& label, Value CouetteSeries::*value) {
   return {.key = key, .label = label, .measure = of_cells([=](std::size_t, const Runs& runs) {

@@ -15,7 +15,7 @@ namespace stokesbook::verification::suspension {
 
 namespace {
 
-/// Shear rate at a distance from the axis, without bodies.
+/// Returns the shear rate at a distance from the axis, without bodies.
 double shear_rate(const Scene& scene, double r) {
   double outer = 0.0, inner = 0.0, omega = 0.0;
   for (const Wall& wall : scene.walls) {
@@ -27,8 +27,9 @@ double shear_rate(const Scene& scene, double r) {
   return 2.0 * omega * inner2 * outer2 / ((outer2 - inner2) * r * r);
 }
 
-/// Returns cos 2 psi of an ellipse at the angle psi from the stream (chapter 07): the phase tau,
-/// tan psi = tan(tau) / lambda, grows linearly in time. The stream is slower inside, on its left.
+/// Returns cos 2 psi of an ellipse at the angle psi from the stream (chapter 07). The phase tau,
+/// defined by tan psi = tan(tau) / lambda, grows linearly in time. The stream is slower on its
+/// left, towards the axis.
 double alignment(double aspect, double rate, double psi, double t) {
   const double phase = std::atan2(aspect * std::sin(psi), std::cos(psi)) +
                        aspect * rate * t / (1.0 + aspect * aspect);

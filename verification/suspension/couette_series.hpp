@@ -20,7 +20,7 @@ struct CouetteSeries {
 
 /// Runs a Couette cell whose outer wall turns at the rate 1.
 ///
-/// @param  separation  the unit of the least gap, which contact should keep
+/// @param  separation  gap that contact should keep; the unit of the least gap
 CouetteSeries couette_series(const Scene& scene, double separation);
 
 /// Returns the bodies with even numbers; leaving out the others is a planted defect.
@@ -51,7 +51,7 @@ inline double printed_of(const PrintedMeans& printed, const CouetteProperty& pro
   return property.values == viscosity.values ? printed.viscosity : printed.order;
 }
 
-/// Mean of a property between two times, in revolutions.
+/// Returns the mean of a property between two times, in revolutions.
 double mean(const CouetteSeries& series, const CouetteProperty& property, double from, double to);
 
 }  // namespace stokesbook::verification::suspension

@@ -1,5 +1,5 @@
 // Computes the viscosity of the published Couette cells at their first instant, from the torque on
-// the inner wall, and compares with print.
+// the inner wall, and compares it with the printed value.
 #include <cmath>
 #include <optional>
 #include <random>
@@ -110,7 +110,8 @@ Scene on_automatic_nodes(Scene scene) {
 
 constexpr double half_digit = 5e-5;  // half a unit of the last digit of the published positions
 
-/// Viscosity that the bodies of the dense cell add if each coordinate and angle changes at random.
+/// Returns the viscosity that the bodies of the dense cell add if each coordinate and angle changes
+/// at random.
 ///
 /// @param  most  largest change; 0 returns the value of the start, for any seed
 double added_when_moved(Scene (*nodes)(Scene), unsigned seed, double most) {

@@ -1,5 +1,5 @@
-// Runs a crowd of ellipses in extension: its alignment, its gaps with contact, and the decay of the
-// bodies' mutual influence with their distance.
+// Runs a crowd of ellipses in extension, and measures its alignment, its gaps with contact, and the
+// decay of the bodies' mutual influence with their distance.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,7 +60,8 @@ double order_parameter(const Scene&, const Frame& frame) {
   return frame.rheology.order_parameter;
 }
 
-/// Mean of cos 2 theta if each ellipse turned alone: tan theta decays as e^(-2 beta t) (Jeffery).
+/// Returns the mean of cos 2 theta if each ellipse turned alone: tan theta decays as e^(-2 beta t)
+/// (Jeffery).
 double order_parameter_alone(const Scene& scene, const Frame& frame) {
   const auto [a, b] = ellipse_of(scene);
   const double beta = (a * a - b * b) / (a * a + b * b);
@@ -84,7 +85,7 @@ Measure lost_in_extension(bool in_contact) {
   });
 }
 
-/// Motions of the crowd at its start, with all distances multiplied by `spread`.
+/// Returns the motions of the crowd at its start, with all distances multiplied by `spread`.
 const std::vector<RigidMotion>& motions_apart(Size size, double spread, double rate) {
   static Once<std::tuple<Size, double, double>, std::vector<RigidMotion>> found;
   return found({size, spread, rate}, [&] {
@@ -98,7 +99,8 @@ const std::vector<RigidMotion>& motions_apart(Size size, double spread, double r
   });
 }
 
-/// Largest difference of an angular velocity from that of the same ellipse alone.
+/// Returns the largest difference between the angular velocity of an ellipse in the crowd and that
+/// of the same ellipse alone.
 ///
 /// @param  rate  rate of strain; a rate other than 1 is a planted defect
 double turned_by_others(Size size, double spread, double rate) {

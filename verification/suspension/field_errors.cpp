@@ -11,8 +11,8 @@ using namespace study;
 
 namespace {
 
-// Two scenes: a star, a superellipse and an ellipse in extension; two disks that sink in a
-// container.
+// Returns two scenes: a star, a superellipse and an ellipse in extension, and two disks that sink
+// in a container.
 std::vector<Scene> scenes_with_fields() {
   using enum FieldQuantity;
   std::vector<Scene> scenes{shipped_scene("three_shapes"), shipped_scene("sedimentation")};

@@ -17,7 +17,7 @@ namespace {
 
 // Error and estimates of one solution.
 struct JudgedSolution {
-  double error;      // against a solution for a tolerance of 1e-12 on graded nodes
+  double error;      // difference from a solution for a tolerance of 1e-12 on graded nodes
   double estimate;   // by a correction on finer nodes
   double tail;       // by the tails of its densities
   double iteration;  // ten times the residual of GMRES
@@ -34,8 +34,9 @@ double largest_tail(const Solved& solved) {
   return largest;
 }
 
-// Reference solution: starts from the nodes with which the solver would begin at the tolerance
-// 1e-12 (graded at narrow gaps), and refines them twice, to about half again as many.
+// Computes the reference solution. It starts from the nodes with which the solver would begin at
+// the tolerance 1e-12 (graded at narrow gaps), and refines these nodes twice, which
+// makes them about 1.5 times as many.
 Completion reference_of(Scene scene) {
   scene = with_nodes(std::move(scene), automatic_nodes, automatic_nodes);
   scene.solver.tolerance = 1e-12;
@@ -64,7 +65,7 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
     const double nodes = std::max(16.0, share * most * uniform(random, 0.8, 1.0));
     resolution.n_nodes = 2 * static_cast<int>(0.5 * nodes);
   }
-  // Half of the solutions have nearly no error of the iteration.
+  // For half of the solutions, GMRES leaves nearly no error.
   const double loose = std::pow(10.0, -uniform(random, 4.0, 12.0));
   const Solved answer = solved_at(solver, resolutions, random() % 2 == 0 ? 1e-14 : loose);
   const Solved fine = solved_at(solver, refine(resolutions), 0.5);

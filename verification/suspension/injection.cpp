@@ -15,8 +15,8 @@ using namespace test;
 
 namespace {
 
-/// Returns the run of the injection scene of chapter 12 with another time of reversal: eight disks
-/// are held, eight bodies are free.
+/// Returns the run of the injection scene of chapter 12 with another time of reversal. Eight disks
+/// are held, and eight bodies are free.
 const RecordedRun& run(Size size, double dt, SteppingMethod method) {
   static Once<std::tuple<Size, double, SteppingMethod>, RecordedRun> runs;
   return runs({size, dt, method}, [&] {
@@ -40,7 +40,7 @@ double largest_distance(const Frame& a, const Frame& b) {
   return distance;
 }
 
-/// Largest distance of a body between two of the three frames (start, turn, end).
+/// Measures the largest distance of a body between two of the three frames (start, turn, end).
 Measure distances(SteppingMethod method, std::size_t from, std::size_t to) {
   return [=](Size size) {
     std::vector<Measurement> measurements;

@@ -63,7 +63,7 @@ Measure vortex_counts(PreconditionerKind preconditioner) {
                        [=](int nodes) { return iterations(ellipses, nodes, preconditioner); });
 }
 
-/// Iterations relative to those without preconditioner.
+/// Measures the iterations relative to the iterations without a preconditioner.
 Measure vortex_share(PreconditionerKind preconditioner) {
   return over_nodes_of(of_vortices, [=](int nodes) {
     return iterations(ellipses, nodes, preconditioner) /

@@ -26,7 +26,7 @@ Scene crowd_in_vortices(Coupling coupling) {
   return scene;
 }
 
-/// The first steps of the 48 ellipses, until the solver rejects a step. The run of the coupled
+/// Runs the first steps of the 48 ellipses, until the solver rejects a step. The run of the coupled
 /// scheme, the control, ends after 8 steps.
 const RecordedRun& run_of(double dt, Coupling coupling) {
   static Once<std::pair<double, Coupling>, RecordedRun> runs;
@@ -49,8 +49,8 @@ Measure residuals(double dt) {
   };
 }
 
-/// Largest modulus of the eigenvalues of a sweep at the start, by Arnoldi's method. The sweep does
-/// not depend on the time step.
+/// Returns the largest modulus of the eigenvalues of a sweep at the start, by Arnoldi's method. The
+/// sweep does not depend on the time step.
 double spectral_radius() {
   static Once<int, double> found;
   return found(0, [] {
@@ -77,8 +77,9 @@ double spectral_radius() {
   });
 }
 
-/// Factor by which the residual grows in a step (geometric mean of the last six steps before the
-/// solver rejects one), relative to the spectral radius, minus 1.
+/// Measures the relative difference between the spectral radius and the factor by which the
+/// residual grows in a step. The factor is the geometric mean over the last six steps before the
+/// solver rejects a step.
 Measure growth(Coupling coupling) {
   return [=](Size) {
     std::vector<Measurement> measurements;

@@ -14,8 +14,8 @@ using namespace study;
 
 namespace {
 
-/// States of the row at the written times of a run; the states are the same for all numbers of
-/// nodes.
+/// Returns the states of the row at the written times of a run. The states are the same for all
+/// numbers of nodes.
 const std::vector<Frame>& states(Size size) {
   static test::Once<Size, std::vector<Frame>> run;
   return run(size, [=] {
@@ -33,8 +33,8 @@ enum class Residual {
   of_spacing  ///< a planted defect: the tolerance decreases with the number of nodes
 };
 
-/// Products with the operator for solving all these states on given nodes. Each solve starts from
-/// zero, as in the published code.
+/// Counts the products with the operator in the solves for all these states on given nodes. Each
+/// solve starts from zero, as in the published code.
 double products(Size size, int nodes, PreconditionerKind preconditioner, Residual residual) {
   static test::Once<std::tuple<Size, int, PreconditionerKind, Residual>, double> counted;
   return counted({size, nodes, preconditioner, residual}, [&] {
@@ -71,7 +71,7 @@ Measure counts(PreconditionerKind preconditioner) {
       [=](Size size, int nodes) { return products(size, nodes, preconditioner, Residual::given); });
 }
 
-/// Difference of the count from that on 32 nodes, relative to the latter.
+/// Measures the relative difference of the count from the count on 32 nodes.
 Measure growth(Residual residual) {
   return over_nodes([=](Size size, int nodes) {
     const auto count = [=](int n) {

@@ -1,5 +1,5 @@
-// Solves for thousands of bodies by the fast multipole method: cost, and comparison of error
-// estimates with errors.
+// Solves for thousands of bodies by the fast multipole method, measures the cost, and compares
+// error estimates with errors.
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ using namespace study;
 
 namespace {
 
-// Ellipses at an area fraction of 35 % in vortices; GMRES stops at 1e-6.
+// Returns ellipses at an area fraction of 35 % in vortices. GMRES stops at 1e-6.
 Scene crowd_of(int count) {
   constexpr double a = 1.0, b = 0.5, fraction = 0.35;
   const double side = std::sqrt(count * std::numbers::pi * a * b / fraction);
@@ -43,8 +43,8 @@ Completion first_of(Completion completion) {
 
 // Error and estimates for one crowd.
 struct JudgedCrowd {
-  double error;      // of the first bodies, against twice the nodes
-  double estimate;   // of all bodies, by a correction on finer nodes
+  double error;      // for the first bodies, from a solution on twice the nodes
+  double estimate;   // for all bodies, by a correction on finer nodes
   double iteration;  // ten times the residual of GMRES
   double unknowns, iterations, seconds;
 };

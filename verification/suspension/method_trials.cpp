@@ -83,7 +83,7 @@ Scene sedimentation() {
   return until(shipped_scene("sedimentation"), 3.0, 128);
 }
 
-// A published cell whose bodies keep a separation; five frames are written.
+// Returns a published cell whose bodies keep a separation. Five frames are written.
 Scene couette(const std::string& name, double separation) {
   Scene scene = shipped_scene(name);
   scene.contact = ContactSettings{separation};
@@ -100,12 +100,12 @@ Scene dense_couette() {
   return couette("couette_dense", 0.002);
 }
 
-// Mean of cos 2 theta over the bodies at the end.
+// Returns the mean of cos 2 theta over the bodies at the end.
 std::vector<double> alignment(const std::vector<Frame>& frames) {
   return {frames.back().rheology.order_parameter};
 }
 
-// Mean of the effective viscosity over the written times.
+// Returns the mean of the effective viscosity over the written times.
 std::vector<double> mean_viscosity(const std::vector<Frame>& frames) {
   const double sum = std::accumulate(
       frames.begin(), frames.end(), 0.0,
@@ -266,8 +266,8 @@ std::vector<Outcome> worth_their_steps(const std::vector<Outcome>& runs) {
   return found;
 }
 
-/// For the error of each published run: the least cost of our runs that are at least as accurate,
-/// relative to the cost of the published run.
+/// Measures, for the error of each published run, the least cost of our runs that are at least as
+/// accurate, relative to the cost of the published run.
 Measure shares(const Trial& trial, double Outcome::*cost, Way way) {
   return [=](Size size) {
     const std::vector<Outcome> contenders = outcomes(trial, way, size);

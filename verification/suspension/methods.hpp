@@ -9,9 +9,9 @@
 
 namespace stokesbook::verification::suspension {
 
-/// The methods by which a published experiment is run. All precondition with the inverse of each
-/// body's own block, as published, so that an iteration costs the same, and all start from guesses
-/// of earlier steps.
+/// The methods by which a published experiment is run. All methods precondition with the inverse of
+/// each body's own block, as published, so that an iteration costs the same. All methods start from
+/// guesses of earlier steps.
 enum class Way {
   published,  ///< the published equal nodes, interpolation near curves, Euler's method
   steps,      ///< the same nodes, steps adapted to a tolerance: shows the gain by the steps alone
@@ -25,8 +25,8 @@ struct Trial {
   std::string error;       ///< label of the error
   Scene (*scene)();        ///< returns the scene: published nodes, time.t_final, output.dt_write
   SteppingMethod adapted;  ///< method of the adapted steps
-  std::vector<double> steps = {};       ///< of Euler's method, descending; the full study adds two
-  std::vector<double> tolerances = {};  ///< of adapted steps, descending; the full study adds two
+  std::vector<double> steps = {};       ///< Euler's steps, descending; the full study adds two
+  std::vector<double> tolerances = {};  ///< step tolerances, descending; the full study adds two
   /// Returns the compared quantities of a run's frames; by default the bodies' states at the end.
   std::vector<double> (*observed)(const std::vector<Frame>& frames) = nullptr;
   /// Returns the scene of the reference; by default bodies must end where they began.

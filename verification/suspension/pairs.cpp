@@ -38,11 +38,13 @@ struct PairDrive {
 
 const PairDrive in_extension{ExtensionalFlow{1.0}}, pulled_apart{QuiescentFlow{}, 1.0};
 
-// Tightest tolerance that the solver meets at the narrowest gaps, relative to the largest velocity.
-// The solver's estimate includes all rounding errors; the speed itself is less affected.
+// This is the tightest tolerance that the solver meets at the narrowest gaps, relative to the
+// largest velocity. The solver's estimate includes all rounding errors; the speed itself is less
+// affected.
 constexpr double least_tolerance = 1e-10;
 
-// Speed of the right circle, solved to a relative error; the nodes are given or automatic.
+// Returns the speed of the right circle, solved to a relative error. The nodes are given or
+// automatic.
 double speed(const PairDrive& drive, double gap, double relative_error, int n_nodes,
              NearSingular near = NearSingular::automatic) {
   Scene scene = drive.scene(gap);
@@ -96,7 +98,7 @@ Measure errors_to_the_narrowest(int n_nodes, NearSingular near) {
   };
 }
 
-/// Speed at which unit forces open the gap, relative to the exact speed.
+/// Measures the speed at which unit forces open the gap, relative to the exact speed.
 ///
 /// @param  n_nodes  nodes of each circle; the unit of the gap is the spacing of 32 nodes
 Measure responses(int n_nodes, NearSingular near) {
@@ -112,7 +114,7 @@ Measure responses(int n_nodes, NearSingular near) {
   };
 }
 
-/// Difference of these relative speeds from 1.
+/// Measures the difference of these relative speeds from 1.
 Measure response_errors(int n_nodes, NearSingular near) {
   return [=](Size size) {
     std::vector<Measurement> points = responses(n_nodes, near)(size);

@@ -17,7 +17,8 @@ enum class Rotors {
   three  ///< a planted defect: the disk across from the first is left out
 };
 
-/// Four disks at a distance from their common centre, each under the torque 1; the viscosity is 1.
+/// Solves for four disks at a distance from their common centre. The torque on each disk is 1, and
+/// the viscosity is 1.
 ///
 /// @return  speed at which the disks circle
 double circling_speed(double radius, double distance, Rotors rotors) {
@@ -32,9 +33,9 @@ double circling_speed(double radius, double distance, Rotors rotors) {
   return solver.solve(solver.start()).motions[0].velocity.imag();
 }
 
-/// Speed of point rotlets (12.2). Each of the three other rotlets causes a velocity 1 / (4 pi r)
-/// around it. The two neighbours are at r = sqrt(2) R, and the share 1/sqrt(2) of their velocity is
-/// along the circle; the opposite rotlet is at r = 2 R.
+/// Returns the speed of point rotlets (12.2). Each of the three other rotlets causes a velocity
+/// 1 / (4 pi r) around it. The two neighbours are at r = sqrt(2) R, and the share 1/sqrt(2) of
+/// their velocity is along the circle; the opposite rotlet is at r = 2 R.
 double rotlet_speed(double distance) {
   return 1.5 / (4.0 * std::numbers::pi * distance);
 }

@@ -1,4 +1,4 @@
-// Builds the scenes of the study: the scenes of chapter 12, and random ones.
+// Builds the scenes of the study: the scenes of chapter 12, and random scenes.
 #include "scenes.hpp"
 
 #include <algorithm>
@@ -34,7 +34,8 @@ Shape random_shape(std::mt19937_64& random) {
   }
 }
 
-// A random shape that is slender or lobed, more so than in any scene of the book.
+// Returns a random shape that may be more slender or more lobed than any shape of the book's
+// scenes.
 Shape hard_shape(std::mt19937_64& random, double slenderest) {
   switch (random() % 3) {
     case 0:
@@ -72,7 +73,7 @@ void move_to_gap(Body& body, const std::vector<Body>& others, double angle, doub
   body.position = std::polar(high, angle);
 }
 
-// A container of all bodies that rotates or translates.
+// Returns a container of all bodies. The container rotates or translates.
 Wall random_container(std::mt19937_64& random, const std::vector<Body>& bodies) {
   double reach = 0.0;
   for (const Body& body : bodies) reach = std::max(reach, std::abs(body.position) + 1.05);

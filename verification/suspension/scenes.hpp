@@ -13,10 +13,10 @@ namespace stokesbook::verification::suspension {
 /// Node spacing of the published runs with disks of radius 1/2.
 inline constexpr double node_spacing = std::numbers::pi / 32;
 
-/// Random number, uniform between two bounds, the same on every machine.
+/// Returns a random number, uniform between two bounds. The number is the same on every machine.
 double uniform(std::mt19937_64& random, double low, double high);
 
-/// Random number with a uniform logarithm, the same on every machine.
+/// Returns a random number with a uniform logarithm. The number is the same on every machine.
 double log_uniform(std::mt19937_64& random, double low, double high);
 
 /// Reads a scene file of chapter 12.
@@ -25,8 +25,8 @@ SceneFile shipped_file(const std::string& name);
 /// Reads a scene of chapter 12, and places the bodies of its fills.
 Scene shipped_scene(const std::string& name);
 
-/// Returns the crowd in extension of chapter 12 with its ellipses in place: all are equal, the
-/// strain has the rate 1 along x.
+/// Returns the crowd in extension of chapter 12 with its ellipses in place. All ellipses are equal,
+/// and the strain has the rate 1 along x.
 const Scene& shipped_crowd();
 
 /// Sets the numbers of nodes of all bodies and of all walls.
@@ -38,9 +38,10 @@ Scene with_nodes(Scene scene, int a_body, int a_wall);
 Scene random_scene(std::mt19937_64& random);
 
 /// Generates two or three slender, lobed or angular bodies at gaps from 1e-2 to 3, in shear or
-/// extension, free or pushed against each other. Half of the scenes have automatic nodes, the
-/// others 8 to 200 a body; tolerances are 1e-6 to 3e-2. The quotient of an ellipse's axes is at
-/// least `slenderest`; the cost grows as the square of the nodes that this quotient requires.
+/// extension, free or pushed against each other. Half of the scenes have automatic nodes, and the
+/// others have 8 to 200 nodes a body. Tolerances are 1e-6 to 3e-2. The quotient of an ellipse's
+/// axes is at least `slenderest`; the cost grows as the square of the nodes that this quotient
+/// requires.
 Scene hard_scene(std::mt19937_64& random, double slenderest);
 
 /// A solution of a scene's start at given nodes.
@@ -52,14 +53,15 @@ struct Solved {
   double scale;  ///< largest velocity in the data
 };
 
-/// Solves the start at given nodes, whatever its error.
+/// Solves the start on given nodes, and accepts any error.
 Solved solved_at(const SuspensionSolver& solver, const Resolutions& resolutions,
                  double gmres_tolerance);
 
 /// Multiplies the node numbers of all components by a factor.
 Resolutions times(double factor, Resolutions resolutions);
 
-/// Error of a solution, relative to its scale, against one at other nodes.
+/// Returns the difference between a solution and a reference on other nodes, relative to the scale
+/// of the solution.
 double error(const Solved& solved, const Completion& reference);
 
 }  // namespace stokesbook::verification::suspension

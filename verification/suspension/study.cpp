@@ -1,5 +1,5 @@
-// Study of the suspension solver: error estimates, automatic node numbers, bodies in contact,
-// published experiments, and the published method beside ours.
+// Defines the study of the suspension solver: error estimates, automatic node numbers, bodies in
+// contact, published experiments, and the comparison of the published method with ours.
 #include "experiments.hpp"
 #include "studies.hpp"
 

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The blocks by which a sweep inverts the diagonal of the system.
+/// Selects the blocks by which a sweep inverts the diagonal of the system.
 enum class Blocks { own, half };
 
 Scene pair_of_nodes(double gap, int n_nodes) {
@@ -35,10 +35,10 @@ Scene pair_of_nodes(double gap, int n_nodes) {
   return pair;
 }
 
-/// Asymptotic factor by which a sweep contracts an error.
+/// Returns the asymptotic factor by which a sweep contracts an error.
 ///
-/// @param  blocks  half is a planted defect: the jump relation only, without the layer of the curve
-///                 on itself
+/// @param  blocks  half is a planted defect: the blocks are the jump relation only, without the
+///                 layer of the curve on itself
 double contraction(double gap, Blocks blocks) {
   const SuspensionSolver solver(pair_of_nodes(gap, automatic_nodes));
   const Instant start = solver.start();
@@ -64,7 +64,7 @@ double contraction(double gap, Blocks blocks) {
   return factor;
 }
 
-/// The factor in closed form: mode 2 of two circles in bipolar coordinates (05.13).
+/// Returns the factor in closed form, for mode 2 of two circles in bipolar coordinates (05.13).
 double exact_contraction(double gap) {
   const double alpha = std::acosh(1.0 + 0.5 * gap);
   return std::exp(-4.0 * alpha + std::asinh(2.0 * std::sinh(2.0 * alpha)));
@@ -87,14 +87,14 @@ Measure differences(Blocks blocks) {
   };
 }
 
-/// Event at the beginning of the last step of a lagged run: a reversal of the flow, with or without
-/// a reversal of the stored densities.
+/// Selects the event at the beginning of the last step of a lagged run: a reversal of the flow,
+/// with or without a reversal of the stored densities.
 enum class Event { none, reversal, reversal_that_is_told };
 
-/// Error of the velocity after a unit of time of the lagged coupling. The two circles circle round
-/// each other by a given motion, and their densities lag by a step. Only the last hundred steps are
-/// computed: a hundred sweeps reduce earlier errors to a thousandth at a gap of 0.05, and to less
-/// at wider gaps.
+/// Returns the error of the velocity after a unit of time of the lagged coupling. The two circles
+/// move round each other by a given motion, and their densities lag by a step. Only the last
+/// hundred steps are computed: a hundred sweeps reduce earlier errors to a thousandth at a gap of
+/// 0.05, and to less at wider gaps.
 double error_of_lagged(double gap, int steps, Event event) {
   const SuspensionSolver solver(pair_of_nodes(gap, 112));
   const auto at = [gap](double t) -> Configuration {

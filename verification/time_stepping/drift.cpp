@@ -23,7 +23,7 @@ Motion hastening(Motion motion) {
   return motion;
 }
 
-// Errors of the angle after 1, 2, 5, ... turns of one run.
+// Measures the errors of the angle after 1, 2, 5, ... turns of one run.
 Measure errors(SteppingMethod method, double tolerance, bool hastens = false) {
   return [=](Size) {
     const Motion exact = jeffery_in_shear(100.0 * turn);

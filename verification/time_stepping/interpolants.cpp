@@ -24,7 +24,8 @@ VectorXd straight(const Step& step, double t) {
   return (1.0 - part) * step.start.state + part * step.end.state;
 }
 
-// Largest error within one step in shear that starts on the exact solution at t = 0.7.
+// Measures the largest error within one step in shear. The step starts on the exact solution at
+// t = 0.7.
 Measure errors_within(SteppingMethod method, const Interpolate& at) {
   return [=](Size size) {
     const Motion motion = jeffery_in_shear(8.0);

@@ -40,7 +40,7 @@ Scene circles(const BackgroundFlow& flow, Complex first, int n_nodes) {
   return scene;
 }
 
-// Reference values of the compared quantities, by the pair 8(7).
+// Returns reference values of the compared quantities. The values are computed by the pair 8(7).
 std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   const SteppingSettings settings{.method = SteppingMethod::prince_dormand87,
                                   .bound = {tolerance, VectorXd::Ones(motion.start.size())}};
@@ -59,7 +59,7 @@ std::map<double, VectorXd> reference(const Motion& motion, double tolerance) {
   return states;
 }
 
-// The motion of all positions and angles of a scene; the reference is known at the end.
+// Returns the motion of all positions and angles of a scene. The reference is known at the end.
 Motion solved_motion(const Scene& scene, double t_final) {
   Motion motion{solved_rate(scene), start_of(scene), t_final, {}, itself, {t_final}};
   motion.exact = [end = reference(motion, 1e-9).at(t_final)](double) { return end; };

@@ -10,7 +10,7 @@ using namespace study;
 
 namespace {
 
-// A method, its order and its smallest number of steps.
+// Holds a method, its order and its smallest number of steps.
 struct Scheme {
   std::string key, label;
   SteppingMethod method;
@@ -51,8 +51,8 @@ Measure errors(const Motion& motion, const Scheme& scheme, const MakeRates& make
   };
 }
 
-// The claim about a scheme's order; `floor` is the level of rounding errors or of the solver's
-// errors.
+// Returns the line with the claim about a scheme's order; `floor` is the level of rounding errors
+// or of the solver's errors.
 Line order_line(const Motion& motion, const Scheme& scheme, const std::string& id, double floor) {
   const bool has_stages =
       scheme.method != SteppingMethod::euler && scheme.method != SteppingMethod::adams_bashforth2;
@@ -78,7 +78,7 @@ Line order_line(const Motion& motion, const Scheme& scheme, const std::string& i
 
 Experiment orders_in_shear() {
   const Motion motion = jeffery_in_shear(8.0);
-  Motion at_end = motion;  // so few steps do not show the largest error over time
+  Motion at_end = motion;  // the few step ends do not show the largest error over time
   at_end.known_at = {8.0};
   return {
       .key = "shear",

@@ -12,7 +12,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The compared state: after the way there and back, or (for the control) after the way there.
+/// Selects the compared state: after the way there and back, or (for the control) after the way
+/// there.
 enum class Way { there_and_back, there };
 
 double error(SteppingMethod method, int steps, Way way) {

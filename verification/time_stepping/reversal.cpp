@@ -16,8 +16,8 @@ namespace {
 
 constexpr double reversal_time = 20.0;
 
-// The published scene: radius 1/2, initial centres (-8, height) and (0, 0). The gap is always at
-// least 1/6; for such gaps 40 nodes suffice to 1e-6, and 64 to 1e-11.
+// Returns the published scene, with radius 1/2 and the initial centres (-8, height) and (0, 0). The
+// gap is always at least 1/6; for such gaps 40 nodes suffice to 1e-6, and 64 to 1e-11.
 Scene two_disks(double height, double tolerance) {
   Scene scene;
   scene.flow = ShearFlow{1.0};
@@ -32,8 +32,8 @@ Scene two_disks(double height, double tolerance) {
 // Runs a motion to its end.
 using Run = std::function<RunResult(const Motion& motion)>;
 
-// Error: distance of all centres from their start, relative to the norm of their start. Cost:
-// number of solves.
+// Holds the error, which is the distance of all centres from their start relative to the norm of
+// their start, and the cost, which is the number of solves.
 struct ThereAndBack {
   double error = 0.0;
   double solves = 0.0;
@@ -57,7 +57,7 @@ Run equal_steps(SteppingMethod method, int steps) {
 }
 
 Run to_tolerance(SteppingMethod method, double tolerance) {
-  // The tolerance is in radii.
+  // The tolerance is measured in radii.
   return [=](const Motion& motion) { return run_to_tolerance(motion, method, tolerance, 0.5); };
 }
 
@@ -88,14 +88,15 @@ Measure adapted_errors(SteppingMethod method) {
   };
 }
 
-// Number of solves for an error, extrapolated from a run of 200 steps by the known order.
+// Returns the number of solves for an error, extrapolated from a run of 200 steps by the known
+// order.
 double solves_of_order(double height, SteppingMethod method, double error, double order) {
   const ThereAndBack found = there_and_back(two_disks(height, 1e-6), equal_steps(method, 200));
   return found.solves * std::pow(found.error / error, 1.0 / order);
 }
 
-// Number of solves that Euler's method takes for 1e-2. The result is stored because it is expensive
-// and used twice.
+// Returns the number of solves that Euler's method takes for 1e-2. The result is stored because it
+// is expensive and used twice.
 double solves_of_euler(double height) {
   static std::map<double, double> known;
   const auto [found, is_new] = known.try_emplace(height);
@@ -103,16 +104,16 @@ double solves_of_euler(double height) {
   return found->second;
 }
 
-// Number of solves of the pair 5(4) at a tolerance for which the disks return to within 1e-8;
-// infinity if they do not.
+// Returns the number of solves of the pair 5(4) at a tolerance for which the disks return to within
+// 1e-8, or infinity if they do not return so closely.
 double solves_of_pair(double height) {
   const ThereAndBack found = there_and_back(two_disks(height, 1e-11),
                                             to_tolerance(SteppingMethod::dormand_prince54, 3e-8));
   return found.error <= 1e-8 ? found.solves : std::numeric_limits<double>::infinity();
 }
 
-// Number of solves for 1e-8 relative to that of Euler's method for 1e-2, by the initial height of
-// the first disk.
+// Measures the number of solves for 1e-8 relative to that of Euler's method for 1e-2, by the
+// initial height of the first disk.
 Measure ratios(const std::function<double(double height)>& solves) {
   return [=](Size) {
     std::vector<Measurement> measurements;

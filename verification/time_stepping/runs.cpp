@@ -9,7 +9,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Error at the end of a step and, if the step has an interpolant, at the known times within it.
+// Returns the largest error at the end of a step and, if the step has an interpolant, at the known
+// times within the step.
 double error_of(const Motion& motion, SteppingMethod method, const Step& step) {
   double error = error_at(motion, step.end.t, step.end.state);
   if (!has_dense_output(method)) return error;

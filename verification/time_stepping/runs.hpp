@@ -8,7 +8,7 @@
 
 namespace stokesbook::verification::time_stepping {
 
-/// A right-hand side that counts its evaluations.
+/// Wraps a right-hand side and counts its evaluations.
 class Counted {
  public:
   /// Wraps a right-hand side.
@@ -37,7 +37,7 @@ Rates frozen_stages(const Rate& rate, const TimePoint& start);
 /// A planted defect: the rates are one per cent too small.
 Rates slow_rates(const Rate& rate, const TimePoint& start);
 
-/// Result of a run.
+/// Holds the result of a run.
 struct RunResult {
   double error = 0.0;             ///< largest error at the times at which the solution is known
   double evaluations = 0.0;       ///< evaluations of the right-hand side
@@ -53,8 +53,8 @@ double error_at(const Motion& motion, double t, const Eigen::VectorXd& state);
 RunResult run_equal_steps(const Motion& motion, SteppingMethod method, int steps,
                           const MakeRates& make_rates = same_rates);
 
-/// Runs to a tolerance; each step has half of it, see stepping_settings(). Lengths and angles count
-/// in units of `scale`.
+/// Runs to a tolerance; each step has half of the tolerance, see stepping_settings(). Lengths and
+/// angles count in units of `scale`.
 RunResult run_to_tolerance(const Motion& motion, SteppingMethod method, double tolerance,
                            double scale = 1.0);
 

@@ -11,7 +11,7 @@ using namespace study;
 
 namespace {
 
-// Largest error over some motions, and the average cost of each.
+// Measures the largest error over some motions, and the average cost of each.
 Measure errors(const std::vector<Motion>& motions, SteppingMethod method, double scale = 1.0) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
@@ -37,9 +37,9 @@ constexpr const char* lower_order =
     "its estimate is the error of the lower order, a fifth of it: the orders are close enough that "
     "this stays within a factor 10 over seven decades";
 
-// Starting times, from the fast part of a half turn to the slow part. With a single start the error
-// may be a hundredth of the tolerance, because errors in the few long steps of the pair 8(7) may
-// cancel.
+// The runs start at these times, from the fast part of a half turn to the slow part. With a single
+// start the error may be a hundredth of the tolerance, because errors in the few long steps of the
+// pair 8(7) may cancel.
 constexpr double starts[] = {0.0, 1.0, 2.5, 4.0, 6.0, 7.5, 9.0};
 
 Line tolerance_line(const std::vector<Motion>& motions, SteppingMethod method,
@@ -81,7 +81,7 @@ Experiment tolerances() {
       .operation = "evaluations of the rate"};
 }
 
-// Errors at t = 0.5, 1, ..., 12; for the pair 8(7) at 12.
+// The errors are measured at t = 0.5, 1, ..., 12; for the pair 8(7) they are measured at 12.
 Experiment tolerances_of_passing() {
   const std::vector<Motion> pair{passing()};
   return {.key = "tolerance_passing",

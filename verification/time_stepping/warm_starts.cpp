@@ -1,5 +1,5 @@
-// Measures guesses of densities that are extrapolated from earlier densities: their residual by the
-// step, and the iterations that they save.
+// Measures guesses of densities that are extrapolated from earlier densities: their residual as a
+// function of the step, and the iterations that they save.
 #include <cmath>
 
 #include "experiments.hpp"
@@ -27,18 +27,18 @@ Scene three_bodies() {
   return scene;
 }
 
-/// A smooth motion, given as a function of time.
+/// Returns the configuration of a smooth motion at a time.
 Configuration at(double t) {
   return {{{-0.3 - 0.5 * t, 1.6 - 0.3 * t * t}, 0.7 * t},
           {{1.7 * std::cos(0.6 * t), 0.3 + std::sin(0.4 * t)}, 1.2 - t + 0.2 * t * t},
           {{0.4 + 0.2 * t, -1.8 + 0.1 * t}, std::sin(t)}};
 }
 
-/// Whether the flow reverses after the first solution without a reversal of the history (a planted
-/// defect).
+/// Selects whether the flow reverses after the first solution without a reversal of the history (a
+/// planted defect).
 enum class Reversal { none, untold };
 
-/// Results of the last of a series of solutions.
+/// Holds the results of the last of a series of solutions.
 struct Last {
   double cold, warm;  // iterations without and with a guess
   double residual;    // initial residual with the guess

@@ -61,8 +61,8 @@ Measure embedded(MakeMotion make, SteppingMethod method, double tightest) {
       tightest);
 }
 
-// Euler's method with steps that the solver's effort controls, for shorter and shorter first and
-// longest steps.
+// Runs Euler's method with steps that the solver's effort controls, for shorter and shorter first
+// and longest steps.
 std::vector<Measurement> by_effort(Size size) {
   const Motion& motion = made(passing);
   std::vector<Measurement> measurements;
@@ -109,7 +109,7 @@ std::vector<Line> lines_of(MakeMotion make, int fewest) {
 
 }  // namespace
 
-// Errors at those of the times t = 2, 4, ..., 12 at which a step ends.
+// The errors are measured at those of the times t = 2, 4, ..., 12 at which a step ends.
 Experiment work() {
   return {
       .key = "work",

@@ -20,26 +20,26 @@ study::Experiment graded_counts();
 study::Experiment rules();
 /// @}
 
-/// Parameters 2 pi j / n of the nodes.
+/// Returns the parameters 2 pi j / n of the nodes.
 inline Eigen::VectorXd parameters(Eigen::Index n) {
   const double h = 2.0 * std::numbers::pi / static_cast<double>(n);
   return Eigen::VectorXd::LinSpaced(n, 0.0, h * static_cast<double>(n - 1));
 }
 
-/// The trapezoid rule for a function of period 2 pi; all weights are 2 pi / n.
+/// Integrates a function of period 2 pi by the trapezoid rule. All weights are 2 pi / n.
 template <class Function>
 double trapezoid_rule(Eigen::Index n, const Function& f) {
   return 2.0 * std::numbers::pi * parameters(n).unaryExpr(f).mean();
 }
 
-/// A planted defect: the function is periodic, so that the last node is the first; this rule counts
-/// that node twice.
+/// A planted defect: the rule counts one node twice. The function is periodic, so that the last
+/// node is the first node.
 template <class Function>
 double rule_with_both_ends(Eigen::Index n, const Function& f) {
   return trapezoid_rule(n, f) + 2.0 * std::numbers::pi / static_cast<double>(n) * f(0.0);
 }
 
-/// 1 / (cosh d - cos t), with poles at a distance d from the real axis and modes
+/// Represents 1 / (cosh d - cos t), which has poles at a distance d from the real axis and modes
 /// e^{-d |k|} / sinh d.
 class PoleFunction {
  public:

@@ -42,16 +42,16 @@ Line integral_line(const std::string& key, const std::string& id, double distanc
                              at_counts(distance, integral_error(f, defective))}};
 }
 
-/// Rounding error of sums of up to 144 modes: one rounding unit for each.
+/// Sums of up to 144 modes have this rounding error: one rounding unit for each mode.
 constexpr double rounding = 3e-14;
 
-/// Values at the nodes.
+/// Returns the values at the nodes.
 ComplexVector samples(const PoleFunction& f, Index n) {
   return parameters(n).unaryExpr(f).cast<Complex>();
 }
 
-/// Largest error of the interpolant midway between 64 arbitrary points, relative to the largest
-/// value.
+/// Returns the largest error of the interpolant midway between 64 arbitrary points, relative to the
+/// largest value.
 double interpolation_error(const PoleFunction& f, Index n) {
   const TrigonometricPolynomial p(samples(f, n));
   double error = 0.0;
@@ -62,7 +62,7 @@ double interpolation_error(const PoleFunction& f, Index n) {
   return error / f(0.0);
 }
 
-/// Error of the interpolation by straight lines between the nodes.
+/// Returns the error of the interpolation by straight lines between the nodes.
 double linear_interpolation_error(const PoleFunction& f, Index n) {
   const double h = 2.0 * std::numbers::pi / static_cast<double>(n);
   double error = 0.0;
@@ -79,7 +79,7 @@ auto derivative_error(const PoleFunction& f, const Derivative& derivative) {
   return [=](Index n) {
     const Eigen::VectorXd exact =
         parameters(n).unaryExpr([&](double t) { return f.derivative(t); });
-    // The points are far more than the nodes, so that the largest derivative does not depend on n.
+    // There are far more points than nodes, so that the largest derivative does not depend on n.
     const double scale =
         parameters(4096).unaryExpr([&](double t) { return std::abs(f.derivative(t)); }).maxCoeff();
     return (derivative(samples(f, n)) - exact).cwiseAbs().maxCoeff() / scale;

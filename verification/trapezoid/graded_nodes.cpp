@@ -18,7 +18,7 @@ Grading about_the_poles(double width) {
   return {{{0.0, width}}};
 }
 
-/// The rule in s: the weights are 2 pi / n times dt/ds.
+/// Integrates by the rule in s: the weights are 2 pi / n times dt/ds.
 double graded_rule(const PoleFunction& f, const Grading& grading, Index n) {
   double sum = 0.0;
   for (const GradedParameter& node : graded_parameters(grading, n)) sum += f(node.t) * node.dt;
@@ -67,7 +67,8 @@ Line pole_line(const std::string& key, const std::string& label, const std::stri
                          graded_errors(f, grading, rule_of_steps)}};
 }
 
-/// Least even number of nodes at which a rule errs by less than a tolerance, by bisection.
+/// Returns the least even number of nodes for which a rule has an error below a tolerance, by
+/// bisection.
 template <class Error>
 double nodes_needed(double tolerance, const Error& error) {
   Index enough = 4;

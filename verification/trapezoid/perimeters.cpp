@@ -20,7 +20,7 @@ double exact_perimeter(const Ellipse& e) {
   return 4.0 * e.a * gsl_sf_ellint_Ecomp(std::sqrt(1.0 - e.b * e.b / (e.a * e.a)), GSL_PREC_DOUBLE);
 }
 
-/// A planted defect: the perimeter of the polygon through the nodes.
+/// A planted defect: the perimeter is that of the polygon through the nodes.
 double polygon_perimeter(const Curve& curve) {
   double length = 0.0;
   for (Index j = 0; j < curve.size(); ++j) {

@@ -12,15 +12,15 @@ namespace {
 
 const auto exp_cos = [](double t) { return std::exp(std::cos(t)); };
 
-/// Relative error for exp(cos t), whose integral is 2 pi I_0(1).
+/// Returns the relative error for exp(cos t), whose integral is 2 pi I_0(1).
 template <class Rule>
 double periodic_error(Eigen::Index n, const Rule& rule) {
   const double exact = 2.0 * std::numbers::pi * std::cyl_bessel_i(0.0, 1.0);
   return std::abs(rule(n, exp_cos) / exact - 1.0);
 }
 
-/// Relative error for e^t on [0, 2 pi]. At the jump the rule takes a weighted mean of the values on
-/// both sides.
+/// Returns the relative error for e^t on [0, 2 pi]. At the jump the rule takes a weighted mean of
+/// the values on both sides.
 double jump_error(Eigen::Index n, double share_of_the_left) {
   const double last = std::exp(2.0 * std::numbers::pi);
   const auto f = [&](double t) {
@@ -34,7 +34,8 @@ struct Entry {
   double printed;
 };
 
-/// Difference of an error from a printed error, in units of the third digit of the printed error.
+/// Returns the difference of an error from a printed error, in units of the third digit of the
+/// printed error.
 double units_off(double error, double printed) {
   const double unit = std::pow(10.0, std::floor(std::log10(printed)) - 2.0);
   return std::abs(error - printed) / unit;

@@ -22,14 +22,14 @@ double trapezoid(Index n) {
   return trapezoid_rule(n, integrand);
 }
 
-/// Simpson's rule, with weights h/3 (4, 2, 4, 2, ...). On a circle its error is that of half as
-/// many nodes of the trapezoid rule.
+/// Integrates by Simpson's rule, with weights h/3 (4, 2, 4, 2, ...). On a circle its error is the
+/// error of the trapezoid rule with half as many nodes.
 double simpson(Index n) {
   const double odd = trapezoid_rule(n, integrand), even = trapezoid_rule(n / 2, integrand);
   return (4.0 * odd - even) / 3.0;
 }
 
-/// The rule on [-end, end].
+/// Integrates by the rule on [-end, end].
 double gauss_legendre_up_to(double end, Index n) {
   const std::unique_ptr<gsl_integration_fixed_workspace, void (*)(gsl_integration_fixed_workspace*)>
       rule(gsl_integration_fixed_alloc(gsl_integration_fixed_legendre, static_cast<std::size_t>(n),
@@ -44,7 +44,7 @@ double gauss_legendre(Index n) {
   return gauss_legendre_up_to(std::numbers::pi, n);
 }
 
-/// A planted defect: an interval that is shorter than the period.
+/// A planted defect: the interval is shorter than the period.
 double short_gauss_legendre(Index n) {
   return gauss_legendre_up_to(0.999 * std::numbers::pi, n);
 }
