@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <omp.h>
@@ -65,9 +64,7 @@ std::string origin() {
 
 int run_studies(const std::vector<study::Study>& studies, study::Size size,
                 const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw RecordError(directory, "cannot create", error);
+  make_folder(directory);
   std::vector<study::StudyResult> results;
   for (const study::Study& study : studies) {
     results.push_back(run(study, size, std::cout));
