@@ -303,8 +303,14 @@ class Source:
             one, other = self.tokens[first].start, self.tokens[end_first - 1].end
             start, end = self.tokens[second].start, self.tokens[end_second - 1].end
             a, between, b = self.text[one:other], self.text[other:start], self.text[start:end]
-            if a != b and not self.kind(first) == self.kind(second) == "string":
+            both_strings = self.kind(first) == self.kind(second) == "string"
+            if a != b and not both_strings and not (self._is_named(first) and
+                                                    self._is_named(second)):
                 yield Defect("arguments", one, end, b + between + a)
+
+    def _is_named(self, i):
+        """Returns whether {"name", value} begins here: in documents, names come in any order."""
+        return self.at(i) == "{" and self.kind(i + 1) == "string"
 
     def _arguments(self, i):
         """Returns the first token of each argument in a bracket, and the token after its last."""

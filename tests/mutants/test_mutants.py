@@ -109,6 +109,10 @@ class Kinds(unittest.TestCase):
         self.check("return {a, b};", arguments=["return {b, a};"])
         self.check("T x{a, b};", arguments=["T x{b, a};"])
         self.check("return f(p<int, int>(x), y);", arguments=["return f(y, p<int, int>(x));"])
+        self.check('return {{"a", b}, c};', arguments=[
+            'return {c, {"a", b}};', 'return {{b, "a"}, c};'])
+        self.check('return {{"a", b}, {"c", d}};', arguments=[
+            'return {{b, "a"}, {"c", d}};', 'return {{"a", b}, {d, "c"}};'])
         for code in ["f(a, a);", "std::min(a, b);", "return T{.a = 1, .b = 2};", 'f("a", "b");',
                      "return [=](int i, int j) {};", "for (i = 0, j = 1; i < j;) {}"]:
             self.assertNotIn("arguments", planted(code), code)

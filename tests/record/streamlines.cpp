@@ -94,6 +94,21 @@ BOOST_AUTO_TEST_CASE(lines_keep_apart_and_leave_no_hole) {
   }
 }
 
+// In a flow along one side of the field the lines lie on the other sides, too.
+BOOST_AUTO_TEST_CASE(lines_begin_at_all_edges) {
+  for (const bool is_upward : {false, true}) {
+    const Complex direction = is_upward ? Complex{0.0, 1.0} : Complex{1.0, 0.0};
+    const auto across = [&](Complex x) { return is_upward ? x.real() : x.imag(); };
+    double least = 10.0, most = -10.0;
+    for (const Streamline& line : streamlines(square([&](Complex) { return direction; }), 0.1)) {
+      least = std::min(least, across(line.points.front()));
+      most = std::max(most, across(line.points.front()));
+    }
+    BOOST_TEST(least == -1.0);
+    BOOST_TEST(most > 0.9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(lines_end_at_the_grid_and_at_bodies) {
   Field field = square([](Complex) { return Complex{1.0, 0.0}; });
   const ComplexVector points = field.grid.points();

@@ -36,6 +36,10 @@ BOOST_AUTO_TEST_CASE(keys_without_end) {
     BOOST_TEST(message.starts_with("s.toml:2:"));
     BOOST_TEST(message.ends_with(refused));
   }
+  for (const int parts : {1000, 1001}) {
+    const bool is_refused = error_of(key_of(parts) + " = 1\n").ends_with(refused);
+    BOOST_TEST(is_refused == (parts > 1000));
+  }
   BOOST_TEST(error_of(disk(), {key_of(50000) + "=1"}) == "--set" + refused);
   BOOST_TEST(error_of(disk(), {"x={" + key_of(50000) + "=1}"}) == "--set x" + refused);
   BOOST_TEST(error_of(key_of(900) + " = 1\n").find("unknown key") != std::string::npos);

@@ -38,6 +38,27 @@ BOOST_AUTO_TEST_CASE(circles_apart_and_overlapping) {
   BOOST_TEST(gaps({circle, circle}, {{{0.0, 0.0}, 0.0}, {{2.6, 0.0}, 0.0}}).empty());
 }
 
+// A turned body touches another one at a corner that is not on its axis.
+BOOST_AUTO_TEST_CASE(points_of_gaps_turn_with_their_bodies) {
+  const auto ellipse = body(Ellipse{2.0, 0.5}, 128);
+  for (const double turn : {0.0, 0.7, 2.5}) {
+    const std::vector<Pose> poses{{{5.0, 3.0}, turn},
+                                  {Complex{5.0, 3.0} + std::polar(1.0, turn) * Complex{2.0, 1.3},
+                                   turn + 0.5}};
+    const auto found = gaps({ellipse, ellipse}, poses);
+    BOOST_REQUIRE(found.size() == 1u);
+    double least = 10.0;  // distance of the point from a vertex
+    for (const Pose& pose : poses) {
+      for (Eigen::Index i = 0; i < ellipse->polygon.size(); ++i) {
+        const Complex vertex =
+            pose.position + std::polar(1.0, pose.orientation) * ellipse->polygon.vertex(i);
+        least = std::min(least, std::abs(found[0].point - vertex));
+      }
+    }
+    BOOST_TEST(least < 1e-12);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_body_in_a_body) {
   const auto large = body(Circle{1.0}, 128), small = body(Circle{0.2}, 64);
   for (Complex place : {Complex{0.0, 0.0}, {0.3, 0.4}, {0.75, 0.0}}) {

@@ -91,6 +91,8 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
   before(pushes(chain.start, 0.0));
   BOOST_TEST(before.solves() == 4);
+  BOOST_TEST(before.cost().gmres_iterations >= 4);
+  BOOST_TEST(before.cost().matvecs >= before.cost().gmres_iterations);
   const Configuration moved = chain.moved();
   const Loads loads = pushes(moved, 0.0);
   ContactMobility now(chain.solver, chain.solver.solve({moved}), before.columns());

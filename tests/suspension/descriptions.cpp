@@ -80,6 +80,47 @@ BOOST_AUTO_TEST_CASE(the_problem_is_named_with_what_is_in_it) {
   BOOST_TEST(mentions(told(enclosed, "problem").at(0), "one enclosing wall"));
 }
 
+BOOST_AUTO_TEST_CASE(each_decision_has_a_line) {
+  const auto topics = [](const Scene& scene) {
+    std::string all;
+    for (const std::string& line : describe(SuspensionSolver(scene))) {
+      all += line.substr(0, line.find("  ")) + "; ";
+    }
+    return all;
+  };
+  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  BOOST_TEST(topics(pair) ==
+             "problem; far field; singularities; N_0; near correction; preconditioner; GMRES; "
+             "contact; time; unknowns; summation; components; closest pair; ");
+  BOOST_TEST(mentions(told(pair, "unknowns").at(0), "128: 64 nodes"));
+  BOOST_TEST(!mentions(told(pair, "contact").at(0), "least gap"));
+  BOOST_TEST(told(pair, "coupling").empty());
+  Scene in_contact = pair;
+  in_contact.contact = ContactSettings{0.1};
+  BOOST_TEST(mentions(told(in_contact, "contact").at(0), "least gap 0.1"));
+  pair.solver.coupling = Coupling::local;
+  BOOST_TEST(mentions(told(pair, "coupling").at(0), "lagged"));
+}
+
+BOOST_AUTO_TEST_CASE(tolerances_below_which_nothing_is_factorised) {
+  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  for (const double tolerance : {1e-8, 0.9e-8}) {
+    pair.solver.tolerance = tolerance;
+    BOOST_TEST(SuspensionSolver(pair).plan().direct_at_tight_gaps == (tolerance == 1e-8));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contact_asks_for_sums_a_hundred_times_as_accurate) {
+  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  pair.solver.tolerance = 1e-4;
+  const Plan without = SuspensionSolver(pair).plan();
+  pair.contact = ContactSettings{0.1};
+  const Plan with = SuspensionSolver(pair).plan();
+  const auto equal = boost::test_tools::tolerance(1e-12);
+  BOOST_TEST(100.0 * with.near_tolerance == without.near_tolerance, equal);
+  BOOST_TEST(100.0 * with.sum_tolerance == without.sum_tolerance, equal);
+}
+
 BOOST_AUTO_TEST_CASE(given_and_chosen_nodes_are_told_apart) {
   Scene pair = disk(1e-6);
   pair.bodies[0].n_nodes = automatic_nodes;

@@ -81,6 +81,21 @@ BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) 
   BOOST_TEST(message.find("inf") == std::string::npos, message);
 }
 
+// A density whose Fourier modes fall by e^(-decay) has an error of a tolerance with
+// log(excess) / decay more nodes.
+BOOST_AUTO_TEST_CASE(the_advice_on_nodes_suffices_for_the_tail) {
+  const Scene close = pair(0.1, 64, 1e-6);
+  const Resolutions nodes(2, {64, {}});
+  const std::string message =
+      accuracy_error(close, nodes, nodes, {{1e-15, 1.0}, {1e-4, 0.5}}, 1e-4, {});
+  BOOST_TEST(message.find("body 1 is not resolved") != std::string::npos, message);
+  const auto advice = message.find("set n_nodes = ");
+  BOOST_REQUIRE(advice != std::string::npos);
+  const int n_nodes = std::stoi(message.substr(advice + 14));
+  BOOST_TEST(n_nodes >= 64 + std::log(100.0) / 0.5);
+  BOOST_TEST(n_nodes <= 1.5 * 64);
+}
+
 BOOST_AUTO_TEST_CASE(memory_that_is_not_there) {
   const Scene large = scene({body(Circle{1.0}, 64, {}), body(Circle{1.0}, 1'000'000, 4.0)});
   check_refused(large, {"body 1", "1000000 nodes", "9.6e+04 GB", "n_nodes"});

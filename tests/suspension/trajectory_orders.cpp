@@ -55,6 +55,19 @@ void check_order(const Error& error, double dt, double order) {
 
 }  // namespace
 
+// Between written frames each ninth solve estimates its error; the steps between carry the latest
+// estimate.
+BOOST_AUTO_TEST_CASE(errors_are_estimated_after_eight_solves_without_an_estimate) {
+  const RecordedRun run = recorded_run(jeffery_scene(SteppingMethod::euler, 8.0 / 27.0));
+  BOOST_REQUIRE(run.steps.size() == 27u);
+  for (std::size_t k = 0; k < run.steps.size(); ++k) {
+    BOOST_TEST(run.steps[k].velocity_error > 0.0);
+    if (k == 0) continue;
+    const bool is_new = run.steps[k].velocity_error != run.steps[k - 1].velocity_error;
+    BOOST_TEST(is_new == (k % 9 == 0), k);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_closed_forms_are_the_published_ones) {
   BOOST_TEST(jeffery_angle(3.0, 2.0) == -0.22421139330007344, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(jeffery_angle(3.0, 8.0) == -2.8452457464153368, boost::test_tools::tolerance(1e-14));

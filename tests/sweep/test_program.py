@@ -55,6 +55,12 @@ class Results(Sweeping):
                 found = [float(row[name + end]) for end in ("", "_standard_error", "_interval")]
                 numpy.testing.assert_allclose(found, expected, rtol=1e-11)
 
+    def test_results_without_a_folder_are_named_after_the_sweep(self):
+        self.sweep("--plan")
+        planned = sorted(path.relative_to(self.folder).as_posix()
+                         for path in (self.folder / "out").iterdir())
+        self.assertEqual(planned, ["out/sweep"])
+
     @full
     def test_jobs_do_not_change_a_bit(self):
         for jobs in 1, 3:

@@ -139,6 +139,18 @@ BOOST_AUTO_TEST_CASE(interpolants_have_their_orders) {
   check_power(error_of_all(SteppingMethod::dormand_prince54), 0.04, 5.0);
 }
 
+// A polynomial of degree 4, as a state of a single number and of two.
+BOOST_AUTO_TEST_CASE(bubbles_are_added_to_states_of_any_size) {
+  for (const Eigen::Index n : {1, 2}) {
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(n), none = 0.0 * one;
+    // q(t) = t^4 = cubic + theta^2 (1 - theta)^2 for h = 1.
+    const Step step{{0.0, none, none}, {1.0, one, 4.0 * one}, one};
+    for (const double t : {0.2, 0.5, 0.9}) {
+      BOOST_TEST((interpolate(step, t) - std::pow(t, 4) * one).norm() < 1e-15);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(interpolants_meet_states_and_rates_at_both_ends) {
   for (const SteppingMethod method :
        {SteppingMethod::bogacki_shampine32, SteppingMethod::dormand_prince54}) {
