@@ -187,7 +187,11 @@ int run_scene(const RunOptions& options) {
     progress.step(step);
   };
   const auto receive_checkpoint = [&](const Checkpoint& reached) { directory.save(reached); };
-  Simulation simulation(solver, {receive_frame, receive_step, receive_checkpoint});
+  const auto receive_warning = [&](const std::string& warning) {
+    progress.finish();
+    std::fprintf(stderr, "stokes: %s\n", warning.c_str());
+  };
+  Simulation simulation(solver, {receive_frame, receive_step, receive_checkpoint, receive_warning});
   if (checkpoint) resume(simulation, *checkpoint, out);
 
   const auto finish = [&](int status, const std::string& message) {

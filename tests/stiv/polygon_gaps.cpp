@@ -42,9 +42,9 @@ BOOST_AUTO_TEST_CASE(circles_apart_and_overlapping) {
 BOOST_AUTO_TEST_CASE(points_of_gaps_turn_with_their_bodies) {
   const auto ellipse = body(Ellipse{2.0, 0.5}, 128);
   for (const double turn : {0.0, 0.7, 2.5}) {
-    const std::vector<Pose> poses{{{5.0, 3.0}, turn},
-                                  {Complex{5.0, 3.0} + std::polar(1.0, turn) * Complex{2.0, 1.3},
-                                   turn + 0.5}};
+    const std::vector<Pose> poses{
+        {{5.0, 3.0}, turn},
+        {Complex{5.0, 3.0} + std::polar(1.0, turn) * Complex{2.0, 1.3}, turn + 0.5}};
     const auto found = gaps({ellipse, ellipse}, poses);
     BOOST_REQUIRE(found.size() == 1u);
     double least = 10.0;  // distance of the point from a vertex

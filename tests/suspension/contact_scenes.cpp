@@ -169,6 +169,7 @@ BOOST_AUTO_TEST_CASE(forces_without_a_solution_get_nodes) {
   const RecordedRun run = recorded_run(over(scene, 0.8, 0.08));
   BOOST_TEST(run.steps.back().contacts > 1);
   BOOST_TEST(run.totals.rejected_steps <= 2);
+  BOOST_TEST(run.warnings.empty());
 }
 
 BOOST_AUTO_TEST_CASE(steps_too_long_for_a_crowd_are_halved) {
@@ -181,6 +182,15 @@ BOOST_AUTO_TEST_CASE(steps_too_long_for_a_crowd_are_halved) {
   const RecordedRun run = recorded_run(scene);
   check_contact(scene, run);
   BOOST_TEST(run.totals.halved_by_contact > 0);
+  // Steps become far shorter than time.dt, and one message says why.
+  BOOST_TEST(std::ranges::min(run.steps, {}, &StepInfo::dt).dt <= 0.1);
+  BOOST_REQUIRE(run.warnings.size() == 1U);
+  const std::string& warning = run.warnings.front();
+  BOOST_TEST(warning.starts_with("t = "), warning);
+  for (const char* part :
+       {"contact is not resolved", "body ", "steps of time.dt = 1 are cut to "}) {
+    BOOST_TEST(warning.find(part) != std::string::npos, warning);
+  }
 }
 
 // A disk rests in a container on sixteen times the nodes that it requires, as if an earlier film

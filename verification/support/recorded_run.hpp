@@ -12,6 +12,7 @@ namespace stokesbook::test {
 struct RecordedRun {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
+  std::vector<std::string> warnings;  // of steps that are far shorter than time.dt
   RunTotals totals;
   RunResolution resolution;
   std::string stopped;  ///< why the run did not reach its end; empty if it did
@@ -27,6 +28,7 @@ inline RecordedRun recorded_run(const Scene& scene, Refusals refusals = Refusals
   Observer observer;
   observer.frame = [&](const Frame& frame) { run.frames.push_back(frame); };
   observer.step = [&](const StepInfo& step) { run.steps.push_back(step); };
+  observer.warning = [&](const std::string& warning) { run.warnings.push_back(warning); };
   const SuspensionSolver solver(scene);
   Simulation simulation(solver, observer);
   try {

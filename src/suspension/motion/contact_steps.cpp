@@ -28,6 +28,9 @@ constexpr double recovery = 1.5;
 // A step whose contact requires more linear complementarity problems is halved.
 constexpr int most_iterations = 9;
 
+// A step is far shorter than time.dt if it is at most this part of it.
+constexpr double far_shorter = 0.1;
+
 // Longest path of a component in a step, over the size of the scene.
 constexpr double scenes_in_a_step = 10.0;
 
@@ -173,6 +176,7 @@ double ContactSteps::shorten(double t, double t_end, double factor, const std::s
                       " do not help");
   }
   ++statistics_.totals.rejected_steps;
+  limit_ = reason;
   return shorter;
 }
 
@@ -271,12 +275,23 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
   VectorXd error =
       second ? second->error
              : VectorXd(0.5 * info.dt * (to_rate(flow.solution) - to_rate(start.flow.solution)));
+  std::string warning = this->warning(memory);
   return {{state.now, {start.t_end, end, {}}},
           std::move(memory),
           std::move(flow),
           contact_.update_closer(*state.closer, configuration),
           info,
-          std::move(error)};
+          std::move(error),
+          std::move(warning)};
+}
+
+// Warns once, of steps that are far shorter than time.dt because longer ones have failed.
+std::string ContactSteps::warning(const StepMemory& memory) {
+  const bool is_far_shorter =
+      !time_.tolerance && memory.dt.value_or(*settings_.dt) <= far_shorter * *settings_.dt;
+  if (!is_far_shorter || limit_.empty() || std::exchange(has_warned_, true)) return {};
+  return limit_ + "; steps of time.dt = " + short_number(*settings_.dt) + " are cut to " +
+         short_number(*memory.dt);
 }
 
 // Without a tolerance, a step length for which contact failed is likely to fail again: the next

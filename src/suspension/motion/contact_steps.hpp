@@ -46,6 +46,7 @@ class ContactSteps : public Steps {
   SecondStage second_stage(const RunState& state, const StepStart& start, const StepInfo& info);
   TakenStep finish(const RunState& state, const StepStart& start,
                    const std::optional<SecondStage>& second, StepInfo info, bool rejected);
+  std::string warning(const StepMemory& memory);
   double next_dt(const RunState& state, const StepStart& start,
                  const std::optional<SecondStage>& second, bool rejected) const;
 
@@ -57,6 +58,8 @@ class ContactSteps : public Steps {
   SteppingSettings settings_;
   SuspensionContact contact_;
   ContactStages stages_;
+  std::string limit_;        // why the latest step was shortened that was
+  bool has_warned_ = false;  // of steps that are far shorter than time.dt
 };
 
 }  // namespace stokesbook

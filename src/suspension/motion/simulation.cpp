@@ -93,6 +93,7 @@ TimedSolution Simulation::accept(TakenStep taken) {
   state_.closer = std::move(taken.closer);
   const StepInfo info = statistics_.add_step(taken.info, taken.error);
   if (observer_.step) observer_.step(info);
+  if (observer_.warning && !taken.warning.empty()) observer_.warning(taken.warning);
   adapt_to_effort(info);
   if (!schedule_.is_reversal(time())) return std::move(taken.end);
   reverse();

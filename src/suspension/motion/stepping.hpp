@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "suspension/motion/contact_stages.hpp"
 #include "suspension/solver/solver.hpp"
@@ -38,6 +39,9 @@ struct TakenStep {
   std::optional<CloserPairs> closer{};  ///< pairs that are still closer than contact allows
   StepInfo info;                        ///< results and cost of the step
   Eigen::VectorXd error;                ///< estimated, of the state
+  /// What has cut steps to a tenth of time.dt or less, once in a run; else empty. In runs with
+  /// time.tolerance steps have no given length, and there is no warning.
+  std::string warning{};
 };
 
 /// Takes the time steps of a scene: FreeSteps without contact, ContactSteps with contact.
