@@ -303,9 +303,9 @@ class Source:
             one, other = self.tokens[first].start, self.tokens[end_first - 1].end
             start, end = self.tokens[second].start, self.tokens[end_second - 1].end
             a, between, b = self.text[one:other], self.text[other:start], self.text[start:end]
-            both_strings = self.kind(first) == self.kind(second) == "string"
-            if a != b and not both_strings and not (self._is_named(first) and
-                                                    self._is_named(second)):
+            are_strings = self.kind(first) == self.kind(second) == "string"
+            are_named = self._is_named(first) and self._is_named(second)
+            if a != b and not are_strings and not are_named:
                 yield Defect("arguments", one, end, b + between + a)
 
     def _is_named(self, i):

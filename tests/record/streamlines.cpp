@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(lines_keep_apart_and_leave_no_hole) {
   }
 }
 
-// In a flow along one side of the field the lines lie on the other sides, too.
+// The lines of a uniform flow begin in the first row or column of the grid.
 BOOST_AUTO_TEST_CASE(lines_begin_at_all_edges) {
   for (const bool is_upward : {false, true}) {
     const Complex direction = is_upward ? Complex{0.0, 1.0} : Complex{1.0, 0.0};

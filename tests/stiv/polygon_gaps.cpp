@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(circles_apart_and_overlapping) {
   BOOST_TEST(gaps({circle, circle}, {{{0.0, 0.0}, 0.0}, {{2.6, 0.0}, 0.0}}).empty());
 }
 
-// A turned body touches another one at a corner that is not on its axis.
+// The point of a gap is a vertex of one of the two bodies, also if both have turned.
 BOOST_AUTO_TEST_CASE(points_of_gaps_turn_with_their_bodies) {
   const auto ellipse = body(Ellipse{2.0, 0.5}, 128);
   for (const double turn : {0.0, 0.7, 2.5}) {

@@ -27,6 +27,12 @@ Scene disk(double tolerance) {
   return result;
 }
 
+Scene two_disks() {
+  Scene result = disk(1e-6);
+  result.bodies.push_back(body(Circle{1.0}, 32, {4.0, 0.0}));
+  return result;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(descriptions)
@@ -52,8 +58,7 @@ BOOST_AUTO_TEST_CASE(a_fast_sum_that_the_scene_asks_for_is_said_to_be_asked_for)
 }
 
 BOOST_AUTO_TEST_CASE(what_decided_on_the_preconditioner_is_said) {
-  Scene pair = disk(1e-6);
-  pair.bodies.push_back(body(Circle{1.0}, 32, {4.0, 0.0}));
+  Scene pair = two_disks();
   BOOST_TEST(!mentions(told(pair, "preconditioner").at(0), "solver."));
   pair.solver.preconditioner = PreconditionerKind::none;
   BOOST_TEST(mentions(told(pair, "preconditioner").at(0), "solver.preconditioner"));
@@ -88,7 +93,7 @@ BOOST_AUTO_TEST_CASE(each_decision_has_a_line) {
     }
     return all;
   };
-  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  Scene pair = two_disks();
   BOOST_TEST(topics(pair) ==
              "problem; far field; singularities; N_0; near correction; preconditioner; GMRES; "
              "contact; time; unknowns; summation; components; closest pair; ");
@@ -103,7 +108,7 @@ BOOST_AUTO_TEST_CASE(each_decision_has_a_line) {
 }
 
 BOOST_AUTO_TEST_CASE(tolerances_below_which_nothing_is_factorised) {
-  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  Scene pair = two_disks();
   for (const double tolerance : {1e-8, 0.9e-8}) {
     pair.solver.tolerance = tolerance;
     BOOST_TEST(SuspensionSolver(pair).plan().direct_at_tight_gaps == (tolerance == 1e-8));
@@ -111,7 +116,7 @@ BOOST_AUTO_TEST_CASE(tolerances_below_which_nothing_is_factorised) {
 }
 
 BOOST_AUTO_TEST_CASE(contact_asks_for_sums_a_hundred_times_as_accurate) {
-  Scene pair = scene({body(Circle{1.0}, 32, -1.5), body(Circle{1.0}, 32, 1.5)}, ShearFlow{1.0});
+  Scene pair = two_disks();
   pair.solver.tolerance = 1e-4;
   const Plan without = SuspensionSolver(pair).plan();
   pair.contact = ContactSettings{0.1};

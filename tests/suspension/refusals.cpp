@@ -81,8 +81,8 @@ BOOST_AUTO_TEST_CASE(an_error_of_which_nothing_is_known_is_not_called_infinite) 
   BOOST_TEST(message.find("inf") == std::string::npos, message);
 }
 
-// A density whose Fourier modes fall by e^(-decay) has an error of a tolerance with
-// log(excess) / decay more nodes.
+// The error falls by e^(-decay) with each node, so that log(excess) / decay more nodes bring it down
+// to the tolerance.
 BOOST_AUTO_TEST_CASE(the_advice_on_nodes_suffices_for_the_tail) {
   const Scene close = pair(0.1, 64, 1e-6);
   const Resolutions nodes(2, {64, {}});

@@ -12,7 +12,7 @@ namespace stokesbook::test {
 struct RecordedRun {
   std::vector<Frame> frames;
   std::vector<StepInfo> steps;
-  std::vector<std::string> warnings;  // of steps that are far shorter than time.dt
+  std::vector<std::string> warnings;  ///< from Observer::warning
   RunTotals totals;
   RunResolution resolution;
   std::string stopped;  ///< why the run did not reach its end; empty if it did

@@ -58,7 +58,7 @@ class ContactSteps : public Steps {
   SteppingSettings settings_;
   SuspensionContact contact_;
   ContactStages stages_;
-  std::string limit_;        // why the latest step was shortened that was
+  std::string limit_;        // why a step was shortened last
   bool has_warned_ = false;  // of steps that are far shorter than time.dt
 };
 

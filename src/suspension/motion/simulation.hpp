@@ -14,8 +14,7 @@ struct Observer {
   std::function<void(const Frame&)> frame;            ///< called at every written time
   std::function<void(const StepInfo&)> step;          ///< called after every step
   std::function<void(const Checkpoint&)> checkpoint;  ///< called after every written frame
-  /// Called with TakenStep::warning.
-  std::function<void(const std::string&)> warning;
+  std::function<void(const std::string&)> warning;    ///< called with each TakenStep::warning
 };
 
 /// Moves a scene from t = 0 to its end.

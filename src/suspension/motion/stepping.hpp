@@ -39,8 +39,8 @@ struct TakenStep {
   std::optional<CloserPairs> closer{};  ///< pairs that are still closer than contact allows
   StepInfo info;                        ///< results and cost of the step
   Eigen::VectorXd error;                ///< estimated, of the state
-  /// What has cut steps to a tenth of time.dt or less, once in a run; else empty. In runs with
-  /// time.tolerance steps have no given length, and there is no warning.
+  /// Tells, once in a run, what has cut steps to a tenth of time.dt or less; otherwise empty. There
+  /// is no warning in runs with time.tolerance, since their steps have no given length.
   std::string warning{};
 };
 
