@@ -13,6 +13,8 @@ using Eigen::Index;
 
 namespace {
 
+constexpr double any_distance = std::numeric_limits<double>::infinity();
+
 // Returns the frame of a pose, seen from the frame of another pose.
 RelativeFrame frame_in(const Pose& pose, const Pose& observer) {
   return RelativePath({pose, {}, 0.0}, {observer, {}, 0.0}).start();
@@ -46,7 +48,6 @@ struct NearestVertex {
 };
 
 NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach) {
-  constexpr double any_distance = std::numeric_limits<double>::infinity();
   const RelativeFrame frame = frame_in(of.pose, about.pose);
   NearestVertex nearest{any_distance, {}};
   for (Index i : near_vertices(of.shape.polygon, about.shape.polygon, frame, reach)) {
@@ -73,8 +74,16 @@ bool edges_cross(const Placed& p, const Placed& q) {
   return false;
 }
 
+// Returns whether the bounding circle of a polygon is farther than `reach` from another polygon.
+bool is_circle_far(const Placed& of, const Placed& about, double reach) {
+  const double distance = reach + of.shape.radius;
+  const Complex centre = frame_in(of.pose, about.pose)({});
+  return about.shape.polygon.closest(centre, any_distance).distance > distance;
+}
+
 // Returns the gap of a and b; the result is at least `reach` if they are not nearer than `reach`.
 PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, double reach) {
+  if (is_circle_far(a, b, reach)) return {pair.first, pair.second, any_distance, {}};
   const NearestVertex of_a = nearest_vertex(a, b, reach), of_b = nearest_vertex(b, a, reach);
   const NearestVertex nearest = of_a.distance <= of_b.distance ? of_a : of_b;
   const bool hidden_overlap = nearest.distance > 0.0 && edges_cross(a, b);

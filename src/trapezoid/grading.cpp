@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -94,29 +95,40 @@ class MapFromCluster {
     return density;
   }
 
-  // Finds the offset tau at which the map has a value, by Newton's method in v, tau = width sinh v:
-  // about the cluster, the map is nearly linear in v. A step that leaves the bounds, or that does
-  // not shrink by half, is replaced by a bisection of the bounds.
-  double inverse(double value) const {
-    const double width = grading_.clusters[origin_].width;
-    double high = std::asinh(period / width), low = -high;
-    double v = std::clamp(value / grading_.strength, low, high);
+  // Finds the v, tau = width sinh v, at which the map has a value: about the cluster, the map is
+  // nearly linear in v. A step of Halley's method that leaves the bounds, or that does not shrink
+  // by half, is replaced by a bisection of the bounds.
+  double inverse(double value, double guess) const {
+    double high = std::asinh(period / width()), low = -high;
+    double v = std::clamp(guess, low, high);
     double step = high - low;
-    // The error after a step is about the square of that step.
-    while (std::abs(step) > 1e-9) {
-      const double tau = width * std::sinh(v);
+    // The error after a step is about the cube of that step.
+    while (std::abs(step) > 1e-6) {
+      const double tau = offset(v), slope = width() * std::cosh(v);
       const double excess = (*this)(tau)-value;
       (excess > 0.0 ? high : low) = v;
-      const double newton = -excess / (density(tau).value * width * std::cosh(v));
+      const Density m = density(tau);
+      const double newton = -excess / (m.value * slope);
+      // Half the second derivative over the first one.
+      const double curvature = 0.5 * (m.slope * slope / m.value + std::tanh(v));
+      const double halley = newton / (1.0 + newton * curvature);
       const bool good =
-          v + newton >= low && v + newton <= high && 2.0 * std::abs(newton) < std::abs(step);
-      step = good ? newton : 0.5 * (low + high) - v;
+          v + halley >= low && v + halley <= high && 2.0 * std::abs(halley) < std::abs(step);
+      step = good ? halley : 0.5 * (low + high) - v;
       v += step;
     }
-    return width * std::sinh(v);
+    return v;
   }
 
+  // Guesses v for the inverse of a value.
+  double guess(double value) const { return value / grading_.strength; }
+
+  // Returns tau = width sinh v.
+  double offset(double v) const { return width() * std::sinh(v); }
+
  private:
+  double width() const { return grading_.clusters[origin_].width; }
+
   const Grading& grading_;
   std::size_t origin_;
   std::vector<double> shifts_,  // t_c minus the parameter of each cluster
@@ -169,6 +181,8 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   // s(t_c) of each cluster, where s(0) = 0.
   std::vector<double> clusters_s;
   for (const MapFromCluster& map : maps) clusters_s.push_back(-map(-map.parameter()) / mean);
+  std::vector<double> latest;  // v of the nodes before with the same nearest cluster
+  std::size_t cluster_of_latest = 0;
   for (Index j = 0; j < n; ++j) {
     const double s = period * static_cast<double>(j) / static_cast<double>(n);
     std::size_t nearest = 0;
@@ -180,9 +194,15 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
         offset = distance;
       }
     }
+    if (nearest != cluster_of_latest) latest.clear();
     // t follows from the nearest cluster; dt/ds = C / m and d2t/ds2 = -(dt/ds)^2 m' / m.
     const MapFromCluster& map = maps[nearest];
-    const double tau = map.inverse(mean * offset);
+    const double value = mean * offset;
+    latest.push_back(map.inverse(value, latest.size() < 2
+                                            ? map.guess(value)
+                                            : 2.0 * latest.back() - *std::prev(latest.end(), 2)));
+    cluster_of_latest = nearest;
+    const double tau = map.offset(latest.back());
     const auto [m, slope] = map.density(tau);
     const double dt = mean / m;
     parameters.push_back({map.parameter() + tau, dt, -dt * dt * slope / m});
