@@ -2,11 +2,11 @@
 // [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
 // place_fills() places later.
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <string>
 
 #include "scene/csv_table.hpp"
+#include "scene/parameters.hpp"
 #include "scene/sections.hpp"
 #include "scene/write.hpp"
 
@@ -14,32 +14,11 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-using MotionReader = std::function<WallMotion(const Node&)>;
-
-WallMotion read_fixed(const Node& node) {
-  const TableReader table(node, {"kind"});
-  return FixedWall{};
-}
-
-/// Returns a reader for motions with one key besides their kind.
-template <class Motion>
-MotionReader reader_of(std::string_view key, const auto& rule) {
-  return [=](const Node& node) {
-    return Motion{TableReader(node, {"kind", key}).require(key, rule)};
-  };
-}
-
-const Words<MotionReader, 5> motion_kinds{
-    {{"fixed", read_fixed},
-     {"rotating", reader_of<RotatingWall>("omega", any_number)},
-     {"translating", reader_of<TranslatingWall>("velocity", any_vector)},
-     {"linear", reader_of<LinearWall>("gradient", any_gradient)},
-     {"radial", reader_of<RadialWall>("speed", any_number)}}};
-
 WallMotion read_motion(const TableReader& wall, const Shape& shape) {
   const Node* node = wall.find("motion");
   if (node == nullptr) return FixedWall{};
-  const WallMotion motion = TableReader(*node).require("kind", motion_kinds)(*node);
+  const WallMotion motion =
+      read_parameters(TableReader(*node).require("kind", motion_kinds), *node);
   if (std::holds_alternative<RadialWall>(motion) && !std::holds_alternative<Circle>(shape)) {
     fail(*node, "radial motion requires a wall whose shape is a circle");
   }

@@ -1,52 +1,16 @@
-// Reads the shapes of a scene file; each kind of shape has its own reader.
+// Reads the shapes of a scene file, and checks the points of nodal curves.
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "scene/csv_table.hpp"
+#include "scene/parameters.hpp"
 #include "scene/polygon.hpp"
 #include "scene/sections.hpp"
 
 namespace stokesbook::scene_text {
 
 namespace {
-
-using ShapeReader = Shape (*)(const Node&, const std::filesystem::path&);
-
-constexpr Requirement<Complex> semi_axes{
-    "two numbers > 0", [](const Complex& a) { return a.real() > 0.0 && a.imag() > 0.0; }};
-constexpr Requirement<double> star_amplitude{
-    "a number > -1 and < 1, so that the curve does not meet itself",
-    [](const double& amplitude) { return std::abs(amplitude) < 1.0; }};
-// At the largest power, the rounding of a corner takes about a thousandth of a side. No number of
-// nodes that the solver accepts resolves sharper corners.
-constexpr Requirement<int> even_power{
-    "an even integer from 2 to 1000, for which the curve is analytic",
-    [](const int& p) { return p >= 2 && p <= 1000 && p % 2 == 0; }};
-
-Shape read_circle(const Node& node, const std::filesystem::path&) {
-  const TableReader table(node, {"kind", "radius"});
-  return Circle{table.require("radius", positive_number)};
-}
-
-Shape read_ellipse(const Node& node, const std::filesystem::path&) {
-  const TableReader table(node, {"kind", "semi_axes"});
-  const Complex axes = table.require("semi_axes", semi_axes);
-  return Ellipse{axes.real(), axes.imag()};
-}
-
-Shape read_star(const Node& node, const std::filesystem::path&) {
-  const TableReader table(node, {"kind", "radius", "amplitude", "arms"});
-  return Star{table.require("radius", positive_number), table.require("amplitude", star_amplitude),
-              table.require("arms", positive_integer)};
-}
-
-Shape read_superellipse(const Node& node, const std::filesystem::path&) {
-  const TableReader table(node, {"kind", "semi_axes", "power"});
-  const Complex axes = table.require("semi_axes", semi_axes);
-  return Superellipse{axes.real(), axes.imag(), table.require("power", even_power)};
-}
 
 NodalCurve nodes_of_file(const Node& file, const std::filesystem::path& directory) {
   const CsvTable table = read_csv_file(file, directory, {"x,y"});
@@ -84,17 +48,13 @@ Shape read_nodes(const Node& node, const std::filesystem::path& directory) {
   return inline_nodes(*points);
 }
 
-constexpr Words<ShapeReader, 5> shape_kinds{{{"circle", read_circle},
-                                             {"ellipse", read_ellipse},
-                                             {"star", read_star},
-                                             {"superellipse", read_superellipse},
-                                             {"nodes", read_nodes}}};
-
 }  // namespace
 
 Shape read_shape(const TableReader& owner, const std::filesystem::path& directory) {
   const Node& node = owner.at("shape", "a table, such as { kind = \"circle\", radius = 1.0 }");
-  return TableReader(node).require("kind", shape_kinds)(node, directory);
+  const Shape kind = TableReader(node).require("kind", shape_kinds);
+  if (std::holds_alternative<NodalCurve>(kind)) return read_nodes(node, directory);
+  return read_parameters(kind, node);
 }
 
 }  // namespace stokesbook::scene_text

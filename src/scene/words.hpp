@@ -34,6 +34,28 @@ std::string list_of(const Words<T, N>& words) {
   return joined(words, ", ", &Word<T>::name);
 }
 
+/// Words of `kind` in [flow]: default values of all types of flow, in the order of the variant.
+inline const Words<BackgroundFlow, 6> flow_kinds{{{"quiescent", QuiescentFlow{}},
+                                                  {"uniform", UniformFlow{}},
+                                                  {"shear", ShearFlow{}},
+                                                  {"extensional", ExtensionalFlow{}},
+                                                  {"taylor_green", TaylorGreenFlow{}},
+                                                  {"linear", LinearFlow{}}}};
+
+/// Words of `kind` in `motion` of [[walls]], in the order of the variant.
+inline const Words<WallMotion, 5> motion_kinds{{{"fixed", FixedWall{}},
+                                                {"rotating", RotatingWall{}},
+                                                {"translating", TranslatingWall{}},
+                                                {"linear", LinearWall{}},
+                                                {"radial", RadialWall{}}}};
+
+/// Words of `kind` in `shape`, in the order of the variant.
+inline const Words<Shape, 5> shape_kinds{{{"circle", Circle{}},
+                                          {"ellipse", Ellipse{}},
+                                          {"star", Star{}},
+                                          {"superellipse", Superellipse{}},
+                                          {"nodes", NodalCurve{}}}};
+
 /// The word for automatic_nodes in `n_nodes`.
 inline constexpr std::string_view automatic_word = "auto";
 

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/words.hpp"
+#include "scene/parameters.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook {
@@ -94,63 +94,18 @@ Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
-// Returns the entries of a shape, the motion of a wall, or a flow.
-struct EntriesOfKind {
-  Entries operator()(const Circle& circle) const {
-    return {{"kind", "circle"}, {"radius", circle.radius}};
-  }
-  Entries operator()(const Ellipse& ellipse) const {
-    return {{"kind", "ellipse"}, {"semi_axes", Complex{ellipse.a, ellipse.b}}};
-  }
-  Entries operator()(const Star& star) const {
-    return {{"kind", "star"},
-            {"radius", star.radius},
-            {"amplitude", star.amplitude},
-            {"arms", star.arms}};
-  }
-  Entries operator()(const Superellipse& curve) const {
-    return {
-        {"kind", "superellipse"}, {"semi_axes", Complex{curve.a, curve.b}}, {"power", curve.power}};
-  }
-  Entries operator()(const NodalCurve& curve) const {
-    return {{"kind", "nodes"}, {"points", curve.points}};
-  }
-
-  Entries operator()(const FixedWall&) const { return {{"kind", "fixed"}}; }
-  Entries operator()(const RotatingWall& wall) const {
-    return {{"kind", "rotating"}, {"omega", wall.omega}};
-  }
-  Entries operator()(const TranslatingWall& wall) const {
-    return {{"kind", "translating"}, {"velocity", wall.velocity}};
-  }
-  Entries operator()(const LinearWall& wall) const {
-    return {{"kind", "linear"}, {"gradient", wall.gradient}};
-  }
-  Entries operator()(const RadialWall& wall) const {
-    return {{"kind", "radial"}, {"speed", wall.speed}};
-  }
-
-  Entries operator()(const QuiescentFlow&) const { return {{"kind", "quiescent"}}; }
-  Entries operator()(const UniformFlow& flow) const {
-    return {{"kind", "uniform"}, {"velocity", flow.velocity}};
-  }
-  Entries operator()(const ShearFlow& flow) const {
-    return {{"kind", "shear"}, {"rate", flow.rate}};
-  }
-  Entries operator()(const ExtensionalFlow& flow) const {
-    return {{"kind", "extensional"}, {"rate", flow.rate}};
-  }
-  Entries operator()(const TaylorGreenFlow& flow) const {
-    return {{"kind", "taylor_green"}, {"rate", flow.rate}};
-  }
-  Entries operator()(const LinearFlow& flow) const {
-    return {{"kind", "linear"}, {"gradient", flow.gradient}};
-  }
-};
-
+// Returns the entries of a flow, wall motion or shape. The words are in the order of its types.
 template <class... Kinds>
-Entries entries_of(const std::variant<Kinds...>& variant) {
-  return std::visit(EntriesOfKind{}, variant);
+Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
+  Entries entries{{"kind", words[variant.index()].name}};
+  const auto add_all = [&](auto& kind) {
+    visit_parameters(kind, [&](auto key, const auto&, const auto& parameter) {
+      entries.emplace_back(key, parameter);
+    });
+    if constexpr (requires { kind.points; }) entries.emplace_back("points", kind.points);
+  };
+  std::visit(add_all, variant);
+  return entries;
 }
 
 std::string lines(const Entries& entries) {
@@ -160,18 +115,18 @@ std::string lines(const Entries& entries) {
 }
 
 std::string flow_section(const Scene& scene) {
-  return "\n[flow]\n" + (is_enclosed(scene) ? "" : lines(entries_of(scene.flow))) +
+  return "\n[flow]\n" + (is_enclosed(scene) ? "" : lines(entries_of(scene.flow, flow_kinds))) +
          lines({{"gauge_length", scene.gauge_length}}) +
          (scene.reverse_at.empty() ? "" : lines({{"reverse_at", scene.reverse_at}}));
 }
 
 std::string section(const Wall& wall) {
   return "\n[[walls]]\n" + lines({{"role", name_of(wall.role, wall_roles)},
-                                  {"shape", entries_of(wall.shape)},
+                                  {"shape", entries_of(wall.shape, shape_kinds)},
                                   {"position", wall.position},
                                   {"orientation", wall.orientation},
                                   node_entry(wall.n_nodes),
-                                  {"motion", entries_of(wall.motion)}});
+                                  {"motion", entries_of(wall.motion, motion_kinds)}});
 }
 
 std::string section(const Body& body) {
@@ -179,7 +134,7 @@ std::string section(const Body& body) {
       body.held ? lines({{"held", true}, {"velocity", body.velocity}, {"omega", body.omega}})
                 : lines({{"force", body.force}, {"torque", body.torque}});
   return "\n[[bodies]]\n" +
-         lines({{"shape", entries_of(body.shape)},
+         lines({{"shape", entries_of(body.shape, shape_kinds)},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
          driving + lines({node_entry(body.n_nodes)});
@@ -188,7 +143,7 @@ std::string section(const Body& body) {
 std::string section(const Fill& fill) {
   std::optional<Entries> region;
   if (fill.box) region = Entries{{"box", *fill.box}};
-  return "\n[[fill]]\n" + lines({{"shape", entries_of(fill.shape)},
+  return "\n[[fill]]\n" + lines({{"shape", entries_of(fill.shape, shape_kinds)},
                                  {"area_fraction", fill.area_fraction},
                                  {"count", fill.count},
                                  {"region", region},

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/table_reader.hpp"
+
+/// The parameters of flows, wall motions and shapes: one list for reading and writing.
+namespace stokesbook::scene_text {
+
+/// Lengths of the semi-axes of an ellipse or superellipse.
+inline constexpr Requirement<Complex> semi_axes{
+    "two numbers > 0", [](const Complex& a) { return a.real() > 0.0 && a.imag() > 0.0; }};
+
+/// Amplitude of a star.
+inline constexpr Requirement<double> star_amplitude{
+    "a number > -1 and < 1, so that the curve does not meet itself",
+    [](const double& amplitude) { return std::abs(amplitude) < 1.0; }};
+
+/// Power of a superellipse. At the largest power, the rounding of a corner takes about a thousandth
+/// of a side. No number of nodes that the solver accepts resolves sharper corners.
+inline constexpr Requirement<int> even_power{
+    "an even integer from 2 to 1000, for which the curve is analytic",
+    [](const int& p) { return p >= 2 && p <= 1000 && p % 2 == 0; }};
+
+/// Calls `visit(key, rule, parameter)` for each parameter of a flow, wall motion or shape, in the
+/// order of the file. The points of a NodalCurve are not among them, because a scene may give the
+/// points or a file.
+void visit_parameters(auto& kind, const auto& visit) {
+  if constexpr (requires { kind.velocity; }) visit("velocity", any_vector, kind.velocity);
+  if constexpr (requires { kind.rate; }) visit("rate", any_number, kind.rate);
+  if constexpr (requires { kind.gradient; }) visit("gradient", any_gradient, kind.gradient);
+  if constexpr (requires { kind.omega; }) visit("omega", any_number, kind.omega);
+  if constexpr (requires { kind.speed; }) visit("speed", any_number, kind.speed);
+  if constexpr (requires { kind.radius; }) visit("radius", positive_number, kind.radius);
+  if constexpr (requires { kind.amplitude; }) visit("amplitude", star_amplitude, kind.amplitude);
+  if constexpr (requires { kind.arms; }) visit("arms", positive_integer, kind.arms);
+  if constexpr (requires { kind.a, kind.b; }) {
+    Complex axes{kind.a, kind.b};
+    visit("semi_axes", semi_axes, axes);
+    kind.a = axes.real();
+    kind.b = axes.imag();
+  }
+  if constexpr (requires { kind.power; }) visit("power", even_power, kind.power);
+}
+
+/// Reads the parameters of a flow, wall motion or shape from its table.
+/// @param  others  valid keys of the table besides `kind` and the parameters
+template <class... Kinds>
+std::variant<Kinds...> read_parameters(std::variant<Kinds...> variant, const Node& node,
+                                       std::initializer_list<std::string_view> others = {}) {
+  const auto read_all = [&](auto& kind) {
+    std::vector<std::string_view> known{"kind"};
+    visit_parameters(kind, [&](auto key, const auto&, const auto&) { known.push_back(key); });
+    known.insert(known.end(), others);
+    const TableReader table(node, known);
+    visit_parameters(kind, [&](auto key, const auto& rule, auto& parameter) {
+      parameter = table.require(key, rule);
+    });
+  };
+  std::visit(read_all, variant);
+  return variant;
+}
+
+}  // namespace stokesbook::scene_text
