@@ -2,6 +2,7 @@
 // [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
 // place_fills() places later.
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <string>
 
@@ -13,6 +14,24 @@
 namespace stokesbook::scene_text {
 
 namespace {
+
+/// Reads the number of nodes, an even integer from 8 to 1000000 or the word "auto". The message
+/// about another number suggests the next valid one.
+int read_node_count(const TableReader& owner) {
+  constexpr std::int64_t fewest = 8;        // fewer nodes resolve no curve
+  constexpr std::int64_t most = 1'000'000;  // more nodes do not fit into memory
+  const std::string expected = "an even integer >= 8 or \"auto\"";
+  const Node& node = owner.at("n_nodes", expected);
+  const auto* word = std::get_if<std::string>(&node.value);
+  if (word != nullptr && *word == automatic_word) return automatic_nodes;
+  const auto count = value_as<std::int64_t>(node, expected);
+  if (count > most) fail(node, "must be at most " + std::to_string(most));
+  if (count < fewest || count % 2 != 0) {
+    const std::int64_t next = std::max(fewest, count + 1);
+    fail(node, "must be " + expected + " (try " + std::to_string(next) + ")");
+  }
+  return static_cast<int>(count);
+}
 
 WallMotion read_motion(const TableReader& wall, const Shape& shape) {
   const Node* node = wall.find("motion");
@@ -32,7 +51,7 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   wall.shape = read_shape(table, directory);
   wall.position = table.get("position", any_vector, wall.position);
   wall.orientation = table.get("orientation", any_number, wall.orientation);
-  wall.n_nodes = table.require("n_nodes", NodeCount{});
+  wall.n_nodes = read_node_count(table);
   wall.motion = read_motion(table, wall.shape);
   return wall;
 }
@@ -56,7 +75,7 @@ Body read_body(const Node& node, const std::filesystem::path& directory) {
   body.torque = table.get("torque", any_number, body.torque);
   body.velocity = table.get("velocity", any_vector, body.velocity);
   body.omega = table.get("omega", any_number, body.omega);
-  body.n_nodes = table.require("n_nodes", NodeCount{});
+  body.n_nodes = read_node_count(table);
   return body;
 }
 
@@ -83,7 +102,7 @@ std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& 
   }
   body.force = table.get("force", any_vector, body.force);
   body.torque = table.get("torque", any_number, body.torque);
-  body.n_nodes = table.require("n_nodes", NodeCount{});
+  body.n_nodes = read_node_count(table);
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
@@ -126,7 +145,7 @@ Fill read_fill(const Node& node, const std::filesystem::path& directory, bool en
   }
   fill.box = read_region(table, enclosed);
   fill.clearance = table.get("clearance", gap, fill.clearance);
-  fill.n_nodes = table.require("n_nodes", NodeCount{});
+  fill.n_nodes = read_node_count(table);
   return fill;
 }
 

@@ -24,14 +24,11 @@ constexpr Requirement<double> step_tolerance{
 /// Reads a list of one or more distinct words.
 template <class T, std::size_t N>
 std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
-  const std::string expected = "a list of one or more of " + list_of(words);
+  const std::string expected = "a list of one or more of " + joined(words, ", ", &Word<T>::name);
   std::vector<T> meanings;
   for (const Node& element : elements_of(node, expected)) {
-    const T meaning = read(element, words);
-    if (std::ranges::find(meanings, meaning) != meanings.end()) {
-      fail(element, "is repeated in the list");
-    }
-    meanings.push_back(meaning);
+    const T meaning = meanings.emplace_back(read(element, words));
+    if (std::ranges::count(meanings, meaning) > 1) fail(element, "is repeated in the list");
   }
   if (meanings.empty()) fail(node, "must be " + expected);
   return meanings;
@@ -98,11 +95,6 @@ ContactSettings read_separation(const Node& node) {
     fail(node, "must be " + separation);
   }
   return contact;
-}
-
-bool has_automatic_nodes(const auto& bodies) {
-  return std::ranges::any_of(bodies,
-                             [](const auto& body) { return body.n_nodes == automatic_nodes; });
 }
 
 }  // namespace
@@ -179,7 +171,9 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
   if (scene.bodies.empty() && fills.empty()) {
     fail_at_key(*node, "there are no bodies; add [[bodies]] or remove [contact]");
   }
-  if (contact.in_spacings && (has_automatic_nodes(scene.bodies) || has_automatic_nodes(fills))) {
+  const auto automatic = std::ranges::count(scene.bodies, automatic_nodes, &Body::n_nodes) +
+                         std::ranges::count(fills, automatic_nodes, &Fill::n_nodes);
+  if (contact.in_spacings && automatic > 0) {
     fail(given,
          "requires numbers for all n_nodes, since h is the node spacing; a body has \"auto\"");
   }

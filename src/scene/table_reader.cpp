@@ -8,14 +8,9 @@
 #include <limits>
 #include <utility>
 
-#include "text/word_list.hpp"
-
 namespace stokesbook::scene_text {
 
 namespace {
-
-constexpr std::int64_t fewest_nodes = 8;        // fewer nodes resolve no curve
-constexpr std::int64_t most_nodes = 1'000'000;  // more nodes do not fit into memory
 
 std::string type_of(const Node& node) {
   if (const auto* array = std::get_if<Array>(&node.value)) {
@@ -114,23 +109,6 @@ template Complex value_as(const Node&, std::string_view);
 template Eigen::Matrix2d value_as(const Node&, std::string_view);
 template std::array<double, 4> value_as(const Node&, std::string_view);
 template std::vector<double> value_as(const Node&, std::string_view);
-
-std::string describe(NodeCount) {
-  return "an even integer >= " + std::to_string(fewest_nodes) + " or \"" +
-         std::string(automatic_word) + "\"";
-}
-
-int read(const Node& node, NodeCount rule) {
-  const auto* word = std::get_if<std::string>(&node.value);
-  if (word != nullptr && *word == automatic_word) return automatic_nodes;
-  const auto count = value_as<std::int64_t>(node, describe(rule));
-  if (count > most_nodes) fail(node, "must be at most " + std::to_string(most_nodes));
-  if (count < fewest_nodes || count % 2 != 0) {
-    const std::int64_t next = std::max(fewest_nodes, count + 1);
-    fail(node, "must be " + describe(rule) + " (try " + std::to_string(next) + ")");
-  }
-  return static_cast<int>(count);
-}
 
 TableReader::TableReader(const Node& node) : node_(node), entries_(entries_of(node)) {}
 

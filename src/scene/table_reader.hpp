@@ -13,6 +13,7 @@
 
 #include "scene/document.hpp"
 #include "scene/words.hpp"
+#include "text/word_list.hpp"
 #include "trapezoid/plane.hpp"
 
 namespace stokesbook::scene_text {
@@ -70,7 +71,7 @@ T read(const Node& node, const Requirement<T>& rule) {
 /// Describes the words that a key accepts.
 template <class T, std::size_t N>
 std::string describe(const Words<T, N>& words) {
-  return "one of " + list_of(words);
+  return "one of " + joined(words, ", ", &Word<T>::name);
 }
 
 /// Reads a word, and returns its meaning.
@@ -82,16 +83,6 @@ T read(const Node& node, const Words<T, N>& words) {
   }
   fail(node, "must be " + describe(words));
 }
-
-/// The rule for numbers of collocation nodes of a curve: an even integer from 8 to 1000000, or the
-/// word "auto". The message about another number suggests the next valid one.
-struct NodeCount {};
-
-/// Describes the valid numbers of nodes.
-std::string describe(NodeCount rule);
-
-/// Reads a number of nodes; automatic_nodes for "auto".
-int read(const Node& node, NodeCount rule);
 
 inline constexpr Requirement<bool> any_flag{"true or false"};            ///< a truth value
 inline constexpr Requirement<double> any_number{"a number"};             ///< a finite number

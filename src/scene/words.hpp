@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 
 #include "scene/scene.hpp"
-#include "text/word_list.hpp"
 
 /// The words of the scene file that stand for enumerators.
 namespace stokesbook::scene_text {
@@ -26,12 +24,6 @@ using Words = std::array<Word<T>, N>;
 template <class T, std::size_t N>
 std::string_view name_of(T meaning, const Words<T, N>& words) {
   return std::ranges::find(words, meaning, &Word<T>::meaning)->name;
-}
-
-/// Lists the names of words in order, "outer, inner".
-template <class T, std::size_t N>
-std::string list_of(const Words<T, N>& words) {
-  return joined(words, ", ", &Word<T>::name);
 }
 
 /// Words of `kind` in [flow]: default values of all types of flow, in the order of the variant.

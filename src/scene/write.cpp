@@ -57,8 +57,7 @@ std::string text_of(const auto& value) {
   } else if constexpr (std::same_as<T, Complex>) {
     return text_of(std::array{value.real(), value.imag()});
   } else if constexpr (std::same_as<T, Eigen::Matrix2d>) {
-    return text_of(
-        std::array{Complex{value(0, 0), value(0, 1)}, Complex{value(1, 0), value(1, 1)}});
+    return text_of(value.rowwise());
   } else {
     const auto to_text = [](const auto& element) { return text_of(element); };
     return std::string("[").append(joined(value, ", ", to_text)) + "]";
@@ -81,14 +80,11 @@ struct Entry {
   template <class T>
   Entry(std::string_view key, const std::optional<T>& value)
       : text(value ? Entry(key, *value).text : "") {}
-  Entry(std::string_view key, const Entries& table);
+  Entry(std::string_view key, const Entries& table)
+      : text(std::string(key).append(" = { ") + joined(table, ", ", &Entry::text) + " }") {}
 
   std::string text;
 };
-
-Entry::Entry(std::string_view key, const Entries& table) {
-  text = std::string(key).append(" = { ") + joined(table, ", ", &Entry::text) + " }";
-}
 
 Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
