@@ -34,7 +34,7 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   }
   require_task(options.out, sweep, *options.task);
   const TaskFolder folder(options.out, *options.task);
-  folder.make();
+  make_folder(folder.path());
   const FileLock lock = FileLock::wait_for(folder.lock());
   if (folder.state() == TaskState::done) return exit_done;
   folder.remove_failure();

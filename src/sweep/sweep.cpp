@@ -60,16 +60,12 @@ constexpr Requirement<std::vector<double>> time_interval{
 
 /// Returns a value in TOML's syntax; the text of a node is not used, since messages shorten it.
 std::string toml_text(const Node& node) {
-  std::vector<std::string> parts;
   if (const auto* elements = std::get_if<Array>(&node.value)) {
-    for (const Node& element : *elements) parts.push_back(toml_text(element));
-    return std::string("[").append(joined(parts)) + "]";
+    return std::string("[").append(joined(*elements, ", ", toml_text)) + "]";
   }
   if (const auto* table = std::get_if<Table>(&node.value)) {
-    for (const Node& entry : table->entries) {
-      parts.push_back(entry.key + " = " + toml_text(entry));
-    }
-    return std::string("{ ").append(joined(parts)) + " }";
+    const auto text_of = [](const Node& entry) { return entry.key + " = " + toml_text(entry); };
+    return std::string("{ ").append(joined(table->entries, ", ", text_of)) + " }";
   }
   return node.text;
 }

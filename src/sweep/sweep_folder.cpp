@@ -96,7 +96,7 @@ void open_sweep(const std::filesystem::path& out, const Sweep& sweep) {
     write_atomically(manifest_file(out), text, SafeFrom::power_cut);
   }
   require_same(out, read_manifest(out) == text);
-  for (std::size_t k = 0; k < task_count(sweep); ++k) TaskFolder(out, k).make();
+  for (std::size_t k = 0; k < task_count(sweep); ++k) make_folder(TaskFolder(out, k).path());
 }
 
 void require_sweep(const std::filesystem::path& out, const Sweep& sweep) {
@@ -117,10 +117,6 @@ std::filesystem::path sweep_lock(const std::filesystem::path& out) {
 
 std::string TaskFolder::name(std::size_t task) {
   return "runs/" + padded_number(task, 4);
-}
-
-void TaskFolder::make() const {
-  make_folder(path_);
 }
 
 TaskState TaskFolder::state() const {

@@ -70,10 +70,6 @@ class TaskFolder {
   /// Returns the path of the FileLock of the process that works on the task.
   std::filesystem::path lock() const { return path_ / "lock"; }
 
-  /// Makes the folder, if necessary.
-  /// @throws RecordError when the folder cannot be made
-  void make() const;
-
   /// Reads the state of the task from its files.
   /// @throws RecordError when `run.json` is damaged
   TaskState state() const;

@@ -69,9 +69,8 @@ std::vector<std::string> Task::overrides() const {
 }
 
 std::string Task::description() const {
-  std::vector<std::string> parts;
-  for (const auto& [key, chosen] : settings) parts.push_back(key + " = " + chosen.value);
-  return "task " + std::to_string(number) + ": " + joined(parts);
+  const auto text_of = [](const Setting& s) { return s.key + " = " + s.chosen.value; };
+  return "task " + std::to_string(number) + ": " + joined(settings, ", ", text_of);
 }
 
 std::size_t task_count(const Sweep& sweep) {

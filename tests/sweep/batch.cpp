@@ -34,7 +34,9 @@ Batch batch_of(const Folder& folder, std::size_t tasks, const std::string& scrip
   const auto program =
       folder.write(name + "/program", "#!/bin/sh\nfor task; do :; done\n" + script + "\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  for (std::size_t k = 0; k < tasks; ++k) TaskFolder(folder.path() / name / "out", k).make();
+  for (std::size_t k = 0; k < tasks; ++k) {
+    make_folder(TaskFolder(folder.path() / name / "out", k).path());
+  }
   return {program, program.parent_path() / "sweep.toml", program.parent_path() / "out", tasks, 3};
 }
 

@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(states) {
   const TaskFolder task(folder.path(), 3);
   BOOST_CHECK(task.state() == TaskState::unfinished);
   BOOST_TEST(task.log() == folder.path() / "runs/0003/log.txt");
-  task.make();
+  make_folder(task.path());
   task.write_failure("no convergence");
   BOOST_CHECK(task.state() == TaskState::failed);
   BOOST_TEST(task.failure() == "no convergence");
