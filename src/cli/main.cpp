@@ -50,23 +50,20 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_option("sweep", options.file, "sweep file (TOML): a scene, values, seeds")
       ->required();
   command.add_option("--out", options.out, "directory for the results [out/<sweep name>]");
-  CLI::Option* jobs =
-      command.add_option("--jobs", options.jobs, "number of tasks at a time [all processors]")
-          ->check(CLI::PositiveNumber);
+  command.add_option("--jobs", options.jobs, "number of tasks at a time [all processors]")
+      ->check(CLI::PositiveNumber);
   command.add_option("--threads", options.threads, "number of threads per task [1]")
       ->check(number_of_threads);
-  CLI::Option* task =
-      command.add_option("--task", options.task, "run only this task, numbered from 0")
-          ->check(CLI::NonNegativeNumber)
-          ->excludes(jobs);
-  CLI::Option* plan =
-      command.add_flag("--plan", options.plan, "list the tasks, with commands for clusters")
-          ->excludes(jobs)
-          ->excludes(task);
+  command.add_option("--task", options.task, "run only this task, numbered from 0")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes("--jobs");
+  command.add_flag("--plan", options.plan, "list the tasks, with commands for clusters")
+      ->excludes("--jobs")
+      ->excludes("--task");
   command.add_flag("--collect", options.collect, "write the table of the finished tasks")
-      ->excludes(jobs)
-      ->excludes(task)
-      ->excludes(plan);
+      ->excludes("--jobs")
+      ->excludes("--task")
+      ->excludes("--plan");
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 

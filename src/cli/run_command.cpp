@@ -22,6 +22,7 @@
 #include "suspension/contact/contact.hpp"
 #include "suspension/motion/describe.hpp"
 #include "suspension/motion/simulation.hpp"
+#include "suspension/motion/statistics.hpp"
 #include "suspension/nodes/random_fill.hpp"
 #include "text/fingerprint.hpp"
 #include "text/word_list.hpp"
@@ -200,8 +201,7 @@ int run_scene(const RunOptions& options) {
     info.resolution = simulation.resolution();
     info.exit_status = status;
     info.message = message;
-    info.wall_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    info.wall_seconds = seconds_since(start);
     info.peak_memory = peak_memory();
     directory.write_text("run.json", to_json(info));
   };
