@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -233,27 +232,22 @@ std::string file_name(std::string_view quantity) {
 /// The layout of a grid: a square of the grid is one unit wide, and a unit is `scale` pixels.
 struct GridLayout {
   const FieldGrid& grid;
-  double scale;   ///< pixels per unit
-  Complex drawn;  ///< width and height of the drawing, pixels
-
-  explicit GridLayout(const FieldGrid& points) : grid(points) {
-    const Complex size(static_cast<double>(grid.columns), static_cast<double>(grid.rows));
-    scale = scale_of_drawing(size);
-    drawn = scale * size;
-  }
+  Complex size{static_cast<double>(grid.columns), static_cast<double>(grid.rows)};  ///< units
+  double scale = scale_of_drawing(size);  ///< pixels per unit
+  Complex drawn = scale * size;           ///< width and height of the drawing, pixels
 
   /// Maps a point of the plane to units from the top left corner, y downwards.
   Complex to_drawing(Complex point) const {
     const Complex cells = (point - grid.corner) / grid.spacing;
-    return {cells.real() + 0.5, static_cast<double>(grid.rows) - 0.5 - cells.imag()};
+    return {cells.real() + 0.5, size.imag() - 0.5 - cells.imag()};
   }
 };
 
 /// Returns the values of the first and the last colour: the range of the values without the
 /// smallest and the largest hundredth, made symmetric for values with a sign.
 ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
-  std::vector<double> sorted;
-  std::ranges::copy_if(values, std::back_inserter(sorted), [](double x) { return !std::isnan(x); });
+  std::vector<double> sorted(values.begin(), values.end());
+  std::erase_if(sorted, [](double x) { return std::isnan(x); });
   if (sorted.empty()) return {0.0, 0.0};
   std::ranges::sort(sorted);
   const std::size_t hundredth = sorted.size() / 100;
@@ -263,28 +257,21 @@ ValueRange shown_range(const Eigen::VectorXd& values, bool has_sign) {
   return {-largest, largest};
 }
 
-/// Returns the mean of the neighbours that have a value; not a number if no neighbour has a value.
-double mean_of_neighbours(const FieldGrid& grid, const Eigen::VectorXd& values, Index column,
-                          Index row) {
-  double sum = 0.0, count = 0.0;
-  for (Index j = std::max<Index>(row - 1, 0); j < std::min(row + 2, grid.rows); ++j) {
-    for (Index i = std::max<Index>(column - 1, 0); i < std::min(column + 2, grid.columns); ++i) {
-      const double value = values[grid.index(i, j)];
-      if (std::isnan(value)) continue;
-      sum += value;
-      count += 1.0;
-    }
-  }
-  return sum / count;
-}
-
-/// Gives values to the points outside the fluid that are next to it, so that colours reach curves.
+/// Gives values to the points outside the fluid that are next to it, so that colours reach curves:
+/// the mean of the neighbours that have a value.
 Eigen::VectorXd with_seam(const FieldGrid& grid, const Eigen::VectorXd& values) {
+  const auto map = values.reshaped(grid.columns, grid.rows).array();
   Eigen::VectorXd result = values;
   for (Index row = 0; row < grid.rows; ++row) {
     for (Index column = 0; column < grid.columns; ++column) {
-      double& value = result[grid.index(column, row)];
-      if (std::isnan(value)) value = mean_of_neighbours(grid, values, column, row);
+      if (!std::isnan(map(column, row))) continue;
+      const Index left = std::max<Index>(column - 1, 0), below = std::max<Index>(row - 1, 0);
+      const auto around = map.block(left, below, std::min(column + 2, grid.columns) - left,
+                                    std::min(row + 2, grid.rows) - below);
+      const auto known = (!around.isNaN()).count();
+      // The mean is not a number if no neighbour has a value.
+      result[grid.index(column, row)] =
+          around.isNaN().select(0.0, around).sum() / static_cast<double>(known);
     }
   }
   return result;
@@ -413,7 +400,7 @@ std::map<std::string, std::string> draw_fields(const Frame& frame, const Outline
   require_outlines(frame, outlines);
   if (!frame.field) throw std::invalid_argument("draw_fields: the frame has no field");
   const Field& field = *frame.field;
-  const GridLayout layout(field.grid);
+  const GridLayout layout{field.grid};
   std::vector<Streamline> lines;
   if (field.velocity.size() > 0) {
     constexpr double pixels_apart = 16.0;

@@ -2,12 +2,14 @@
 // direction of the flow by the explicit midpoint rule. Lengths are in cells until the end.
 #include "record/streamlines.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -37,39 +39,24 @@ std::optional<Complex> direction(const Field& field, Complex x) {
   return velocity / speed;
 }
 
-/// The points of all lines, sorted into square buckets whose side is the separation.
+/// The points of all lines.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(double separation) : separation_(separation) {}
-
   void add(const std::vector<Complex>& line) {
-    for (const Complex point : line) buckets_[bucket(point)].push_back(point);
+    for (const Complex point : line) index_.insert({point, point});
+    points_.insert(points_.end(), line.begin(), line.end());
   }
 
-  /// Returns whether a point is at least a distance away from all lines; the distance must not
-  /// exceed the separation.
+  /// Returns whether a point is at least a distance away from all lines.
   bool is_free(Complex point, double distance) const {
-    const auto [column, row] = bucket(point);
-    for (Index j = row - 1; j <= row + 1; ++j) {
-      for (Index i = column - 1; i <= column + 1; ++i) {
-        const auto found = buckets_.find({i, j});
-        if (found == buckets_.end()) continue;
-        for (const Complex other : found->second) {
-          if (std::abs(other - point) < distance) return false;
-        }
-      }
-    }
-    return true;
+    return std::ranges::none_of(index_.meeting(square_about(point, distance)), [&](std::size_t k) {
+      return std::abs(points_[k] - point) < distance;
+    });
   }
 
  private:
-  std::pair<Index, Index> bucket(Complex point) const {
-    const auto index = [&](double x) { return static_cast<Index>(std::floor(x / separation_)); };
-    return {index(point.real()), index(point.imag())};
-  }
-
-  double separation_;
-  std::map<std::pair<Index, Index>, std::vector<Complex>> buckets_;
+  RectangleIndex index_;
+  std::vector<Complex> points_;
 };
 
 /// Follows the flow from a point, downstream (sign +1) or upstream (-1), and keeps a distance from
@@ -124,17 +111,15 @@ std::vector<Streamline> streamlines(const Field& field, double separation) {
     throw std::invalid_argument("streamlines: the field has no velocity");
   }
   const double cells = separation / grid.spacing;
-  Neighbourhood neighbours(cells);
+  const FieldGrid in_cells{{0.0, 0.0}, 1.0, grid.columns, grid.rows};
+  Neighbourhood neighbours;
   std::vector<Streamline> lines;
-  for (Index row = 0; row < grid.rows; ++row) {
-    for (Index column = 0; column < grid.columns; ++column) {
-      const Complex start(static_cast<double>(column), static_cast<double>(row));
-      if (!neighbours.is_free(start, cells)) continue;
-      Streamline line = through(field, neighbours, 0.5 * cells, start);
-      if (static_cast<double>(line.points.size()) < 2.0 * cells) continue;
-      neighbours.add(line.points);
-      lines.push_back(std::move(line));
-    }
+  for (const Complex start : in_cells.points()) {
+    if (!neighbours.is_free(start, cells)) continue;
+    Streamline line = through(field, neighbours, 0.5 * cells, start);
+    if (static_cast<double>(line.points.size()) < 2.0 * cells) continue;
+    neighbours.add(line.points);
+    lines.push_back(std::move(line));
   }
   for (Streamline& line : lines) {
     for (Complex& point : line.points) point = grid.corner + grid.spacing * point;
