@@ -15,25 +15,22 @@ namespace stokesbook {
 
 namespace {
 
-void append_item(std::string& text, double x) {
+std::string item(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("animation: a number is not finite");
-  text += short_number(x, 6);
+  return short_number(x, 6);
 }
 
-void append_item(std::string& text, Complex x) {
-  append_item(text, x.real());
-  text += ',';
-  append_item(text, x.imag());
+std::string item(Complex x) {
+  return item(x.real()) + ',' + item(x.imag());
 }
 
-void append_item(std::string& text, const ContactParty& party) {
-  text += std::to_string(party.id());
+std::string item(const ContactParty& party) {
+  return std::to_string(party.id());
 }
 
 /// Returns a JSON array.
 std::string array(const auto&... entries) {
-  std::string text = "[";
-  ((append_item(text, entries), text += ','), ...);
+  std::string text = '[' + ((item(entries) + ',') + ...);
   text.back() = ']';
   return text;
 }

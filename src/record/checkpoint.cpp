@@ -3,14 +3,13 @@
 #include "record/checkpoint.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <stdexcept>
 #include <string_view>
 
 #include "record/atomic_file.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -23,19 +22,16 @@ std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';
 }
 
-void append_count(std::string& text, const std::string& name, auto count) {
-  text += name + ' ' + std::to_string(count) + '\n';
+std::string count_line(const std::string& name, auto count) {
+  return name + ' ' + std::to_string(count) + '\n';
 }
 
-void append_number_line(std::string& text, double x) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.begin(), buffer.end(), x, std::chars_format::hex);
-  text.append(buffer.begin(), end.ptr) += '\n';
+std::string number_line(double x) {
+  return number_text(x, std::chars_format::hex) + '\n';
 }
 
-void append_numbers(std::string& text, const std::string& name, const auto& numbers) {
-  append_count(text, name, numbers.size());
-  for (const double x : numbers) append_number_line(text, x);
+std::string number_lines(const std::string& name, const auto& numbers) {
+  return count_line(name, numbers.size()) + joined(numbers, "", number_line);
 }
 
 /// Reads words and numbers from a text, one after another.
@@ -109,19 +105,17 @@ SavedRun parse(std::string_view text) {
 
 std::string to_text(const SavedRun& saved) {
   const auto& [t, step, state, history] = saved.checkpoint;
-  std::string text = magic + "scene " + saved.scene + "\nprogram " + saved.program + "\nt ";
-  append_number_line(text, t);
-  append_count(text, "step", step);
-  append_count(text, "tables", saved.table_sizes.size());
-  for (const auto& [name, size] : saved.table_sizes) append_count(text, name, size);
-  append_numbers(text, "frames", saved.frame_times);
-  append_numbers(text, "state", state);
-  append_count(text, "history", history.size());
+  std::string text = magic + "scene " + saved.scene + "\nprogram " + saved.program + "\nt " +
+                     number_line(t) + count_line("step", step) +
+                     count_line("tables", saved.table_sizes.size());
+  for (const auto& [name, size] : saved.table_sizes) text += count_line(name, size);
+  text += number_lines("frames", saved.frame_times) + number_lines("state", state) +
+          count_line("history", history.size());
   for (const auto& [name, numbers] : history) {
     if (name.empty() || name.find_first_of(" \n") != std::string::npos) {
       throw std::invalid_argument("checkpoint: the history's name '" + name + "' is not one word");
     }
-    append_numbers(text, name, numbers);
+    text += number_lines(name, numbers);
   }
   return text + checksum_line(text);
 }

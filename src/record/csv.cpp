@@ -7,25 +7,21 @@ namespace stokesbook {
 
 namespace {
 
-void append_entry(std::string& text, auto number) {
-  append_number(text, number + 0);  // -0 becomes 0
+std::string entry(auto number) {
+  return exact_number(number + 0);  // -0 becomes 0
 }
 
-void append_entry(std::string& text, Complex vector) {
-  append_entry(text, vector.real());
-  text += ',';
-  append_entry(text, vector.imag());
+std::string entry(Complex vector) {
+  return entry(vector.real()) + ',' + entry(vector.imag());
 }
 
-void append_entry(std::string& text, ContactParty party) {
-  text += party.is_wall ? "wall:" : "body:";
-  append_number(text, party.number);
+std::string entry(ContactParty party) {
+  return (party.is_wall ? "wall:" : "body:") + exact_number(party.number);
 }
 
 /// Returns a line of entries with commas between them.
 std::string table_row(const auto&... entries) {
-  std::string text;
-  ((append_entry(text, entries), text += ','), ...);
+  std::string text = ((entry(entries) + ',') + ...);
   text.back() = '\n';
   return text;
 }

@@ -2,9 +2,11 @@
 #include "record/svg.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
+
+#include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -40,9 +42,7 @@ constexpr const char* page_style =
 
 std::string number(double x) {
   // The shortest text of a multiple of 0.01 has at most two decimals; + 0 turns -0 into 0.
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.begin(), buffer.end(), std::round(100.0 * x) / 100.0 + 0.0);
-  return {buffer.begin(), end.ptr};
+  return number_text(std::round(100.0 * x) / 100.0 + 0.0);
 }
 
 std::string attribute(const std::string& name, double x) {
@@ -54,12 +54,7 @@ std::string line(Complex from, Complex to) {
 }
 
 std::string polyline(const ComplexVector& points) {
-  std::string data;
-  for (const Complex point : points) {
-    data += data.empty() ? 'M' : ' ';
-    data += pair(point);
-  }
-  return data;
+  return 'M' + joined(points, " ", pair);
 }
 
 std::string polygon(const ComplexVector& corners) {

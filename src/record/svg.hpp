@@ -19,7 +19,7 @@ std::string attribute(const std::string& name, double x);
 /// Returns the path data of a straight line.
 std::string line(Complex from, Complex to);
 
-/// Returns the path data of an open line through points.
+/// Returns the path data of an open line through points, at least one.
 std::string polyline(const ComplexVector& points);
 
 /// Returns the path data of a closed polygon.

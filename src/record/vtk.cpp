@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
 #include "text/number_text.hpp"
 
 namespace stokesbook {
@@ -55,8 +58,7 @@ std::string data_array(const std::string& type, const std::string& name, int com
 
 /// Writes numbers with blanks between them.
 std::string words(auto... numbers) {
-  std::string text;
-  ((append_number(text, numbers), text += ' '), ...);
+  std::string text = ((exact_number(numbers) + ' ') + ...);
   text.pop_back();
   return text;
 }
@@ -126,17 +128,9 @@ std::string poly_data(const auto& cells, const std::string& scalars, const std::
 
 /// Encodes bytes in base64: a letter for every 6 bits, filled up to a multiple of 4 letters.
 std::string base64(const std::string& bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  std::uint32_t bits = 0;
-  int waiting = 0;  // number of the last bits that are not in the text yet
-  for (const char byte : bytes) {
-    bits = bits << 8 | static_cast<unsigned char>(byte);
-    waiting += 8;
-    for (; waiting >= 6; waiting -= 6) text += letters[bits >> (waiting - 6) & 63];
-  }
-  if (waiting > 0) text += letters[bits << (6 - waiting) & 63];
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
   return text.append((4 - text.size() % 4) % 4, '=');
 }
 
@@ -229,11 +223,9 @@ std::string FrameFiles::name(std::size_t frame) const {
 
 std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {
   std::size_t frame = 0;
-  const std::size_t digits = file.find_first_of("0123456789");
-  if (digits == std::string::npos) return {};
+  const std::size_t digits = std::min(file.find_first_of("0123456789"), file.size());
   std::from_chars(file.data() + digits, file.data() + file.size(), frame);
-  if (file != name(frame)) return {};
-  return frame;
+  return file == name(frame) ? std::optional(frame) : std::nullopt;
 }
 
 std::string FrameFiles::collection_text(std::span<const double> frame_times) const {

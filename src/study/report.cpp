@@ -26,15 +26,13 @@ std::string alias(const std::string& name, double value) {
   return "ALIASES += \"" + name + '=' + html_number(value) + "\"\n";
 }
 
-void append_row(std::string& csv, const std::string& name, const Measurement& point,
-                const std::string& role) {
-  csv += name;
-  for (const double value :
-       {point.x, point.error, point.unknowns, point.operations, point.seconds}) {
-    csv += ',';
-    append_number(csv, value);
+std::string csv_row(const std::string& name, const Measurement& point, const std::string& role) {
+  const auto& [x, error, unknowns, operations, seconds] = point;
+  std::string row = name;
+  for (const double value : {x, error, unknowns, operations, seconds}) {
+    row += ',' + exact_number(value);
   }
-  csv += ',' + role + '\n';
+  return row + ',' + role + '\n';
 }
 
 /// A table or figure of an experiment, and the end of its file name.
@@ -101,12 +99,10 @@ std::string to_csv(const StudyResult& result) {
       const std::string name = experiment.key + ',' + line.key;
       for (std::size_t i = 0; i < measurements.size(); ++i) {
         const bool used = !verdict || verdict->used[i];
-        append_row(csv, name, measurements[i], used ? "used" : "left out");
+        csv += csv_row(name, measurements[i], used ? "used" : "left out");
       }
       if (!control) continue;
-      for (const Measurement& point : control->measurements) {
-        append_row(csv, name, point, "control");
-      }
+      for (const Measurement& point : control->measurements) csv += csv_row(name, point, "control");
     }
   }
   return csv;

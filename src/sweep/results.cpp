@@ -159,8 +159,7 @@ std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows) {
             std::to_string(row.unfinished);
     for (const auto& [mean, standard_error, interval] : row.estimates) {
       for (const double number : {mean, standard_error, interval}) {
-        text += ',';
-        append_number(text, number);
+        text += ',' + exact_number(number);
       }
     }
     text += '\n';

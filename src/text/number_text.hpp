@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <concepts>
 #include <cstddef>
@@ -9,13 +10,22 @@
 
 namespace stokesbook {
 
-/// Appends a number with 17 significant digits, which restore it exactly, whatever the locale;
-/// `inf` and `nan` are numbers, too.
-void append_number(std::string& text, double x);
+/// Writes a number by std::to_chars, which does not depend on the locale.
+/// @param  format  format and precision of std::to_chars; by default, the text is the shortest one
+///                 that restores the number
+std::string number_text(double x, auto... format) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.begin(), buffer.end(), x, format...);
+  return {buffer.begin(), end.ptr};
+}
 
-/// Appends an integer.
-void append_number(std::string& text, std::integral auto n) {
-  text += std::to_string(n);
+/// Writes a number with 17 significant digits, which restore it exactly; `inf` and `nan` are
+/// numbers, too.
+std::string exact_number(double x);
+
+/// Writes an integer.
+std::string exact_number(std::integral auto n) {
+  return std::to_string(n);
 }
 
 /// Writes a number for messages and pictures, rounded to a number of significant digits and without
