@@ -65,9 +65,14 @@ struct LawCheck {
                        " within a factor " + short_number(law.factor) + " claimed");
   }
 
-  Verdict operator()(const Identity& law) const { return at_most(law.tolerance); }
+  Verdict operator()(const Identity& law) const { return (*this)(AtMost{law.tolerance}); }
 
-  Verdict operator()(const AtMost& law) const { return at_most(law.bound); }
+  Verdict operator()(const AtMost& law) const {
+    const double largest = error.maxCoeff();
+    return verdict(
+        largest <= law.bound, largest,
+        "at most " + short_number(largest) + " measured, " + short_number(law.bound) + " claimed");
+  }
 
   Verdict operator()(const ErrorBelowTolerance& law) const {
     const Eigen::ArrayXd ratios = error / x;
@@ -79,18 +84,10 @@ struct LawCheck {
   }
 
  private:
-  /// Returns a quantity of all points.
   Eigen::ArrayXd all(double Measurement::*quantity) const {
     return Eigen::ArrayXd::NullaryExpr(std::ssize(points), [&](Eigen::Index i) {
       return points[static_cast<std::size_t>(i)].*quantity;
     });
-  }
-
-  Verdict at_most(double bound) const {
-    const double largest = error.maxCoeff();
-    return verdict(
-        largest <= bound, largest,
-        "at most " + short_number(largest) + " measured, " + short_number(bound) + " claimed");
   }
 
   static Verdict band(const char* name, double measured, double claimed, double width) {
@@ -110,8 +107,7 @@ bool fits_errors(const Law& law) {
 }
 
 /// Computes -log(e_i / e_{i-1}) / step(x_{i-1}, x_i).
-template <class Step>
-std::vector<double> local_slopes(std::span<const Measurement> points, const Step& step) {
+std::vector<double> local_slopes(std::span<const Measurement> points, const auto& step) {
   std::vector<double> slopes(points.size(), unmeasured);
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].error > 0.0 && points[i - 1].error > 0.0) {

@@ -206,22 +206,22 @@ std::string draw_line(const PlotLine& line, std::size_t index, const Layout& lay
     joined += (joined.empty() ? 'M' : 'L') + svg::number(at.real()) + ' ' + svg::number(at.imag());
     (point.hollow ? hollow : filled) += marker_path(index, at);
   }
-  return "<g " + class_of(index) + " stroke=\"currentColor\" stroke-width=\"1.4\">\n" +
-         svg::path(joined, "fill=\"none\" stroke-opacity=\"0.55\"") +
-         svg::path(filled, "fill=\"currentColor\"") + svg::path(hollow, "fill=\"none\"") + "</g>\n";
+  return svg::group(svg::path(joined, "fill=\"none\" stroke-opacity=\"0.55\"") +
+                        svg::path(filled, "fill=\"currentColor\"") +
+                        svg::path(hollow, "fill=\"none\""),
+                    class_of(index) + " stroke=\"currentColor\" stroke-width=\"1.4\"");
 }
 
 std::string draw_guide(const Guide& guide, const Layout& layout) {
   const Complex from = layout.pixel(guide.from), to = layout.pixel(guide.to);
-  const std::string group =
-      "<g " + class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\">\n";
+  const std::string style = class_of(guide.line) + " stroke=\"currentColor\" fill=\"none\"";
   if (guide.slope.empty()) {
-    return group + svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"") +
-           "</g>\n";
+    return svg::group(
+        svg::path(svg::line(from, to), "stroke-width=\"1.2\" stroke-dasharray=\"6 4\""), style);
   }
   const Complex below{0.0, 16.0}, corner{from.real(), to.imag()};
   const ComplexVector points{{from + below, to + below, corner + below}};
-  return group + svg::path(svg::polygon(points), "stroke-width=\"1\"") + "</g>\n" +
+  return svg::group(svg::path(svg::polygon(points), "stroke-width=\"1\""), style) +
          svg::label(0.5 * (from + corner) + below + Complex{-5.0, 4.0}, guide.slope,
                     "text-anchor=\"end\"");
 }

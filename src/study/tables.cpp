@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook::study {
 
@@ -92,13 +93,11 @@ std::string html_number(double x) {
 std::string convergence_table(const ExperimentResult& result) {
   const auto& [experiment, lines] = result;
   const std::optional<CostMeasure> cost = shown_cost(result);
-  std::string each = head("error");
-  if (experiment.axes != Axes::nominal) {
-    each += head(experiment.axes == Axes::log_log ? "order" : "rate");
-  }
-  if (cost) each += head("cost");
-  const std::string spanned =
-      span(1 + (experiment.axes != Axes::nominal ? 1U : 0U) + (cost ? 1U : 0U));
+  std::vector<std::string> heads{head("error")};
+  if (experiment.axes == Axes::log_log) heads.push_back(head("order"));
+  if (experiment.axes == Axes::semi_log) heads.push_back(head("rate"));
+  if (cost) heads.push_back(head("cost"));
+  const std::string spanned = span(heads.size());
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
   std::map<double, std::string> rows;
@@ -107,7 +106,7 @@ std::string convergence_table(const ExperimentResult& result) {
   }
   for (const LineResult& found : lines) {
     names += head(escaped(found.line.label), spanned);
-    columns += each;
+    columns += joined(heads, "");
     const auto cells = cells_of(found, experiment.axes, cost);
     for (auto& [x, text] : rows) text += cells.contains(x) ? cells.at(x) : cell("", spanned);
     const std::optional<Claim>& claim = found.line.claim;
