@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "double_layer/kernels.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -68,14 +67,11 @@ Closure::Closure(const StokesProblem& problem)
     modes_.emplace_back();
     if (is_inner(component)) modes_.back().emplace(component.curve, component.centre);
   }
-  if (!is_bounded(problem) && !problem.gauge_length && prescribed_count_ == 0 &&
-      has_net_force(problem)) {
-    const Complex force = total_given_force(problem);
-    std::ostringstream message;
-    message << "the forces in an unbounded fluid add up to (" << force.real() << ", "
-            << force.imag() << "), not zero: give a gauge length or balance the forces";
-    throw std::invalid_argument(message.str());
-  }
+  const Complex force = total_given_force(problem);
+  require(is_bounded(problem) || problem.gauge_length || prescribed_count_ > 0 ||
+              !has_net_force(problem),
+          "the forces in an unbounded fluid add up to (", force.real(), ", ", force.imag(),
+          "), not zero: give a gauge length or balance the forces");
 }
 
 std::vector<RigidMotion> Closure::rigid_parts(const ComplexVector& density) const {

@@ -8,11 +8,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "double_layer/kernels.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -22,10 +21,6 @@ namespace {
 
 // A level with at most this many boxes is done by one thread: others would start too late to help.
 constexpr Index few_boxes = 64;
-
-Index box_count(const Quadtree& tree) {
-  return static_cast<Index>(tree.boxes.size());
-}
 
 // Makes the tree of the nodes, each with half of its weight as margin, followed by the points.
 Quadtree tree_of(const StressletNodes& nodes, const ComplexVector& points, Index leaf_size) {
@@ -57,12 +52,10 @@ void require_apart(const Quadtree& targets, Index target_count, const ComplexVec
   for (Index i = 0; i < targets.size(); ++i) {
     const Index target = targets.order[static_cast<std::size_t>(i)];
     if (target >= target_count) continue;  // a point force is no target
-    const auto point = point_at.find({targets.x[i], targets.y[i]});
-    if (point == point_at.end()) continue;
-    std::ostringstream message;
-    message << "target " << target << " of an FMM coincides with point force " << point->second
-            << " at (" << targets.x[i] << ", " << targets.y[i] << "): move one of them";
-    throw std::invalid_argument(message.str());
+    const auto found = point_at.find({targets.x[i], targets.y[i]});
+    const Index point = found == point_at.end() ? -1 : found->second;
+    require(point < 0, "target ", target, " of an FMM coincides with point force ", point, " at (",
+            targets.x[i], ", ", targets.y[i], "): move one of them");
   }
 }
 
@@ -79,11 +72,7 @@ void in_blocks(Index fields, const Work& work) {
 }  // namespace
 
 FmmSettings FmmSettings::for_tolerance(double tolerance) {
-  if (!(tolerance > 0.0)) {
-    std::ostringstream message;
-    message << "the tolerance of an FMM must be > 0, got " << tolerance;
-    throw std::invalid_argument(message.str());
-  }
+  require(tolerance > 0.0, "the tolerance of an FMM must be > 0, got ", tolerance);
   constexpr double rounding = 1e-14;
   const double digits = -std::log10(std::clamp(tolerance, rounding, 1.0));
   const int order = std::max(3, static_cast<int>(std::ceil(3.03 * digits - 0.6)));
@@ -98,8 +87,8 @@ FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
     : ex_(plan.sources().size(), fields),
       ey_(plan.sources().size(), fields),
       points_(static_cast<std::size_t>(plan.point_count_ * fields)),
-      multipole_(box_count(plan.sources()), fields, plan.translations_.order()),
-      local_(box_count(plan.targets()), fields, plan.translations_.order()),
+      multipole_(plan.sources().box_count(), fields, plan.translations_.order()),
+      local_(plan.targets().box_count(), fields, plan.translations_.order()),
       velocity_(plan.target_count_, fields) {}
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings)
@@ -136,36 +125,29 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
 }
 
 FmmWorkspace Fmm::workspace(Index fields) const {
-  if (fields < 1) {
-    throw std::invalid_argument("an FMM workspace requires at least one field, got " +
-                                std::to_string(fields));
-  }
+  require(fields >= 1, "an FMM workspace requires at least one field, got ", fields);
   return {*this, fields};
 }
 
 void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
   const Index fields = work.velocity_.cols();
-  const auto fits = [&](Index rows, Index columns, Index count) {
-    return rows == count && columns == fields;
+  const auto& [density, force, torque] = strengths;
+  const auto fits = [&](const auto& columns, Index rows) {
+    return columns.rows() == rows && columns.cols() == fields;
   };
-  const bool without_points = strengths.force.rows() == 0 && strengths.torque.rows() == 0;
-  if (work.ex_.rows() == sources_.size() && work.velocity_.rows() == target_count_ &&
-      work.points_.size() == static_cast<std::size_t>(point_count_ * fields) &&
-      work.multipole_.columns() == box_count(sources_) * fields * (translations_.order() + 1) &&
-      work.local_.columns() == box_count(targets()) * fields * (translations_.order() + 1) &&
-      fits(strengths.density.rows(), strengths.density.cols(), node_count_) &&
-      (without_points || (fits(strengths.force.rows(), strengths.force.cols(), point_count_) &&
-                          fits(strengths.torque.rows(), strengths.torque.cols(), point_count_)))) {
-    return;
-  }
-  std::ostringstream message;
-  message << "sizes do not agree: the plan has " << node_count_ << " nodes, " << point_count_
-          << " points and " << target_count_ << " targets; the workspace has " << fields
-          << " fields and " << work.velocity_.rows() << " targets; the densities are "
-          << strengths.density.rows() << " x " << strengths.density.cols() << ", the forces "
-          << strengths.force.rows() << " x " << strengths.force.cols() << ", the torques "
-          << strengths.torque.rows() << " x " << strengths.torque.cols();
-  throw std::invalid_argument(message.str());
+  const bool without_points = force.rows() == 0 && torque.rows() == 0;
+  require(
+      work.ex_.rows() == sources_.size() && work.velocity_.rows() == target_count_ &&
+          std::ssize(work.points_) == point_count_ * fields &&
+          work.multipole_.columns() ==
+              sources_.box_count() * fields * (translations_.order() + 1) &&
+          work.local_.columns() == targets().box_count() * fields * (translations_.order() + 1) &&
+          fits(density, node_count_) &&
+          (without_points || (fits(force, point_count_) && fits(torque, point_count_))),
+      "sizes do not agree: the plan has ", node_count_, " nodes, ", point_count_, " points and ",
+      target_count_, " targets; the workspace has ", fields, " fields and ", work.velocity_.rows(),
+      " targets; the densities are ", density.rows(), " x ", density.cols(), ", the forces ",
+      force.rows(), " x ", force.cols(), ", the torques ", torque.rows(), " x ", torque.cols());
 }
 
 StressletBlock Fmm::nodes(Range sources, Index field, const FmmWorkspace& work) const {
@@ -242,7 +224,7 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
   const std::vector<Index>& levels = targets().levels;
   const Index fields = work.velocity_.cols();
 #pragma omp parallel for schedule(dynamic, 8)
-  for (Index b = 0; b < box_count(targets()); ++b) {
+  for (Index b = 0; b < targets().box_count(); ++b) {
     work.local_.clear(b);
     for (Index field = 0; field < fields; ++field) {
       translations_.m2l(sources_.boxes, work.multipole_,
@@ -300,7 +282,7 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
 const Eigen::MatrixXcd& Fmm::velocity(const FmmStrengths& strengths, FmmWorkspace& work) const {
   expand(strengths, work);
 #pragma omp parallel for schedule(dynamic, 4)
-  for (Index b = 0; b < box_count(targets()); ++b) {
+  for (Index b = 0; b < targets().box_count(); ++b) {
     const Box& box = targets().boxes[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     in_blocks(work.velocity_.cols(), [&](Index field, auto fields) {
@@ -338,7 +320,7 @@ const std::vector<FlowDerivatives>& Fmm::derivatives(const FmmStrengths& strengt
   const Index fields = work.velocity_.cols();
   work.derivatives_.resize(static_cast<std::size_t>(target_count_ * fields));
 #pragma omp parallel for schedule(dynamic, 4)
-  for (Index b = 0; b < box_count(targets()); ++b) {
+  for (Index b = 0; b < targets().box_count(); ++b) {
     const Box& box = targets().boxes[static_cast<std::size_t>(b)];
     if (!box.is_leaf()) continue;
     for (Index field = 0; field < fields; ++field) {

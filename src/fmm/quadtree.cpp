@@ -6,11 +6,9 @@
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 
 #include "trapezoid/rectangle_index.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -19,21 +17,13 @@ using Eigen::Index;
 namespace {
 
 void require_valid(const ComplexVector& points, const Eigen::VectorXd& margins, Index leaf_size) {
-  if (leaf_size < 1) {
-    throw std::invalid_argument("the leaf size of a quadtree must be >= 1, got " +
-                                std::to_string(leaf_size));
-  }
-  if (margins.size() != 0 && margins.size() != points.size()) {
-    throw std::invalid_argument("a quadtree of " + std::to_string(points.size()) + " points got " +
-                                std::to_string(margins.size()) + " margins");
-  }
+  require(leaf_size >= 1, "the leaf size of a quadtree must be >= 1, got ", leaf_size);
+  require(margins.size() == 0 || margins.size() == points.size(), "a quadtree of ", points.size(),
+          " points got ", margins.size(), " margins");
   for (Index i = 0; i < points.size(); ++i) {
     const double margin = margins.size() == 0 ? 0.0 : margins[i];
-    if (std::isfinite(std::norm(points[i])) && std::isfinite(margin)) continue;
-    std::ostringstream message;
-    message << "point " << i << " of a quadtree is not finite: " << points[i] << ", margin "
-            << margin;
-    throw std::invalid_argument(message.str());
+    require(std::isfinite(std::norm(points[i])) && std::isfinite(margin), "point ", i,
+            " of a quadtree is not finite: ", points[i], ", margin ", margin);
   }
 }
 
@@ -82,7 +72,6 @@ Quadtree::Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, 
     boxes.back().last = last;
     boxes.back().parent = parent;
   };
-  const auto box_count = [&] { return static_cast<Index>(boxes.size()); };
   if (n > 0) {
     append_box(0, n, -1);
     levels.push_back(1);

@@ -36,7 +36,8 @@ struct Quadtree {
   /// @throws std::invalid_argument when a point or margin is not finite, or the leaf size is < 1
   Quadtree(const ComplexVector& points, const Eigen::VectorXd& margins, Eigen::Index leaf_size);
 
-  Eigen::Index size() const { return x.size(); }  ///< counts the points
+  Eigen::Index size() const { return x.size(); }                ///< counts the points
+  Eigen::Index box_count() const { return std::ssize(boxes); }  ///< counts the boxes
 
   std::vector<Eigen::Index> order;  ///< order of the points in the tree: indices into the points
   Eigen::VectorXd x;                ///< first coordinates in this order, length

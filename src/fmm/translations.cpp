@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "double_layer/lanes.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -39,10 +38,8 @@ using Table = std::array<Coefficients, most_columns>;
 }  // namespace
 
 Translations::Translations(int order) : order_(order) {
-  if (order < 1 || order > most_order) {
-    throw std::invalid_argument("the order of an expansion must be from 1 to " +
-                                std::to_string(most_order) + ", got " + std::to_string(order));
-  }
+  require(order >= 1 && order <= most_order, "the order of an expansion must be from 1 to ",
+          most_order, ", got ", order);
   binomial_.setZero(order + 1, order + 1);
   for (int n = 0; n <= order; ++n) {
     for (int k = 0; k <= n; ++k) {

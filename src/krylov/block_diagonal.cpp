@@ -6,13 +6,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/LU>
 
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -56,11 +56,8 @@ MatrixXd self_block(const Component& component, std::optional<double> gauge) {
 MatrixXd invert_block(const MatrixXd& block) {
   const Eigen::PartialPivLU<MatrixXd> lu(block);
   const double rcond = lu.rcond();
-  if (!(rcond > 1e-14)) {
-    std::ostringstream message;
-    message << "a diagonal block is singular (reciprocal condition number " << rcond << ")";
-    throw std::domain_error(message.str());
-  }
+  require<std::domain_error>(
+      rcond > 1e-14, "a diagonal block is singular (reciprocal condition number ", rcond, ")");
   return lu.inverse();
 }
 

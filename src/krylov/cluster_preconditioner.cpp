@@ -16,6 +16,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "double_layer/kernels.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -253,10 +254,9 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alon
   matrix.setFromTriplets(entries.begin(), entries.end());
   const auto resistance = std::make_shared<Resistance>();
   resistance->compute(matrix);
-  if (resistance->info() != Eigen::Success) {
-    throw std::domain_error(
-        "the resistance matrix of the clusters is singular: use another preconditioner");
-  }
+  require<std::domain_error>(
+      resistance->info() == Eigen::Success,
+      "the resistance matrix of the clusters is singular: use another preconditioner");
   resistance_ = resistance;
 }
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include <Eigen/Jacobi>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -19,11 +19,8 @@ using Eigen::VectorXd;
 namespace {
 
 void require_finite(const VectorXd& v, const char* what, int iteration) {
-  if (!v.allFinite()) {
-    throw std::domain_error(std::string("GMRES: ") + what +
-                            " has an entry that is not finite, at iteration " +
-                            std::to_string(iteration));
-  }
+  require<std::domain_error>(v.allFinite(), "GMRES: ", what,
+                             " has an entry that is not finite, at iteration ", iteration);
 }
 
 // The least-squares problem min |beta e_1 - H y| of (05.4), kept triangular by Givens rotations.
@@ -134,13 +131,11 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   result.applications += result.iterations + 1;
   // Rounding alone makes a smaller difference between the two residuals. If the operator is
   // singular, the residual of the recurrence vanishes, but the true one does not.
-  if (result.converged && !(result.residual <= 10.0 * options.tolerance + 1e-12)) {
-    std::ostringstream message;
-    message << "GMRES broke down: the recurrence has the residual " << result.history.back()
-            << ", but the solution has the residual " << result.residual
-            << "; the operator is singular to rounding";
-    throw std::domain_error(message.str());
-  }
+  require<std::domain_error>(
+      !result.converged || result.residual <= 10.0 * options.tolerance + 1e-12,
+      "GMRES broke down: the recurrence has the residual ", result.history.back(),
+      ", but the solution has the residual ", result.residual,
+      "; the operator is singular to rounding");
   return result;
 }
 

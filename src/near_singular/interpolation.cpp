@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "double_layer/double_layer.hpp"
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_field.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -19,14 +18,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 namespace {
-
-void require_in_range(const InterpolationSettings& settings) {
-  if (settings.degree >= 1 && settings.step > 0.0 && settings.upsampling >= 1) return;
-  std::ostringstream message;
-  message << "the interpolation scheme requires degree >= 1, step > 0 and upsampling >= 1, got "
-          << settings.degree << ", " << settings.step << " and " << settings.upsampling;
-  throw std::invalid_argument(message.str());
-}
 
 // Assembles the matrix that maps node values to fine node values: column j holds the fine values of
 // the function that is 1 at node j and 0 at the other nodes.
@@ -76,7 +67,9 @@ InterpolationCurve::InterpolationCurve(const Curve& reference,
       fine_sum_({fine_curve_}),
       refine_(refinement(curve_.size(), fine_curve_.size())),
       limit_(double_layer_matrix(curve_)) {
-  require_in_range(settings);
+  require(settings.degree >= 1 && settings.step > 0.0 && settings.upsampling >= 1,
+          "the interpolation scheme requires degree >= 1, step > 0 and upsampling >= 1, got ",
+          settings.degree, ", ", settings.step, " and ", settings.upsampling);
   limit_.diagonal().array() -= 0.5;
 }
 

@@ -4,9 +4,9 @@
 #include "near_singular/near_correction.hpp"
 
 #include <map>
-#include <stdexcept>
 
 #include "double_layer/double_layer.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -34,10 +34,9 @@ ComplexVector turned(const ComplexVector& v, double angle) {
 
 const CauchyCurve& cauchy_of(const PlacedCurve& placed) {
   const auto* cauchy = std::get_if<std::shared_ptr<const CauchyCurve>>(&placed.scheme);
-  if (cauchy == nullptr) {
-    throw std::invalid_argument(
-        "pressure and strain near a curve require the Cauchy scheme, not the interpolation scheme");
-  }
+  require(cauchy != nullptr,
+          "pressure and strain near a curve require the Cauchy scheme, not the "
+          "interpolation scheme");
   return **cauchy;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -67,11 +67,7 @@ ContactShape contact_shape(const Curve& curve) {
 }
 
 ContactShape contact_shape(const Shape& shape, Side side, double sag_limit) {
-  if (!(sag_limit > 0.0)) {
-    std::ostringstream message;
-    message << "a contact shape's sag must be positive, got " << sag_limit;
-    throw std::invalid_argument(message.str());
-  }
+  require(sag_limit > 0.0, "a contact shape's sag must be positive, got ", sag_limit);
   const double fine_bend = bend(sample(shape, resolving_nodes(shape), side));
   const Index n = nodes_for(fine_bend, sag_limit);
   return with_sag(sample(shape, n, side), sag(fine_bend, n));

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
-#include <stdexcept>
-#include <string>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -17,28 +16,18 @@ constexpr double listed_separations = 4.0;
 
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                    const ContactRules& rules) {
-  if (shapes.size() != paths.size()) {
-    throw std::invalid_argument("contact requires a path for each shape, got " +
-                                std::to_string(shapes.size()) + " shapes and " +
-                                std::to_string(paths.size()) + " paths");
-  }
-  const auto require = [](bool is_met, const std::string& requirement, double value) {
-    if (is_met) return;
-    std::ostringstream message;
-    message << "contact requires " << requirement << ", got " << value;
-    throw std::invalid_argument(message.str());
-  };
+  require(shapes.size() == paths.size(), "contact requires a path for each shape, got ",
+          shapes.size(), " shapes and ", paths.size(), " paths");
   const auto& [everywhere, closer] = rules.separation;
-  require(everywhere > 0.0, "a positive separation", everywhere);
+  require(everywhere > 0.0, "contact requires a positive separation, got ", everywhere);
   for (const auto& [pair, own] : closer) {
-    require(own > 0.0,
-            "a positive separation of components " + std::to_string(pair.first) + " and " +
-                std::to_string(pair.second),
-            own);
+    require(own > 0.0, "contact requires a positive separation of components ", pair.first, " and ",
+            pair.second, ", got ", own);
   }
-  require(rules.tolerance > 0.0, "a positive tolerance", rules.tolerance);
+  require(rules.tolerance > 0.0, "contact requires a positive tolerance, got ", rules.tolerance);
   const double intrusion = rules.allowed_intrusion;
-  require(intrusion >= 0.0 && intrusion <= 1.0, "an allowed intrusion from 0 to 1", intrusion);
+  require(intrusion >= 0.0 && intrusion <= 1.0,
+          "contact requires an allowed intrusion from 0 to 1, got ", intrusion);
 }
 
 // Finds the contacts of one pair of components: narrow phase, then grouping.

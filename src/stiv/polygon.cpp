@@ -6,9 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
-#include <string>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -47,15 +46,10 @@ Complex at_fraction(const Chord& chord, double t) {
 }
 
 void require_valid_vertices(const ComplexVector& vertices) {
-  if (vertices.size() < 3) {
-    throw std::invalid_argument("a polygon requires three or more vertices, got " +
-                                std::to_string(vertices.size()));
-  }
+  require(vertices.size() >= 3, "a polygon requires three or more vertices, got ", vertices.size());
   for (Index i = 0; i < vertices.size(); ++i) {
-    if (std::isfinite(vertices[i].real()) && std::isfinite(vertices[i].imag())) continue;
-    std::ostringstream message;
-    message << "vertex " << i << " of a polygon is not finite: " << vertices[i];
-    throw std::invalid_argument(message.str());
+    require(std::isfinite(vertices[i].real()) && std::isfinite(vertices[i].imag()), "vertex ", i,
+            " of a polygon is not finite: ", vertices[i]);
   }
 }
 

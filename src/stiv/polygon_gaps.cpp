@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
-#include <string>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -94,11 +94,8 @@ PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, d
 
 std::vector<PolygonGap> polygon_gaps(const ContactShapes& shapes, const std::vector<Pose>& poses,
                                      double reach) {
-  if (shapes.size() != poses.size()) {
-    throw std::invalid_argument("contact requires a pose for each shape, got " +
-                                std::to_string(shapes.size()) + " shapes and " +
-                                std::to_string(poses.size()) + " poses");
-  }
+  require(shapes.size() == poses.size(), "contact requires a pose for each shape, got ",
+          shapes.size(), " shapes and ", poses.size(), " poses");
   std::vector<Rectangle> rectangles;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     rectangles.push_back(bounding_rectangle(*shapes[k], poses[k]));

@@ -7,14 +7,13 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 #include <gsl/gsl_integration.h>
 
 #include "near_singular/closest_points.hpp"
 #include "near_singular/near_field.hpp"
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -104,11 +103,8 @@ double strip_width(const std::vector<Curve>& curves) {
 FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves, double points_per_width) {
   const auto encloses = [](const Curve& curve) { return curve.side == Side::fluid_inside; };
   const auto walls = std::ranges::count_if(curves, encloses);
-  if (walls != 1) {
-    throw std::invalid_argument(
-        "a quadrature over the fluid requires exactly one enclosing wall, got " +
-        std::to_string(walls));
-  }
+  require(walls == 1, "a quadrature over the fluid requires exactly one enclosing wall, got ",
+          walls);
   const double width = strip_width(curves);
   Rule rule;
   std::vector<SmoothCurve> boundary;

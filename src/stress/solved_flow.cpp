@@ -2,12 +2,11 @@
 // with near corrections (06.17); pressure, vorticity and strain as in (07.4).
 #include "stress/solved_flow.hpp"
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "double_layer/stresslet_sum.hpp"
 #include "near_singular/near_correction.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -68,11 +67,9 @@ ComplexVector SolvedFlow::velocity(const ComplexVector& targets) const {
 }
 
 std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& targets) const {
-  if (placed_.size() != problem_.components.size()) {
-    throw std::invalid_argument("derivatives require a Cauchy scheme for every component: got " +
-                                std::to_string(placed_.size()) + " schemes for " +
-                                std::to_string(problem_.components.size()) + " components");
-  }
+  require(placed_.size() == problem_.components.size(),
+          "derivatives require a Cauchy scheme for every component: got ", placed_.size(),
+          " schemes for ", problem_.components.size(), " components");
   std::vector<FlowDerivatives> flow = settings_.sum.derivatives(*this, targets);
   const std::vector<FlowDerivatives> corrections =
       near_derivative_corrections(placed_, density_, targets, settings_.tolerance);

@@ -1,10 +1,8 @@
 // Computes the traction at the nodes (07.5), and integrates it to forces and torques.
 #include "stress/traction.hpp"
 
-#include <stdexcept>
-#include <string>
-
 #include "stress/stress.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -22,10 +20,8 @@ ComplexVector traction_on(const Curve& curve, std::span<const FlowDerivatives> a
 ComplexVector boundary_traction(const StokesProblem& problem,
                                 const std::vector<FlowDerivatives>& at_nodes) {
   const Index n = node_offsets(problem).back();
-  if (static_cast<Index>(at_nodes.size()) != n) {
-    throw std::invalid_argument("the traction requires derivatives at all " + std::to_string(n) +
-                                " nodes, got " + std::to_string(at_nodes.size()));
-  }
+  require(std::ssize(at_nodes) == n, "the traction requires derivatives at all ", n, " nodes, got ",
+          at_nodes.size());
   ComplexVector result(n);
   Index first = 0;
   for (const Component& component : problem.components) {

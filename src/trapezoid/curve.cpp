@@ -6,20 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 #include "trapezoid/fourier.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
 using Eigen::Index;
 
 Curve sample(const Shape& shape, Index n, Side side, const Grading& grading) {
-  if (n < 4 || n % 2 != 0) {
-    throw std::invalid_argument("a curve requires an even number of nodes >= 4, got " +
-                                std::to_string(n));
-  }
+  require(n >= 4 && n % 2 == 0, "a curve requires an even number of nodes >= 4, got ", n);
   const std::vector<GradedParameter> parameters = graded_parameters(grading, n);
   const auto* nodal = std::get_if<NodalCurve>(&shape);
   if (nodal == nullptr || !grading.clusters.empty()) return sample(shape, parameters, side);

@@ -7,10 +7,10 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 #include <gsl/gsl_fft_complex.h>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -44,10 +44,7 @@ double* packed(ComplexVector& v) {
 }
 
 void require_even(Index n) {
-  if (n < 2 || n % 2 != 0) {
-    throw std::invalid_argument("a Fourier grid requires an even number of nodes, got " +
-                                std::to_string(n));
-  }
+  require(n >= 2 && n % 2 == 0, "a Fourier grid requires an even number of nodes, got ", n);
 }
 
 }  // namespace
@@ -170,9 +167,7 @@ double fourier_tail(const ComplexVector& f) {
 
 TrigonometricPolynomial::TrigonometricPolynomial(const ComplexVector& values) {
   const Index n = values.size(), highest = n / 2;
-  if (n == 0) {
-    throw std::invalid_argument("a trigonometric polynomial requires at least one value, got 0");
-  }
+  require(n > 0, "a trigonometric polynomial requires at least one value, got 0");
   const ComplexVector c = fourier_coefficients(values);
   coefficients_.resize(2 * highest + 1);
   for (Index k = -highest; k <= highest; ++k) {

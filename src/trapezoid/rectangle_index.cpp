@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost 1.74 itself includes deprecated headers
@@ -16,6 +14,8 @@
 #include <boost/geometry/strategies/cartesian.hpp>  // newer versions require this header
 #endif
 #include <boost/iterator/function_output_iterator.hpp>
+
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -33,12 +33,9 @@ Box to_box(const Rectangle& rectangle) {
 }
 
 Entry to_entry(const Rectangle& rectangle, std::size_t number) {
-  if (!std::isfinite(std::abs(rectangle.lower)) || !std::isfinite(std::abs(rectangle.upper))) {
-    std::ostringstream message;
-    message << "rectangle " << number << " has a corner that is not finite: " << rectangle.lower
-            << " and " << rectangle.upper;
-    throw std::invalid_argument(message.str());
-  }
+  const auto& [lower, upper] = rectangle;
+  require(std::isfinite(std::abs(lower)) && std::isfinite(std::abs(upper)), "rectangle ", number,
+          " has a corner that is not finite: ", lower, " and ", upper);
   return {to_box(rectangle), number};
 }
 
