@@ -19,11 +19,6 @@ Eigen::Matrix2d dyad(Complex direction, double factor) {
   return factor * std::numbers::inv_pi / r.squaredNorm() * r * r.transpose();
 }
 
-// Returns the kernel of (02.6) times the weight w, (w / pi) (r.n) r r^T / rho^4.
-Eigen::Matrix2d kernel_block(Complex r, double weight, Complex normal) {
-  return dyad(r, weight * dot(r, normal) / std::norm(r));
-}
-
 }  // namespace
 
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density) {
@@ -44,22 +39,20 @@ Eigen::MatrixXd double_layer_matrix(const Curve& curve) {
 }
 
 Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
-  Index n = 0;
-  for (const Curve& curve : curves) n += curve.size();
-  Eigen::MatrixXd matrix(2 * n, 2 * n);
+  const ComplexVector targets = all_nodes(curves);
+  Eigen::MatrixXd matrix(2 * targets.size(), 2 * targets.size());
   Index column = 0;
   for (const Curve& source : curves) {
     const Eigen::VectorXd w = weights(source), kappa = curvatures(source);
     const ComplexVector normal = normals(source);
     for (Index j = 0; j < source.size(); ++j, column += 2) {
-      Index row = 0;
-      for (const Curve& target : curves) {
-        for (Index i = 0; i < target.size(); ++i, row += 2) {
-          // The limit (02.9) on the diagonal, the kernel elsewhere.
-          matrix.block<2, 2>(row, column) =
-              row == column ? dyad(source.dx[j], -0.5 * source.sign() * kappa[j] * w[j])
-                            : kernel_block(target.x[i] - source.x[j], w[j], normal[j]);
-        }
+      for (Index row = 0; row < matrix.rows(); row += 2) {
+        // The limit (02.9) on the diagonal; elsewhere (w / pi) (r.n) r r^T / rho^4, the kernel of
+        // (02.6) times the weight.
+        const Complex r = targets[row / 2] - source.x[j];
+        matrix.block<2, 2>(row, column) =
+            row == column ? dyad(source.dx[j], -0.5 * source.sign() * kappa[j] * w[j])
+                          : dyad(r, w[j] * dot(r, normal[j]) / std::norm(r));
       }
     }
   }

@@ -60,16 +60,15 @@ void add_two_registers(const StressletBlock& block, const double* target_x, cons
 }  // namespace
 
 StressletNodes::StressletNodes(const std::vector<Curve>& curves) {
-  Index n = 0;
-  for (const Curve& curve : curves) n += curve.size();
-  for (Eigen::VectorXd* array : {&x, &y, &nx, &ny, &least2}) array->resize(n);
+  const ComplexVector nodes = all_nodes(curves);
+  x = nodes.real();
+  y = nodes.imag();
+  for (Eigen::VectorXd* array : {&nx, &ny, &least2}) array->resize(nodes.size());
   Index first = 0;
   for (const Curve& curve : curves) {
     const Index m = curve.size();
     const Eigen::VectorXd w = weights(curve);
     const ComplexVector weighted_normal = std::numbers::inv_pi * normals(curve).cwiseProduct(w);
-    x.segment(first, m) = curve.x.real();
-    y.segment(first, m) = curve.x.imag();
     nx.segment(first, m) = weighted_normal.real();
     ny.segment(first, m) = weighted_normal.imag();
     least2.segment(first, m) = 0.25 * w.array().square();

@@ -179,33 +179,29 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
   Tableau tableau(scaled.problem);
   Index entering = tableau.artificial();
   Index row = tableau.leaving_row(VectorXd::Ones(m));
-  LcpResult result;
-  for (int pivots = 1; pivots <= most; ++pivots) {
+  int pivots = 0;
+  while (row >= 0 && pivots < most) {
     const Index leaving = tableau.basic(row);
     tableau.pivot(row, tableau.column_of(entering));
+    ++pivots;
     if (leaving == tableau.artificial()) {
-      result = polish(scaled, tableau, options.tolerance);
+      LcpResult result = polish(scaled, tableau, options.tolerance);
       result.iterations = pivots;
       return result;
     }
     entering = tableau.complement(leaving);
-    //! [pivots]
-    const VectorXd fall = tableau.fall(entering);
-    row = tableau.leaving_row(fall);
-    if (row < 0) {
-      // No basic variable falls: along the ray the entering z grows by one, the basic z by -fall.
-      result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
-      result.iterations = pivots;
-      result.status = LcpStatus::ray;
-      result.ray = basic_z(tableau, -fall).cwiseMax(0.0);
-      if (entering >= m) result.ray[entering - m] = 1.0;
-      result.ray = result.ray.cwiseProduct(scaled.scaling.scale);
-      return result;
-    }
+    row = tableau.leaving_row(tableau.fall(entering));
   }
-  result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
-  result.iterations = most;
-  result.status = LcpStatus::stalled;
+  //! [pivots]
+  LcpResult result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
+  result.iterations = pivots;
+  result.status = row < 0 ? LcpStatus::ray : LcpStatus::stalled;
+  if (row < 0) {
+    // No basic variable falls: along the ray the entering z grows by one, the basic z by -fall.
+    result.ray = basic_z(tableau, -tableau.fall(entering)).cwiseMax(0.0);
+    if (entering >= m) result.ray[entering - m] = 1.0;
+    result.ray = result.ray.cwiseProduct(scaled.scaling.scale);
+  }
   return result;
 }
 

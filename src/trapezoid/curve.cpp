@@ -54,7 +54,7 @@ Curve place(const Curve& reference, Complex position, double orientation) {
 ComplexVector all_nodes(const std::vector<Curve>& curves) {
   std::vector<Complex> nodes;
   for (const Curve& curve : curves) nodes.insert(nodes.end(), curve.x.begin(), curve.x.end());
-  return Eigen::Map<const ComplexVector>(nodes.data(), static_cast<Index>(nodes.size()));
+  return ComplexVector::Map(nodes.data(), std::ssize(nodes));
 }
 
 Eigen::VectorXd weights(const Curve& curve) {

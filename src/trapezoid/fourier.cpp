@@ -20,27 +20,22 @@ namespace {
 
 // GSL's tables and work space for transforms of n numbers.
 struct FourierPlan {
-  using Wavetable =
-      std::unique_ptr<gsl_fft_complex_wavetable, decltype(&gsl_fft_complex_wavetable_free)>;
-  using Workspace =
-      std::unique_ptr<gsl_fft_complex_workspace, decltype(&gsl_fft_complex_workspace_free)>;
   explicit FourierPlan(std::size_t n)
       : wavetable(gsl_fft_complex_wavetable_alloc(n), gsl_fft_complex_wavetable_free),
         workspace(gsl_fft_complex_workspace_alloc(n), gsl_fft_complex_workspace_free) {}
-  Wavetable wavetable;
-  Workspace workspace;
+  std::unique_ptr<gsl_fft_complex_wavetable, void (*)(gsl_fft_complex_wavetable*)> wavetable;
+  std::unique_ptr<gsl_fft_complex_workspace, void (*)(gsl_fft_complex_workspace*)> workspace;
 };
 
-// Returns the plan for length n, which is made once for each length and thread, because making a
+// Applies a transform of GSL. The plan is made once for each length and thread, because making a
 // plan takes longer than a short transform.
-const FourierPlan& plan_for(std::size_t n) {
+ComplexVector transformed(ComplexVector v, decltype(gsl_fft_complex_forward)* transform) {
+  const auto n = static_cast<std::size_t>(v.size());
   thread_local std::map<std::size_t, FourierPlan> plans;
-  return plans.try_emplace(n, n).first->second;
-}
-
-// GSL reads interleaved real and imaginary parts, which is the memory layout of std::complex.
-double* packed(ComplexVector& v) {
-  return reinterpret_cast<double*>(v.data());
+  const FourierPlan& plan = plans.try_emplace(n, n).first->second;
+  // GSL reads interleaved real and imaginary parts, which is the memory layout of std::complex.
+  transform(reinterpret_cast<double*>(v.data()), 1, n, plan.wavetable.get(), plan.workspace.get());
+  return v;
 }
 
 void require_even(Index n) {
@@ -51,20 +46,12 @@ void require_even(Index n) {
 
 // c_k = (1 / N) sum_j f(t_j) e^{-i k t_j}.
 ComplexVector fourier_coefficients(const ComplexVector& f) {
-  const auto n = static_cast<std::size_t>(f.size());
-  const FourierPlan& plan = plan_for(n);
-  ComplexVector c = f;
-  gsl_fft_complex_forward(packed(c), 1, n, plan.wavetable.get(), plan.workspace.get());
-  return c / static_cast<double>(n);
+  return transformed(f, gsl_fft_complex_forward) / static_cast<double>(f.size());
 }
 
 // f(t_j) = sum_k c_k e^{i k t_j}.
 ComplexVector fourier_values(const ComplexVector& c) {
-  const auto n = static_cast<std::size_t>(c.size());
-  const FourierPlan& plan = plan_for(n);
-  ComplexVector f = c;
-  gsl_fft_complex_backward(packed(f), 1, n, plan.wavetable.get(), plan.workspace.get());
-  return f;
+  return transformed(c, gsl_fft_complex_backward);
 }
 
 Index wave_number(Index i, Index n) {
@@ -158,9 +145,7 @@ double fourier_tail(const ComplexVector& f) {
   const ComplexVector c = fourier_coefficients(f);
   double tail = 0.0;
   for (Index i = 0; i < n; ++i) {
-    if (std::abs(wave_number(i, n)) >= first) {
-      tail = std::max(tail, std::abs(c[i]));
-    }
+    if (std::abs(wave_number(i, n)) >= first) tail = std::max(tail, std::abs(c[i]));
   }
   return tail;
 }

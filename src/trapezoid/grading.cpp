@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "trapezoid/plane.hpp"
 
@@ -182,26 +183,19 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Index n) 
   std::vector<double> clusters_s;
   for (const MapFromCluster& map : maps) clusters_s.push_back(-map(-map.parameter()) / mean);
   std::vector<double> latest;  // v of the nodes before with the same nearest cluster
-  std::size_t cluster_of_latest = 0;
+  auto nearest_before = clusters_s.begin();
   for (Index j = 0; j < n; ++j) {
     const double s = period * static_cast<double>(j) / static_cast<double>(n);
-    std::size_t nearest = 0;
-    double offset = period;
-    for (std::size_t c = 0; c < maps.size(); ++c) {
-      const double distance = std::remainder(s - clusters_s[c], period);
-      if (std::abs(distance) < std::abs(offset)) {
-        nearest = c;
-        offset = distance;
-      }
-    }
-    if (nearest != cluster_of_latest) latest.clear();
+    const auto offset = [&](double cluster_s) { return std::remainder(s - cluster_s, period); };
+    const auto nearest = std::ranges::min_element(
+        clusters_s, {}, [&](double cluster_s) { return std::abs(offset(cluster_s)); });
+    if (nearest != std::exchange(nearest_before, nearest)) latest.clear();
     // t follows from the nearest cluster; dt/ds = C / m and d2t/ds2 = -(dt/ds)^2 m' / m.
-    const MapFromCluster& map = maps[nearest];
-    const double value = mean * offset;
+    const MapFromCluster& map = maps[static_cast<std::size_t>(nearest - clusters_s.begin())];
+    const double value = mean * offset(*nearest);
     latest.push_back(map.inverse(value, latest.size() < 2
                                             ? map.guess(value)
                                             : 2.0 * latest.back() - *std::prev(latest.end(), 2)));
-    cluster_of_latest = nearest;
     const double tau = map.offset(latest.back());
     const auto [m, slope] = map.density(tau);
     const double dt = mean / m;
