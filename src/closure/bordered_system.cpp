@@ -33,19 +33,15 @@ ComplexVector rigid_mode(const Component& component, int mode) {
   return imaginary * (component.curve.x.array() - component.centre).matrix();
 }
 
-// Evaluates at all nodes the flow of a unit load at a component's centre: the force along axis 1,
-// along axis 2, or the torque.
-ComplexVector unit_load_velocity(const StokesProblem& problem, const Component& component, int mode,
+// Evaluates at points the flow of a unit load at a centre: the force along axis 1, along axis 2, or
+// the torque.
+ComplexVector unit_load_velocity(const ComplexVector& points, Complex centre, int mode, double mu,
                                  double gauge) {
-  ComplexVector velocity(node_offsets(problem).back());
-  Index i = 0;
-  for (const Component& target : problem.components) {
-    for (Index j = 0; j < target.curve.size(); ++j, ++i) {
-      const Complex r = target.curve.x[j] - component.centre;
-      velocity[i] =
-          mode < 2 ? stokeslet(r, mode == 0 ? Complex{1.0} : imaginary, problem.viscosity, gauge)
-                   : rotlet(r, 1.0, problem.viscosity);
-    }
+  ComplexVector velocity(points.size());
+  for (Index i = 0; i < points.size(); ++i) {
+    const Complex r = points[i] - centre;
+    velocity[i] = mode < 2 ? stokeslet(r, mode == 0 ? Complex{1.0} : imaginary, mu, gauge)
+                           : rotlet(r, 1.0, mu);
   }
   return velocity;
 }
@@ -71,17 +67,13 @@ DenseSystem assemble_reduced(const StokesProblem& problem, const std::vector<Ind
   const Index n = offsets.back();
   MatrixXd complement(2 * n, 2 * n), added(2 * n, 2 * n);
   // Column by column, A eta = (-1/2 + D)(I - P) eta + C eta with the velocities C of the closure.
-  ComplexVector unit = ComplexVector::Zero(n);
   for (Index column = 0; column < 2 * n; ++column) {
-    unit[column / 2] = column % 2 == 0 ? Complex{1.0} : imaginary;
-    const ComplexVector without = closure.without_rigid_part(unit);
-    const ComplexVector velocity = closure.velocity(unit);
-    complement.col(column) = interleaved(without);
-    added.col(column) = interleaved(velocity);
-    unit[column / 2] = 0.0;
+    const Complex direction = column % 2 == 0 ? Complex{1.0} : imaginary;
+    const ComplexVector unit = ComplexVector::Unit(n, column / 2) * direction;
+    complement.col(column) = interleaved(closure.without_rigid_part(unit));
+    added.col(column) = interleaved(closure.velocity(unit));
   }
-  const ComplexVector rhs = closure.right_hand_side();
-  return {layer_matrix(problem) * complement + added, interleaved(rhs)};
+  return {layer_matrix(problem) * complement + added, interleaved(closure.right_hand_side())};
 }
 
 DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
@@ -90,6 +82,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
   const Index rows = 2 * n + 3 * std::ranges::count_if(problem.components, is_inner);
   DenseSystem system{MatrixXd::Zero(rows, rows), VectorXd::Zero(rows)};
   system.matrix.topLeftCorner(2 * n, 2 * n) = layer_matrix(problem);
+  const ComplexVector nodes = all_nodes(curves_of(problem));
   const std::vector<double> gauges = stokeslet_gauges(problem);
   // The rows are (03.5) at all nodes, then three conditions (03.6) or (03.8) per inner component.
   Index border = 2 * n;
@@ -107,10 +100,10 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     const VectorXd w = weights(component.curve);
     for (int mode = 0; mode < 3; ++mode, ++border) {
       const ComplexVector rigid = rigid_mode(component, mode);
-      const ComplexVector weighted = rigid.cwiseProduct(w);
-      const ComplexVector load = unit_load_velocity(problem, component, mode, gauge);
+      const ComplexVector load =
+          unit_load_velocity(nodes, component.centre, mode, problem.viscosity, gauge);
       system.matrix.row(border).segment(first, size) =
-          scales.row[mode] * interleaved(weighted).transpose();
+          scales.row[mode] * interleaved(rigid.cwiseProduct(w)).transpose();
       if (component.kind == ComponentKind::free_body) {
         // The motion of a free body is unknown; its load belongs to the right-hand side.
         const double given[3] = {component.force.real(), component.force.imag(), component.torque};

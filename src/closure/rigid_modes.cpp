@@ -40,16 +40,13 @@ RigidModeMatrices rigid_mode_matrices(const Curve& curve, Complex centre) {
   // The columns of K are the velocities of the motions U_1 = 1, U_2 = 1 and a omega = 1.
   const RigidMotion motions[] = {{1.0, 0.0}, {imaginary, 0.0}, {0.0, 1.0 / a}};
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const ComplexVector velocity = modes.at_nodes(motions[k]);
-    result.modes.col(k) = interleaved(velocity);
+    result.modes.col(k) = interleaved(modes.at_nodes(motions[k]));
   }
   // The columns of Pi are the motions (U_1, U_2, a omega) of unit densities.
-  ComplexVector unit = ComplexVector::Zero(n);
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
-    unit[k / 2] = k % 2 == 0 ? Complex{1.0} : imaginary;
-    const RigidMotion motion = modes.project(unit);
-    result.projection.col(k) << motion.velocity.real(), motion.velocity.imag(), a * motion.omega;
-    unit[k / 2] = 0.0;
+    const Complex direction = k % 2 == 0 ? Complex{1.0} : imaginary;
+    const auto [velocity, omega] = modes.project(ComplexVector::Unit(n, k / 2) * direction);
+    result.projection.col(k) << velocity.real(), velocity.imag(), a * omega;
   }
   return result;
 }

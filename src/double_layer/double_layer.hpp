@@ -42,14 +42,14 @@ double rigid_motion_residual(const Curve& curve);
 
 /// Views plane vectors as a real vector (x_0, y_0, x_1, y_1, ...): the same memory.
 ///
-/// @par Not for   temporaries: the view would outlive them
+/// @par Not for   temporaries, unless the view is used in the same expression
 inline Eigen::Map<const Eigen::VectorXd> interleaved(const ComplexVector& v) {
   return {reinterpret_cast<const double*>(v.data()), 2 * v.size()};
 }
 
 /// Views a real vector (x_0, y_0, x_1, y_1, ...) as plane vectors: the same memory.
 ///
-/// @par Not for   temporaries: the view would outlive them
+/// @par Not for   temporaries, unless the view is used in the same expression
 inline Eigen::Map<const ComplexVector> deinterleaved(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return {reinterpret_cast<const Complex*>(v.data()), v.size() / 2};
 }

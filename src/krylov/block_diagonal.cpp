@@ -33,8 +33,7 @@ MatrixXd closed_modes(const Closure& closure, const MatrixXd& modes, Index first
   for (Index mode = 0; mode < modes.cols(); ++mode) {
     ComplexVector density = ComplexVector::Zero(n);
     density.segment(first, modes.rows() / 2) = deinterleaved(modes.col(mode));
-    const ComplexVector velocity = closure.velocity(density);
-    closed.col(mode) = interleaved(velocity);
+    closed.col(mode) = interleaved(closure.velocity(density));
   }
   return closed;
 }
@@ -89,16 +88,14 @@ VectorXd BlockDiagonalPreconditioner::operator()(const VectorXd& v) const {
       MatrixXd turned(rows, columns);
       for (Index c = 0; c < columns; ++c) {
         const std::size_t k = users[static_cast<std::size_t>(first + c)];
-        const ComplexVector own = std::polar(1.0, -members_[k].orientation) *
-                                  deinterleaved(v.segment(2 * offsets_[k], rows));
-        turned.col(c) = interleaved(own);
+        turned.col(c) = interleaved(std::polar(1.0, -members_[k].orientation) *
+                                    deinterleaved(v.segment(2 * offsets_[k], rows)));
       }
       const MatrixXd solved = inverse * turned;
       for (Index c = 0; c < columns; ++c) {
         const std::size_t k = users[static_cast<std::size_t>(first + c)];
-        const ComplexVector back =
-            std::polar(1.0, members_[k].orientation) * deinterleaved(solved.col(c));
-        result.segment(2 * offsets_[k], rows) = interleaved(back);
+        result.segment(2 * offsets_[k], rows) =
+            interleaved(std::polar(1.0, members_[k].orientation) * deinterleaved(solved.col(c)));
       }
     }
   }

@@ -76,9 +76,7 @@ InterpolationCurve::InterpolationCurve(const Curve& reference,
 InterpolationData InterpolationCurve::data(const MatrixXcd& densities) const {
   InterpolationData result{{}, refine_ * densities};
   for (Index column = 0; column < densities.cols(); ++column) {
-    const ComplexVector density = densities.col(column);
-    const Eigen::VectorXd limit = limit_ * interleaved(density);
-    result.limit.emplace_back(deinterleaved(limit));
+    result.limit.emplace_back(deinterleaved(limit_ * interleaved(densities.col(column))));
   }
   return result;
 }
@@ -115,8 +113,7 @@ ComplexVector InterpolationCurve::velocity(const InterpolationData& data, Index 
     points.insert(points.end(), stencils.back().points.begin(), stencils.back().points.end());
   }
   const ComplexVector values =
-      fine_sum_(Eigen::Map<const ComplexVector>(points.data(), static_cast<Index>(points.size())),
-                data.fine.col(column));
+      fine_sum_(ComplexVector::Map(points.data(), std::ssize(points)), data.fine.col(column));
   const TrigonometricPolynomial& limit = data.limit[static_cast<std::size_t>(column)];
   ComplexVector result(targets.size());
   Index next = 0;

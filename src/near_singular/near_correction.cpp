@@ -124,9 +124,8 @@ ComplexVector NearCorrection::operator()(const ComplexVector& density) const {
   for (const Group& group : groups_) evaluate(group, density, corrections);
 #pragma omp parallel for schedule(dynamic)
   for (const Rows& rows : rows_) {
-    const Eigen::VectorXd product =
-        rows.matrix * interleaved(local_density(density, rows.curve)).eval();
-    corrections[rows.curve] = deinterleaved(product);
+    corrections[rows.curve] =
+        deinterleaved(rows.matrix * interleaved(local_density(density, rows.curve)));
   }
   // The corrections are added in the order of the curves, so that the sum does not depend on the
   // number of threads.

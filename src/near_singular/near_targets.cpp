@@ -67,8 +67,7 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
         near_points.push_back(local);
       }
     }
-    near[k].local =
-        Eigen::Map<const ComplexVector>(near_points.data(), static_cast<Index>(near_points.size()));
+    near[k].local = ComplexVector::Map(near_points.data(), std::ssize(near_points));
   }
   return near;
 }

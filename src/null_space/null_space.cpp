@@ -24,8 +24,7 @@ Eigen::MatrixXd null_space_matrix(const Curve& wall) {
   const Eigen::VectorXd w = weights(wall);
   const ComplexVector normal = normals(wall);
   // The column n times the row -n w / |Gamma_0|.
-  const ComplexVector weighted = normal.cwiseProduct(w) / w.sum();
-  return -interleaved(normal) * interleaved(weighted).transpose();
+  return -interleaved(normal) * interleaved(normal.cwiseProduct(w) / w.sum()).transpose();
 }
 
 double net_flux(const StokesProblem& problem) {

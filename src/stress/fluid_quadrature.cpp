@@ -132,9 +132,8 @@ FluidQuadrature fluid_quadrature(const std::vector<Curve>& curves, double points
       if (share > 0.0) rule.add(z, share * spacing * spacing);
     }
   }
-  const auto m = static_cast<Index>(rule.points.size());
-  return {Eigen::Map<const ComplexVector>(rule.points.data(), m),
-          Eigen::Map<const Eigen::VectorXd>(rule.weights.data(), m)};
+  return {ComplexVector::Map(rule.points.data(), std::ssize(rule.points)),
+          Eigen::VectorXd::Map(rule.weights.data(), std::ssize(rule.weights))};
 }
 
 }  // namespace stokesbook

@@ -68,9 +68,8 @@ class SolvedFlow {
   /// \f$ (I-P)\eta \f$, length / time.
   const ComplexVector& density() const { return density_; }
 
-  const StokesProblem& problem() const {
-    return problem_;
-  }                                                    ///< returns the problem that was solved
+  /// Returns the problem that was solved.
+  const StokesProblem& problem() const { return problem_; }
   const Closure& closure() const { return closure_; }  ///< returns the problem's closure
   /// Returns the motions and loads of all components, computed from the density.
   const Completion& completion() const { return completion_; }
