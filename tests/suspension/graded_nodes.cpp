@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -154,6 +155,31 @@ BOOST_AUTO_TEST_CASE(the_count_resolves_every_gap_and_the_shape) {
     const double everywhere = graded_depth(nodes.grading, 0.4 * k, needed / 96.0);
     BOOST_TEST(nodes.n_nodes * everywhere > 0.999 * needed);
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_count_resolves_the_shape_between_any_clusters) {
+  const double tolerance = 1e-6, needed = std::log(1e5 / tolerance);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> turns(0.0, 1.0), exponent(-3.0, -1.0);
+  for (std::size_t count = 1; count <= 20; ++count) {
+    std::vector<GapRequirement> gaps(1 + count % 5);
+    for (auto& [parameter, depth] : gaps) {
+      parameter = 2.0 * std::numbers::pi * turns(random);
+      depth = std::pow(10.0, exponent(random));
+    }
+    const Resolution nodes = nodes_for_gaps(gaps, 48, tolerance);
+    BOOST_REQUIRE(nodes.is_graded());
+    for (int k = 0; k < 200; ++k) {
+      const double depth = graded_depth(nodes.grading, std::numbers::pi * k / 100.0, needed / 48.0);
+      BOOST_TEST(nodes.n_nodes * depth > 0.96 * needed);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(few_nodes_of_a_shape_without_gaps_are_rounded_up) {
+  const Resolution nodes = nodes_for_gaps({}, 8, 1e-6);
+  BOOST_TEST(nodes.n_nodes == 16);
+  BOOST_TEST(!nodes.is_graded());
 }
 
 BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
