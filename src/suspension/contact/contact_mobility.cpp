@@ -36,9 +36,6 @@ constexpr double most_solved_tolerance = 1e-2;
 // of the other up to MobilityColumns::most_tolerance.
 constexpr double similar_from = 0.995;
 
-// Largest ratio of the columns kept for the next configuration to those that were used in this one.
-constexpr std::size_t most_kept = 2;
-
 // Iterations that a tenth of the tolerance takes for a column, approximately. When refinements have
 // taken as many a column, or when residuals grow because weights oscillate, as between flat gaps,
 // the columns are too inaccurate.
@@ -370,21 +367,12 @@ Solution ContactMobility::loaded_solution(const VectorXd& multipliers) const {
 
 MobilityColumns ContactMobility::columns() const {
   if (columns_.empty()) return earlier_;
-  std::vector<const Column*> known;
-  for (const Column& column : columns_) known.push_back(&column);
-  for (const Column& guess : earlier_columns_) {
-    if (known.size() == most_kept * columns_.size()) break;
-    const bool is_known = std::ranges::any_of(columns_, [&](const Column& column) {
-      return cosine(column.scaled_load, guess.scaled_load) > similar_from;
-    });
-    if (!is_known) known.push_back(&guess);
-  }
   const Configuration& configuration = solution_.instant.configuration;
-  const auto m = static_cast<Index>(known.size());
+  const Index m = std::ssize(columns_);
   Eigen::MatrixXcd densities(columns_.front().density.size(), m);
   MobilityColumns result{MatrixXd(columns_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
-    const Column& column = *known[static_cast<std::size_t>(i)];
+    const Column& column = columns_[static_cast<std::size_t>(i)];
     result.loads.col(i) = rotate_forces(column.load, configuration, -1.0);
     result.rhs_norms[i] = column.rhs_norm;
     densities.col(i) = column.density;

@@ -12,9 +12,8 @@
 namespace stokesbook {
 
 /// Columns of the contact mobility in earlier configurations, from which solves for similar loads
-/// begin. The latest come first. As many older ones are kept, since a contact that is lost for some
-/// steps may come back. Loads and densities are stored in the frames of their components, in which
-/// they change little while a contact lasts.
+/// begin. Loads and densities are stored in the frames of their components, in which they change
+/// little while a contact lasts.
 struct MobilityColumns {
   Eigen::MatrixXd loads;      ///< 3K x m, as ContactMobility takes them, but in components' frames
   Eigen::VectorXd rhs_norms;  ///< norms of their right-hand sides, m numbers, length / time
