@@ -251,6 +251,27 @@ class Records(Program):
         self.assertEqual(self.files("closed"), self.files("told"))
         self.assertNotIn(b"GMRES iterations", (self.folder / "closed" / "steps.csv").read_bytes())
 
+    def test_a_terminal_shows_a_line_of_progress_every_tenth_of_a_second_at_most(self):
+        """The 1000 steps take about a millisecond each; the last one is always shown."""
+        command = [PROGRAM, "run", self.scene(), "--set", "time.dt=0.001", "--set",
+                   "output.dt_write=1.0", "--set", "output.formats=['csv']"]
+        terminal, end_of_program = os.openpty()
+        start = time.monotonic()
+        with subprocess.Popen(command, cwd=self.folder, stdout=end_of_program) as run:
+            os.close(end_of_program)
+            shown = b""
+            try:
+                while some := os.read(terminal, 65536):
+                    shown += some
+            except OSError:  # Linux reports the end of a terminal by an error
+                pass
+            os.close(terminal)
+        seconds = time.monotonic() - start
+        self.assertEqual(run.returncode, 0)
+        lines = re.findall(rb"\r\x1b\[Kt = (\S+) of 1, ", shown)
+        self.assertLessEqual(len(lines), 2 + 10 * seconds)
+        self.assertEqual(lines[-1], b"1")
+
     def test_memory_is_that_which_the_system_counts(self):
         with subprocess.Popen([PROGRAM, "run", self.scene(), "--out", "run"], cwd=self.folder,
                               stdout=subprocess.DEVNULL) as run:

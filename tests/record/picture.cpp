@@ -6,8 +6,10 @@
 #include <cmath>
 #include <regex>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 
 #include "record/svg.hpp"
@@ -28,6 +30,27 @@ double luminance(const std::string& colour) {
     return std::pow(std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0, 2.2);
   };
   return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
+}
+
+/// Polar coordinates M, s, h of the colour space CIELAB: with (L, a, b) =
+/// M (cos s, sin s cos h, sin s sin h).
+struct PolarLab {
+  double magnitude, saturation, hue;
+};
+
+/// Returns the polar coordinates of an sRGB colour, which is not nearly black.
+PolarLab polar_lab(const std::string& colour) {
+  const auto linear = [&](std::size_t at) {
+    const double c = std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0;
+    return c > 0.04045 ? std::pow((c + 0.055) / 1.055, 2.4) : c / 12.92;
+  };
+  const Eigen::Matrix3d xyz_of_rgb{
+      {0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
+  const Eigen::Vector3d xyz = xyz_of_rgb * Eigen::Vector3d(linear(1), linear(3), linear(5));
+  const Eigen::Array3d root = (xyz.array() / xyz_of_rgb.rowwise().sum().array()).pow(1.0 / 3.0);
+  const Eigen::Vector3d lab{116.0 * root[1] - 16.0, 500.0 * (root[0] - root[1]),
+                            200.0 * (root[1] - root[2])};
+  return {lab.norm(), std::acos(lab[0] / lab.norm()), std::atan2(lab[2], lab[1])};
 }
 
 }  // namespace
@@ -57,6 +80,26 @@ BOOST_AUTO_TEST_CASE(colours_get_lighter_evenly) {
     const double even = lightness(0.0) + 0.1 * k * (lightness(1.0) - lightness(0.0));
     BOOST_TEST(std::abs(lightness(0.1 * k) - even) < 3.0);
   }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_with_a_sign_have_the_colours_of_their_source) {
+  // Moreland (2009) leads from blue to white and from white to red along straight lines in his
+  // coordinates M, s and h, on which the hue h turns by the angle of his function AdjustHue. White
+  // itself has no hue.
+  constexpr double coloured = 80.0, white = 88.0, saturation = 1.08;
+  const double turn = saturation * std::sqrt(white * white - coloured * coloured) /
+                      (coloured * std::sin(saturation));
+  for (const auto& [end, hue, turned] :
+       {std::tuple{0.0, -1.1, -turn}, std::tuple{1.0, 0.5, turn}}) {
+    for (int k = 0; k <= 4; ++k) {
+      const double part = 0.25 * k;
+      const PolarLab found = polar_lab(colour(cool_to_warm, end + part * (0.5 - end)));
+      BOOST_TEST(std::abs(found.magnitude - std::lerp(coloured, white, part)) < 0.2);
+      BOOST_TEST(std::abs(found.saturation - (1.0 - part) * saturation) < 0.01);
+      if (k < 4) BOOST_TEST(std::abs(found.hue - (hue + part * turned)) < 0.02);
+    }
+  }
+  BOOST_TEST(colour(cool_to_warm, 0.5) == "#dddddd");
 }
 
 BOOST_AUTO_TEST_CASE(pictures_do_not_tell_where_a_scene_lies) {

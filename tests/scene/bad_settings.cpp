@@ -1,10 +1,14 @@
 // Tests every error in the top level and the settings of a scene file, with the whole message of
 // each.
 
+#include <cmath>
 #include <string>
+#include <tuple>
 
 #include "bad_scene.hpp"
+#include "text/number_text.hpp"
 
+using stokesbook::number_text;
 using namespace stokesbook::test;
 
 BOOST_AUTO_TEST_SUITE(bad_settings)
@@ -228,6 +232,35 @@ BOOST_AUTO_TEST_CASE(settings) {
       {"[output]\nformat = ['csv']\n",
        "s.toml:2:1: output.format = [\"csv\"]: unknown key, did you mean 'formats'?"},
   });
+}
+
+BOOST_AUTO_TEST_CASE(ranges_include_their_ends) {
+  const std::string solver = disk() + "[solver]\n", time = disk() + "[time]\nt_final = 2\n";
+  const std::string adaptive = time + "method = 'dormand_prince54'\n";
+  const auto error_with = [](const std::string& start, double value) {
+    return error_of(start + number_text(value) + "\n");
+  };
+  const auto check_end = [&](const std::string& start, double end, double outside,
+                             const std::string& expected) {
+    BOOST_TEST(error_with(start, end) == "no error");
+    BOOST_TEST(error_with(start, std::nextafter(end, outside)).ends_with(": must be " + expected));
+  };
+  for (const auto& [start, least, range] :
+       {std::tuple{solver + "tolerance = ", 1e-14, "a number from 1e-14 to 0.1"},
+        std::tuple{adaptive + "tolerance = ", 1e-13, "a number from 1e-13 to 0.1"}}) {
+    check_end(start, least, 0.0, range);
+    check_end(start, 0.1, 1.0, range);
+  }
+  check_end(time + "dt = ", 2e-12, 0.0, "at least 1e-12 time.t_final, which is 2");
+  // The test `settings` checks that numbers just outside the following ranges are refused.
+  BOOST_TEST(error_with(solver + "gmres_tol = ", std::nextafter(1.0, 0.0)) == "no error");
+  BOOST_TEST(error_of(time + "dt = 1\nmethod = 'euler'\neffort = { few = 20, many = 21 }\n") ==
+             "no error");
+  BOOST_TEST(error_of(adaptive + "dt = 0.1\ndt_min = 0.1\ndt_max = 0.1\n") == "no error");
+  for (const int points : {2, 2000}) {
+    BOOST_TEST(error_of(disk() + "[output.fields]\nbox = [0, 0, 1, 1]\nresolution = " +
+                        std::to_string(points) + "\n") == "no error");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(contact) {

@@ -153,6 +153,37 @@ BOOST_AUTO_TEST_CASE(cost_is_of_counted_operations) {
   BOOST_TEST(outcome(Cost{0.8}, measurements) == Outcome::fails);
 }
 
+BOOST_AUTO_TEST_CASE(default_bands) {
+  for (const double side : {-1.0, 1.0}) {
+    const auto order = [&](double deviation) {
+      return outcome(Algebraic{2.0}, doubling(5, power(2.0 + side * deviation)));
+    };
+    BOOST_TEST(order(0.14) == Outcome::holds);
+    BOOST_TEST(order(0.16) == Outcome::fails);
+    const auto rate = [&](double deviation) {
+      const double fitted = 0.5 * (1.0 + side * deviation);
+      return outcome(Geometric{0.5}, stepping(4, 4, 10, exponential(fitted)));
+    };
+    BOOST_TEST(rate(0.04) == Outcome::holds);
+    BOOST_TEST(rate(0.06) == Outcome::fails);
+    const auto cost = [&](double deviation) {
+      std::vector<Measurement> measurements = doubling(6, power(2.0));
+      for (Measurement& point : measurements) {
+        point.operations = 7.0 * std::pow(point.x, 1.0 + side * deviation);
+      }
+      return outcome(Cost{1.0}, measurements);
+    };
+    BOOST_TEST(cost(0.04) == Outcome::holds);
+    BOOST_TEST(cost(0.06) == Outcome::fails);
+    const auto level = [&](double factor) {
+      return outcome(Floor{1e-15},
+                     doubling(5, [&](double) { return 1e-15 * std::pow(factor, side); }));
+    };
+    BOOST_TEST(level(9.0) == Outcome::holds);
+    BOOST_TEST(level(11.0) == Outcome::fails);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(tolerance_is_met_and_not_far_outdone) {
   const auto asked = [](double factor) {
     return stepping(1e-8, 1e-8, 4, [=](double x) { return factor * x; });

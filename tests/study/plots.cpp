@@ -202,4 +202,22 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   BOOST_TEST(count(dashed, "stroke-dasharray=\"1.5 4\"") == 1);
 }
 
+BOOST_AUTO_TEST_CASE(an_inconclusive_claim_has_no_guide) {
+  Study study = sample_study();
+  Claim& claim = *study.experiments[0].lines[0].claim;
+  const auto guides = [&](double from) {
+    claim.window.from = from;
+    std::ostringstream progress;
+    const std::string svg = convergence_figure(run(study, Size::quick, progress).experiments[0]);
+    return count(svg, ">2</text>") + count(svg, "stroke-dasharray=\"6 4\"");
+  };
+  // The points are 8, 16, ..., 128; a claim requires three of them.
+  for (const Law& law : {Law{Algebraic{2.0}}, Law{Algebraic{0.0}}, Law{Geometric{0.1}}}) {
+    claim.law = law;
+    BOOST_TEST(guides(32.0) == 1);
+    BOOST_TEST(guides(64.0) == 0);
+    BOOST_TEST(guides(256.0) == 0);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -88,6 +88,27 @@ BOOST_AUTO_TEST_CASE(tables_show_what_failed) {
   BOOST_TEST(contains(claims_page({result}), "<b>fails</b>"));
 }
 
+BOOST_AUTO_TEST_CASE(cells_of_points_that_are_left_out_are_grey) {
+  Study study = sample_study();
+  Window& window = study.experiments[0].lines[0].claim->window;
+  window = {.from = 16.0, .to = 64.0};
+  std::ostringstream progress;
+  const std::string table = convergence_table(run(study, Size::quick, progress).experiments[0]);
+  const std::string start = "<td class=\"left-out\">";
+  const std::regex row("<tr><th>([0-9]+)</th>([^]*?)</tr>"), grey(start);
+  int rows = 0;
+  for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at, ++rows) {
+    const double x = std::stod((*at)[1]);
+    const std::string cells = (*at)[2].str();
+    const bool left_out = x < window.from || x > window.to;
+    // The first line has the cells of error and order; the second line has no claim.
+    BOOST_TEST(cells.starts_with(start) == left_out);
+    BOOST_TEST(std::distance(std::sregex_iterator(cells.begin(), cells.end(), grey), end) ==
+               (left_out ? 2 : 0));
+  }
+  BOOST_TEST(rows == 5);
+}
+
 BOOST_AUTO_TEST_CASE(tables_and_pages_say_the_same_of_a_claim) {
   const auto check_said = [](const Study& study, const std::string& text) {
     std::ostringstream progress;

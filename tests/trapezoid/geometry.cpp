@@ -96,6 +96,21 @@ BOOST_AUTO_TEST_CASE(where_nodes_are_farthest_the_outer_radius_is_theirs) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_outer_radius_scales_with_the_curve) {
+  // A power of two scales all numbers without rounding errors.
+  for (const Shape& shape : shapes) {
+    for (Index n : {4, 6, 8, 12, 20}) {
+      for (const Complex c : {Complex{}, Complex{0.1, 0.07}}) {
+        const Curve curve = body(shape, n);
+        for (double scale : {0x1p-10, 0x1p10}) {
+          const Curve scaled{scale * curve.x, scale * curve.dx, scale * curve.ddx, curve.side};
+          BOOST_TEST(outer_radius(scaled, scale * c) == scale * outer_radius(curve, c));
+        }
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(curvatures_are_signed) {
   const double a = 2.0, b = 0.5;
   const Curve ellipse = body(Ellipse{a, b}, 30);
