@@ -28,6 +28,8 @@ SHELL = {"sh", "console"}
 HEADING = re.compile(r"^(#{1,6}) ")
 FORMULA = re.compile(r"\\f\$(.*?)\\f\$|\\f\[(.*?)\\f\]|\\f\{(.*?)\\f\}|\$\$(.+?)\$\$", re.DOTALL)
 UNFINISHED = re.compile(r"\b(?:TODO|FIXME|XXX)\b|\?\?\?")
+# Doxygen reads the text of a link from one line; else it may show all commands that follow as text.
+BROKEN_LINK = re.compile(r'@ref \w+ "[^"\n]*$')
 # The text ends before the next command that begins a line, or at the end of the comment.
 ACCURACY = re.compile(r"@par Accuracy.*\n(?:\s*///(?! *@).*\n|\s*/// *@ref.*\n)*")
 # Markdown takes such a line for an item of a list if the result is a whole number.
@@ -130,15 +132,16 @@ def typed_results(text):
     return found
 
 
-def unfinished(name, text):
-    return [f"{name}:{number}: {match[0]}" for number, line in enumerate(text.splitlines(), 1)
-            if (match := UNFINISHED.search(line))]
+def lines_with(pattern, name, text, meaning=""):
+    return [f"{name}:{number}: {match[0]}{meaning}"
+            for number, line in enumerate(text.splitlines(), 1) if (match := pattern.search(line))]
 
 
 def text_violations(name, text):
     """Returns the violations of the rules that hold for any text of the book."""
-    return unfinished(name, text) + [f"{name}:{line}: a heading with nothing under it"
-                                     for line in empty_headings(text)]
+    return (lines_with(UNFINISHED, name, text)
+            + lines_with(BROKEN_LINK, name, text, ": the text of a link must stand on one line")
+            + [f"{name}:{line}: a heading with nothing under it" for line in empty_headings(text)])
 
 
 def chapter_violations(name, text):

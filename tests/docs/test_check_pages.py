@@ -72,6 +72,11 @@ class Chapters(unittest.TestCase):
         self.assert_found("````sh\n```\n````\n\n## One\n\n## Two\n\nText.\n", "chapter.md:7")
         self.assertEqual(chapter("## One\n\n````sh\n```\n# no heading\n# nor this\n````\n"), [])
 
+    def test_text_of_link_on_one_line(self):
+        self.assert_found("See (@ref claim_01_2 \"claim\n01_2\").\n", "chapter.md:3", "one line")
+        self.assertEqual(chapter("See (@ref claim_01_2 \"claim 01_2\") and \"a quotation\nhere\".\n"),
+                         [])
+
     def test_unfinished(self):
         for mark in ["TODO", "FIXME", "???"]:
             self.assert_found(f"Text. {mark}\n", "chapter.md:3", mark)
