@@ -1,5 +1,5 @@
 // Computes graded parameters: inverts the map s(t) of (01.11), a sum of elliptic integrals, by
-// Newton's method. Evaluates the map at complex t, which gives rates of convergence.
+// Halley's method. Evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
