@@ -274,7 +274,7 @@ class Page(html.parser.HTMLParser):
 
 
 MATH = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]|\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.DOTALL)
-LEAK = re.compile(r"[@\\][A-Za-z]\w+|\\f[$\[]|\?\?\?")
+LEAK = re.compile(r"[@\\][A-Za-z_]\w+|\\f[$\[]|\?\?\?")
 
 
 def html_violations(folder):

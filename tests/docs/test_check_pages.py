@@ -178,7 +178,7 @@ class Html(unittest.TestCase):
         self.assertIn("no such anchor", self.violations('<a href="#there">x</a>')[0])
 
     def test_leaks(self):
-        for leak in [r"\val_01_error_32", "@ref", "@snippet", r"\f$", "???"]:
+        for leak in [r"\val_01_error_32", "@ref", "@snippet", r"\f$", r"\_form", "???"]:
             self.assertEqual(self.violations(f"<p>a {leak} b</p>"), [f"index.html: shows {leak}"])
 
     def test_folded_text_without_summary(self):
