@@ -104,7 +104,7 @@ class MapFromCluster {
     double v = std::clamp(guess, low, high);
     double step = high - low;
     // The error after a step is about the cube of that step.
-    while (std::abs(step) > 1e-6) {
+    while (std::abs(step) > 1e-9) {
       const double tau = offset(v), slope = width() * std::cosh(v);
       const double excess = (*this)(tau)-value;
       (excess > 0.0 ? high : low) = v;
