@@ -1,16 +1,15 @@
 // Computes graded parameters: inverts the map s(t) of (01.11), a sum of elliptic integrals, by
-// Halley's method. Evaluates the map at complex t, which gives rates of convergence.
+// Newton's method. Evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "trapezoid/plane.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -96,26 +95,22 @@ class MapFromCluster {
     return density;
   }
 
-  // Finds the v, tau = width sinh v, at which the map has a value: about the cluster, the map is
-  // nearly linear in v. A step of Halley's method that leaves the bounds, or that does not shrink
+  // Finds the v, tau = width sinh v, at which the map has a value, by Newton's method: about the
+  // cluster, the map is nearly linear in v. A step that leaves the bounds, or that does not shrink
   // by half, is replaced by a bisection of the bounds.
   double inverse(double value, double guess) const {
     double high = std::asinh(period / width()), low = -high;
     double v = std::clamp(guess, low, high);
     double step = high - low;
-    // The error after a step is about the cube of that step.
+    // The error after a step is about the square of that step.
     while (std::abs(step) > 1e-9) {
-      const double tau = offset(v), slope = width() * std::cosh(v);
+      const double tau = offset(v);
       const double excess = (*this)(tau)-value;
       (excess > 0.0 ? high : low) = v;
-      const Density m = density(tau);
-      const double newton = -excess / (m.value * slope);
-      // Half the second derivative over the first one.
-      const double curvature = 0.5 * (m.slope * slope / m.value + std::tanh(v));
-      const double halley = newton / (1.0 + newton * curvature);
+      const double newton = -excess / (density(tau).value * width() * std::cosh(v));
       const bool good =
-          v + halley >= low && v + halley <= high && 2.0 * std::abs(halley) < std::abs(step);
-      step = good ? halley : 0.5 * (low + high) - v;
+          v + newton >= low && v + newton <= high && 2.0 * std::abs(newton) < std::abs(step);
+      step = good ? newton : 0.5 * (low + high) - v;
       v += step;
     }
     return v;
@@ -137,17 +132,14 @@ class MapFromCluster {
 };
 
 void require_valid(const std::vector<Cluster>& clusters, const std::vector<double>& strengths) {
-  const auto require = [](bool valid, const std::string& what, double value) {
-    if (!valid)
-      throw std::invalid_argument("a grading's " + what + ", got " + std::to_string(value));
-  };
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   for (const double strength : strengths) {
-    require(positive(strength), "strength must be positive", strength);
+    require(positive(strength), "a grading's strength must be positive, got ", strength);
   }
   for (const Cluster& cluster : clusters) {
-    require(positive(cluster.width), "widths must be positive", cluster.width);
-    require(std::isfinite(cluster.parameter), "parameters must be finite", cluster.parameter);
+    require(positive(cluster.width), "a grading's widths must be positive, got ", cluster.width);
+    require(std::isfinite(cluster.parameter), "a grading's parameters must be finite, got ",
+            cluster.parameter);
   }
 }
 
