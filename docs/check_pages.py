@@ -133,6 +133,7 @@ def typed_results(text):
 
 
 def lines_with(pattern, name, text, meaning=""):
+    """Returns what a pattern finds in each line, with the meaning of such a violation."""
     return [f"{name}:{number}: {match[0]}{meaning}"
             for number, line in enumerate(text.splitlines(), 1) if (match := pattern.search(line))]
 
@@ -154,9 +155,7 @@ def chapter_violations(name, text):
                    for line, language in languages if language not in SHELL]
     violations += [f"{name}:{line}: indented code: show code by @snippet"
                    for line in indented_code(FORMULA.sub(blanked, prose))]
-    violations += [f"{name}:{number}: {match[0]}: show code by @snippet"
-                   for number, line in enumerate(prose.splitlines(), 1)
-                   if (match := CODE_COMMAND.search(line))]
+    violations += lines_with(CODE_COMMAND, name, prose, ": show code by @snippet")
     violations += [f"{name}:{line}: a typed result, {result}: use the study's alias"
                    for line, result in typed_results(prose)]
     violations += [f"{name}:{number}: a result that may be an item of a list, as 11. is: not first"

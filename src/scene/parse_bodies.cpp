@@ -20,7 +20,7 @@ namespace {
 int read_node_count(const TableReader& owner) {
   constexpr std::int64_t fewest = 8;        // fewer nodes resolve no curve
   constexpr std::int64_t most = 1'000'000;  // more nodes do not fit into memory
-  const std::string expected = "an even integer >= 8 or \"auto\"";
+  const std::string expected = "an even integer >= " + std::to_string(fewest) + " or \"auto\"";
   const Node& node = owner.at("n_nodes", expected);
   const auto* word = std::get_if<std::string>(&node.value);
   if (word != nullptr && *word == automatic_word) return automatic_nodes;

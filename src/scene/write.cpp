@@ -3,7 +3,6 @@
 #include "scene/write.hpp"
 
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 #include <type_traits>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "scene/parameters.hpp"
+#include "text/number_text.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook {
@@ -18,9 +18,7 @@ namespace stokesbook {
 namespace scene_text {
 
 std::string toml_value(double number) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  const std::string text(digits.data(), end);
+  const std::string text = number_text(number);
   // Digits alone would be an integer in TOML, with 64 bits only. A point, an exponent, inf and nan
   // make the text a float.
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;

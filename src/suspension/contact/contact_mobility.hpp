@@ -11,7 +11,7 @@
 
 namespace stokesbook {
 
-/// Columns of the contact mobility in earlier configurations, from which solves for similar loads
+/// Columns of the contact mobility in an earlier configuration, from which solves for similar loads
 /// begin. Loads and densities are stored in the frames of their components, in which they change
 /// little while a contact lasts.
 struct MobilityColumns {
