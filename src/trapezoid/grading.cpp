@@ -1,5 +1,5 @@
 // Computes graded parameters: inverts the map s(t) of (01.11), a sum of elliptic integrals, by
-// Newton's method. Evaluates the map at complex t, which gives rates of convergence.
+// Halley's method. Evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
 #include <algorithm>
@@ -95,22 +95,26 @@ class MapFromCluster {
     return density;
   }
 
-  // Finds the v, tau = width sinh v, at which the map has a value, by Newton's method: about the
-  // cluster, the map is nearly linear in v. A step that leaves the bounds, or that does not shrink
+  // Finds the v, tau = width sinh v, at which the map has a value: about the cluster, the map is
+  // nearly linear in v. A step of Halley's method that leaves the bounds, or that does not shrink
   // by half, is replaced by a bisection of the bounds.
   double inverse(double value, double guess) const {
     double high = std::asinh(period / width()), low = -high;
     double v = std::clamp(guess, low, high);
     double step = high - low;
-    // The error after a step is about the square of that step.
+    // The error after a step is about the cube of that step.
     while (std::abs(step) > 1e-9) {
-      const double tau = offset(v);
+      const double tau = offset(v), slope = width() * std::cosh(v);
       const double excess = (*this)(tau)-value;
       (excess > 0.0 ? high : low) = v;
-      const double newton = -excess / (density(tau).value * width() * std::cosh(v));
+      const Density m = density(tau);
+      const double newton = -excess / (m.value * slope);
+      // Half the second derivative over the first one.
+      const double curvature = 0.5 * (m.slope * slope / m.value + std::tanh(v));
+      const double halley = newton / (1.0 + newton * curvature);
       const bool good =
-          v + newton >= low && v + newton <= high && 2.0 * std::abs(newton) < std::abs(step);
-      step = good ? newton : 0.5 * (low + high) - v;
+          v + halley >= low && v + halley <= high && 2.0 * std::abs(halley) < std::abs(step);
+      step = good ? halley : 0.5 * (low + high) - v;
       v += step;
     }
     return v;
