@@ -13,8 +13,8 @@ import sys
 
 # Each method has a column and a row in the graph. Arrows point down.
 PLACES = {
-    "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 2),
-    "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 3), "time_stepping": (0, 4),
+    "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 3),
+    "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 4), "time_stepping": (0, 4),
     "stress": (2, 4), "stiv": (0, 5), "lcp": (0, 6), "suspension": (0, 7)}
 PITCH, WIDTH, HEIGHT, ROW = 90, 78, 40, 62
 LAST_COLUMN, LAST_ROW = 3, 7  # the last chapter, which uses all others, is as wide as the graph

@@ -88,7 +88,7 @@ void print_mobility() {
 
 void print_conditions() {
   std::puts("\nCondition number in the maximum norm:");
-  std::puts("  size of the pebble     draft  scaled border  reduced");
+  std::puts("  size of the pebble     Power  scaled border  reduced");
   for (const double length : {1e-3, 1.0, 1e3}) {
     const StokesProblem problem{{free_body(pebble(length), 64, 0.0)}, viscosity, {}, {}};
     std::printf(

@@ -9,12 +9,12 @@ namespace stokesbook {
 /// The two sums that a barycentric evaluation computes at a target z.
 struct BarycentricValues {
   Complex first,  ///< \f$ \sum_j w_j f_j \f$
-      second;     ///< \f$ \sum_j w_j [g_j + (\bar z - \bar t_j) h_j] \f$
+      second;     ///< \f$ \sum_j w_j [g_j + (\bar z - \bar x_j) h_j] \f$
 };
 
 /// Evaluates Cauchy integrals on the fluid's side of a curve by the compensated barycentric formula
 /// (06.14):
-/// \f[ w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,t'_j h}{2\pi i\,(t_j - z)},\quad
+/// \f[ w_j = \frac{W_j}{\Delta},\quad W_j = \frac{s\,x'_j}{iN\,(x_j - z)},\quad
 ///     \Delta = \sum_j W_j + [s=-1]. \f]
 /// The last term is 1 for a body and 0 for the enclosing wall. If the target is a node, then the
 /// node has the weight 1, and the values are the limits from the fluid.

@@ -18,8 +18,8 @@ namespace {
 
 // [cauchy_matrix]
 // Assembles the matrix V of the limit of a Cauchy integral from the fluid, C+[f] = V f (06.11):
-// (V f)_j = [s=+1] f_j + sum_{k/=j} (f_k - f_j) c_k / (t_k - t_j) + f'_j s h / (2 pi i)
-// with c_k = s t'_k h / (2 pi i), where a prime is the derivative in the parameter.
+// (V f)_j = [s=+1] f_j + sum_{k/=j} (f_k - f_j) c_k / (x_k - x_j) + f'_j s h / (2 pi i)
+// with h = 2 pi / N and c_k = s x'_k h / (2 pi i), where a prime is the derivative in t.
 MatrixXcd cauchy_matrix(const Curve& curve) {
   const Index n = curve.size();
   const Complex derivative_weight = curve.sign() / (imaginary * static_cast<double>(n));
@@ -82,7 +82,7 @@ CauchyData CauchyCurve::data(const MatrixXcd& densities) const {
   return {complex_limit, phi_ * densities, dphi_ * densities};
 }
 
-// u = C[phi] - conj(C[chi + (conj(z) - conj(t)) phi']) (06.13) with chi = conj(phi - U) (06.12).
+// u = C[phi] - conj(C[chi + (conj(z) - conj(x)) phi']) (06.13) with chi = conj(phi - U) (06.12).
 ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
                                     const ComplexVector& targets) const {
   const auto phi = data.phi.col(column);
@@ -97,7 +97,7 @@ ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
 }
 
 // (06.13), sorted by U, phi and phi':
-// u(z) = sum_j conj(w_j) U_j + 2 i Im(w_j) phi_j - conj(w_j) (z - t_j) conj(phi'_j).
+// u(z) = sum_j conj(w_j) U_j + 2 i Im(w_j) phi_j - conj(w_j) (z - x_j) conj(phi'_j).
 MatrixXd CauchyCurve::velocity_rows(const ComplexVector& targets) const {
   const MatrixXcd w = barycentric_.weights(targets);
   const Index m = w.rows(), n = w.cols();
@@ -108,7 +108,7 @@ MatrixXd CauchyCurve::velocity_rows(const ComplexVector& targets) const {
          interleaved_map(direct, conjugate);
 }
 
-// phi' and phi'' along the curve, and g = dchi/dt - phi' dconj(t)/dt (06.16).
+// phi' and phi'' along the curve, and g = dchi/dx - phi' dconj(x)/dx (06.16).
 CauchyDerivativeData CauchyCurve::derivative_data(const CauchyData& data) const {
   const Eigen::ArrayXcd dt = curve_.dx.array();
   const Index rows = data.phi.rows(), columns = data.phi.cols();

@@ -20,7 +20,7 @@ struct CauchyData {
 struct CauchyDerivativeData {
   Eigen::MatrixXcd dphi;    ///< \f$ \phi' \f$, 1 / time
   Eigen::MatrixXcd ddphi;   ///< \f$ \phi'' \f$, 1 / (length time)
-  Eigen::MatrixXcd stress;  ///< \f$ g = \psi' + \bar t\phi'' \f$, 1 / time
+  Eigen::MatrixXcd stress;  ///< \f$ g = \psi' + \bar x\phi'' \f$, 1 / time
 };
 
 /// Evaluates the double layer of one curve at any distance with spectral accuracy: Cauchy integrals
@@ -29,14 +29,14 @@ struct CauchyDerivativeData {
 /// that all bodies of one shape share one CauchyCurve.
 ///
 /// With \f$ D[\eta] = \phi - z\overline{\phi'} - \overline{\psi} \f$ (06.8) and
-/// \f$ \chi = \psi + \bar t\phi' = \overline{\phi - U} \f$ on the curve (06.12) the velocity is
+/// \f$ \chi = \psi + \bar x\phi' = \overline{\phi - U} \f$ on the curve (06.12) the velocity is
 /// (06.13)
-/// \f[ u(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar t_j)\phi'_j]} \f]
+/// \f[ u(z) = \sum_j w_j\phi_j - \overline{\sum_j w_j[\chi_j + (\bar z - \bar x_j)\phi'_j]} \f]
 /// with the weights of Barycentric.
 /// The derivatives have the same form. Pressure over viscosity and vorticity are
 /// \f$ -4\,\mathrm{Re} \f$ and \f$ 4\,\mathrm{Im} \f$ of \f$ \sum_j w_j\phi'_j \f$. With
-/// \f$ g = d\chi/dt - \phi'\,d\bar t/dt \f$ along the curve, half of the strain is (06.16)
-/// \f[ \partial u/\partial\bar z = -\overline{\sum_j w_j[g_j + (\bar z - \bar t_j)\phi''_j]}. \f]
+/// \f$ g = d\chi/dx - \phi'\,d\bar x/dx \f$ along the curve, half of the strain is (06.16)
+/// \f[ \partial u/\partial\bar z = -\overline{\sum_j w_j[g_j + (\bar z - \bar x_j)\phi''_j]}. \f]
 /// @par Accuracy  1e-13 relative at any distance, once the density is resolved: @ref claim_06_1,
 /// @ref claim_06_6; with fewer nodes, that of the density, @ref claim_06_12
 /// @par Not for   targets on the other side of the curve

@@ -1,4 +1,4 @@
-// Computes graded parameters: inverts the map s(t) of (01.11), a sum of elliptic integrals, by
+// Computes graded parameters: inverts the map s(t) of (06.18), a sum of elliptic integrals, by
 // Halley's method. Evaluates the map at complex t, which gives rates of convergence.
 #include "trapezoid/grading.hpp"
 
@@ -56,12 +56,12 @@ double integral(double t, double width) {
          (k == 0.0 ? 0.0 : 2.0 * k * integral_in_period(std::numbers::pi, width));
 }
 
-// Node density m of (01.11), and its derivative with respect to t.
+// Node density m of (06.18), and its derivative with respect to t.
 struct Density {
   double value, slope;
 };
 
-// The map between t and C s (01.11), with the origin at the parameter t_c of one of the clusters:
+// The map between t and C s (06.18), with the origin at the parameter t_c of one of the clusters:
 // near t_c, the offsets tau = t - t_c have full relative accuracy.
 class MapFromCluster {
  public:
@@ -156,7 +156,7 @@ double half_period_integral(const std::vector<Cluster>& clusters) {
   return sum;
 }
 
-// Returns C of (01.11), the mean of m.
+// Returns C of (06.18), the mean of m.
 double mean_density(double strength, double half_integral) {
   return 1.0 + strength * half_integral / std::numbers::pi;
 }
@@ -204,7 +204,7 @@ std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters) {
   require_valid(grading.clusters, {grading.strength});
   const double mean = mean_density(grading.strength, half_period_integral(grading.clusters));
-  // C s(t) = t + b sum_c [I_c(t - t_c) - I_c(-t_c)] with the integral I_c of each cluster (01.11).
+  // C s(t) = t + b sum_c [I_c(t - t_c) - I_c(-t_c)] with the integral I_c of each cluster (06.18).
   double at_zero = 0.0;
   for (const auto& [parameter, width] : grading.clusters) at_zero += integral(-parameter, width);
   std::vector<double> positions;

@@ -15,8 +15,9 @@ struct Cluster {
 };
 
 /// Describes how the nodes of a curve crowd: the node density over the parameter t is proportional
-/// to (01.11)
+/// to (06.18)
 /// \f[ m(t) = 1 + b\sum_c \frac{1}{\sqrt{4\sin^2\frac{t-t_c}{2} + \delta_c^2}}. \f]
+/// Chapter 06 calls m, delta, s and C of this comment \f$ \nu, \lambda, \theta \f$ and M.
 ///
 /// Nodes are equidistant in \f$ s(t) = \frac1C\int_0^t m,\ C = \frac{1}{2\pi}\int_0^{2\pi} m \f$.
 /// The map s is analytic and grows by \f$ 2\pi \f$ with t, so that the trapezoid rule in s
@@ -57,7 +58,7 @@ std::vector<GradedParameter> graded_parameters(const Grading& grading, Eigen::In
 std::vector<double> graded_positions(const Grading& grading,
                                      const std::vector<GradedParameter>& parameters);
 
-/// Computes the distance from the real s axis of a singularity at \f$ t = p + id \f$:
+/// Computes the distance from the real s axis of a singularity at \f$ t = p + id \f$ (06.19):
 /// \f[ |\mathrm{Im}\,s| = \frac1C\Bigl(d + b\sum_c \mathrm{Im}\int_0^{p+id-t_c}
 ///     \frac{d\tau}{\sqrt{4\sin^2\frac\tau2+\delta_c^2}}\Bigr). \f]
 ///

@@ -1,4 +1,4 @@
-// Checks graded nodes: the map t(s) is the integral (01.11) at any width. Curves that are sampled
+// Checks graded nodes: the map t(s) is the integral (06.18) at any width. Curves that are sampled
 // by the map keep the rule's geometric rate, and their nodes crowd at the clusters.
 #include "trapezoid/grading.hpp"
 
@@ -48,7 +48,7 @@ double node_density(const Grading& grading, double t) {
   return m;
 }
 
-// Returns C of (01.11) from one node, where dt/ds = C / m.
+// Returns C of (06.18) from one node, where dt/ds = C / m.
 double mean_density(const Grading& grading) {
   const GradedParameter node = graded_parameters(grading, 1)[0];
   return node.dt * node_density(grading, node.t);
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(the_depth_of_a_singularity_is_the_integral_up_to_it) {
     const double mean = mean_density(grading);
     for (double parameter : {0.301, 0.7003, 1.00001, 3.5}) {
       for (double depth : {1e-4, 1e-2, 0.8}) {
-        // Integrates m (01.11) upwards from the real axis, in panels of equal ratio. In m, square
+        // Integrates m (06.18) upwards from the real axis, in panels of equal ratio. In m, square
         // roots with positive real parts continue the distances to the clusters.
         const auto continued = [&](double logarithm) {
           const double y = std::exp(logarithm);

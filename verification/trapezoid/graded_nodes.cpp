@@ -1,5 +1,5 @@
 // Integrates functions with near poles on graded nodes; the rates are predicted from the map of the
-// parameter (01.11).
+// parameter (06.18).
 #include <cmath>
 #include <functional>
 

@@ -1,7 +1,7 @@
 // Chooses the nodes with which a solve begins, for shapes, their softest modes, and gaps (chapter
 // 12, section "How fine"). Near a gap, densities decay at a rate that follows from the limit points
-// of reflections between the circles of curvature (chapter 03, section "Two circles that nearly
-// touch"). The rate determines the number of equidistant nodes, or of graded nodes (01.11),
+// of reflections between the circles of curvature (chapter 06, section "Two circles that nearly
+// touch"). The rate determines the number of equidistant nodes, or of graded nodes (06.18),
 // N = ln(10^5 / T) / r with the tolerance T and the rate r.
 #include "suspension/nodes/node_choice.hpp"
 
@@ -41,7 +41,7 @@ double decay_at(const SmoothCurve& curve, double t, double c) {
   return depth / std::abs(curve.at(t).first);
 }
 
-// Strengths b of the grading (01.11) that are tried.
+// Strengths b of the grading (06.18) that are tried.
 const std::vector<double> strengths{0.5, 1.0, 2.0, 4.0};
 
 int multiple_of_16(double n) {
