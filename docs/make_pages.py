@@ -1,7 +1,8 @@
-"""Writes the pages that list the chapters, with their graph, and the exercises.
+"""Writes the pages that Doxygen reads: texts with their numbers, lists of chapters and exercises.
 
-make_pages.py ROOT FOLDER
+make_pages.py ROOT FOLDER STUDY RESULTS
 
+Figures and tables come from the folder STUDY, RESULTS or FOLDER, or from a chapter's folder.
 The table of the README lists the methods and what each adds. The first paragraph of a chapter names
 the chapters that it builds on. An exercise is listed if it has a README.md.
 """
@@ -10,6 +11,8 @@ import html
 import pathlib
 import re
 import sys
+
+import number_pages
 
 # Each method has a column and a row in the graph. Arrows point down.
 PLACES = {
@@ -116,8 +119,8 @@ def chapters_page(methods):
     lines = ["# Chapters {#chapters}", "",
              "In reading order. Each is a text, a program, a study and exercises about one library.",
              "",
-             "| | chapter | library | what it adds |", "|---|---|---|---|"]
-    lines += [f"| {number} | @subpage chapter_{number} | @ref {method} | {adds} |"
+             "| chapter | library | what it adds |", "|---|---|---|"]
+    lines += [f"| @subpage chapter_{number} | @ref {method} | {adds} |"
               for number, method, adds in methods]
     return "\n".join([*lines, ""])
 
@@ -135,7 +138,15 @@ def exercises_page(methods, exercises):
     return "\n".join(lines)
 
 
-def main(root, folder):
+def included_file(name, folders):
+    """Returns the text of an included file, which is in one of the folders."""
+    for folder in folders:
+        if (folder / name).exists():
+            return (folder / name).read_text()
+    raise SystemExit(f"{name} is included, but is in none of {', '.join(map(str, folders))}")
+
+
+def main(root, folder, study, results):
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.iterdir():
         old.unlink()
@@ -146,7 +157,14 @@ def main(root, folder):
     (folder / "chapters.md").write_text(chapters_page(methods))
     (folder / "chapter_graph.html").write_text(graph(methods, builds_on(root, methods)))
     (folder / "exercises.md").write_text(exercises_page(methods, exercises))
+    chapters = sorted(root.glob("chapters/*/chapter.md"))
+    texts = [path.read_text() for path in [*chapters, *sorted(root.glob("docs/*.md"))]]
+    folders = [study, results, folder, *(path.parent for path in chapters)]
+    pages = number_pages.numbered_pages(texts, lambda name: included_file(name, folders),
+                                        number_pages.study_sections(study))
+    for name, text in pages.items():
+        (folder / name).write_text(text)
 
 
 if __name__ == "__main__":
-    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
+    main(*map(pathlib.Path, sys.argv[1:]))

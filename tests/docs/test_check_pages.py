@@ -9,6 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs"))
 import check_pages  # noqa: E402
 import make_pages  # noqa: E402
+import number_pages  # noqa: E402
 
 TITLE = "# A title {#chapter_01}\n\n"
 
@@ -188,6 +189,61 @@ class Html(unittest.TestCase):
     def test_no_pages(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(len(check_pages.html_violations(pathlib.Path(folder))), 1)
+
+
+class Numbers(unittest.TestCase):
+    FILES = {"a_x_figure.html": "<svg><title>Errors</title></svg>",
+             "a_x_table.html": "<table>\n<caption>Errors. Error: relative.</caption></table>",
+             "a_y_table.html": "<table><caption>Others?</caption></table>",
+             "a_y_work_figure.html": "<svg><title>W: error against a</title></svg>"
+                                     "<svg><title>W: error against b</title></svg>"}
+    FIRST = ("# One {#chapter_01}\n\nText, see \\see_a_x_figure and\n\\see_a_x_table. 12 words\n\n"
+             "@htmlinclude a_x_figure.html\n\n@htmlinclude a_x_table.html\n\n## Part {#chapter_01_part}\n\n"
+             "```sh\n## no heading\n```\n\n@htmlinclude a_y_table.html\n")
+    SECOND = ("# Two {#chapter_02}\n\n@htmlinclude a_y_work_figure.html\n\nSee \\see_a_x_figure.\n")
+
+    def pages(self, *texts):
+        sections = {"a_x_figure.html": ("Errors", "study_a.html#study_a_x")}
+        return number_pages.numbered_pages(list(texts), self.FILES.get, sections)
+
+    def test_figures_and_tables_are_numbered_by_themselves(self):
+        pages = self.pages(self.FIRST, self.SECOND)
+        figure = pages["chapter_01_a_x_figure.html"]
+        self.assertIn('<figure class="picture" id="a_x_figure">', figure)
+        self.assertIn("<b>Figure 01.1.</b> Errors. <a", figure)
+        self.assertIn('href="study_a.html#study_a_x"', figure)
+        self.assertIn("<b>Table 01.2.</b> Others?</figcaption>", pages["chapter_01_a_y_table.html"])
+        self.assertIn("<b>Figure 02.1.</b> W: error against a; error against b.<",
+                      pages["chapter_02_a_y_work_figure.html"])
+
+    def test_a_table_below_its_figure_is_folded(self):
+        pages = self.pages(self.FIRST)
+        self.assertIn("<summary>Table 01.1: the numbers of figure 01.1</summary>",
+                      pages["chapter_01_a_x_table.html"])
+        self.assertNotIn("<caption>", pages["chapter_01_a_x_table.html"])
+        self.assertNotIn("<details>", pages["chapter_01_a_y_table.html"])
+
+    def test_references(self):
+        pages = self.pages(self.FIRST, self.SECOND)
+        link = '<a href="chapter_01.html#a_x_figure">figure 01.1</a>'
+        self.assertIn(f"see {link} and\n", pages["chapter_01.md"])
+        self.assertIn(f"See {link}.\n", pages["chapter_02.md"])
+        self.assertEqual(number_pages.unreferred(self.FIRST), ["a_y_table"])
+        with self.assertRaises(SystemExit):
+            self.pages(self.SECOND)
+
+    def test_texts_keep_their_lines_and_get_their_numbers(self):
+        lines = self.pages(self.FIRST, self.SECOND)["chapter_01.md"].splitlines()
+        self.assertEqual(lines[0], "# 1 One {#chapter_01}")
+        self.assertIn('<a rel="next" href="chapter_02.html">2 Two</a>', lines[1])
+        self.assertEqual([lines[k] for k in (2, 5, 9, 12)],
+                         ["Text, see " + '<a href="chapter_01.html#a_x_figure">figure 01.1</a> and',
+                          "@htmlinclude[block] chapter_01_a_x_figure.html",
+                          "## 1.1 Part {#chapter_01_part}", "## no heading"])
+
+    def test_words_of_prose_are_counted(self):
+        text = "A word \\f$ x + y \\f$, @ref eq_01_1 \"(01.1)\".\n```sh\n./stokes docs\n```\n" * 100
+        self.assertEqual(number_pages.reading_minutes(text), (300, 5))
 
 
 class Lists(unittest.TestCase):

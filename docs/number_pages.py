@@ -1,0 +1,159 @@
+"""Completes the texts of the book: numbers of sections, figures and tables, captions, and what leads on.
+
+An included figure or table, X_figure.html, X_table.html or X.svg, becomes a <figure> with its number in
+its page and a caption: the title of the picture or the caption of the table. \\see_X_figure and
+\\see_X_table become links to it. A table that directly follows the figure of its name is folded.
+Texts keep their lines, so that warnings of Doxygen name the right ones.
+"""
+
+import html
+import re
+
+from check_pages import FORMULA, without_code
+
+INCLUDE = re.compile(r"^@htmlinclude (?:\S*/)?(\w+_(figure|table)\.html|\w+\.svg)$", re.MULTILINE)
+SEE = re.compile(r"[@\\]see_(\w+)")
+TITLE = re.compile(r"# (.*) \{#(\w+)\}\n")
+WORDS_A_MINUTE = 45  # read with a pencil: formulas and figures take their time, but have no words
+
+
+class Shown:
+    """A figure or table that a page includes."""
+
+    def __init__(self, name, page, number, follows):
+        self.stem, _, ending = name.partition(".")
+        self.is_table = self.stem.endswith("_table")
+        self.name, self.page, self.number = name, page, number
+        self.folded_below = follows if self.is_table and follows and follows.key == self.key else None
+        self.file = f"{page}_{self.stem}.html"
+
+    @property
+    def key(self):
+        return re.sub(r"(_work)?_(figure|table)$", "", self.stem)
+
+    @property
+    def label(self):
+        return f"{'table' if self.is_table else 'figure'} {self.number}"
+
+    @property
+    def link(self):
+        return f'<a href="{self.page}.html#{self.stem}">{self.label}</a>'
+
+
+def shown_in(text):
+    """Returns the figures and tables of a page in their order."""
+    page = TITLE.match(text)[2]
+    chapter = re.fullmatch(r"chapter_(\d\d)", page)
+    found, counts, end = [], [0, 0], 0
+    for match in INCLUDE.finditer(text):
+        is_table = match[2] == "table"
+        counts[is_table] += 1
+        number = f"{chapter[1]}.{counts[is_table]}" if chapter else str(counts[is_table])
+        follows = found[-1] if found and not text[end:match.start()].strip() else None
+        found.append(Shown(match[1], page, number, follows))
+        end = match.end()
+    return found
+
+
+def unreferred(text):
+    """Returns the figures and tables that a page includes and that its text does not refer to."""
+    return [shown.stem for shown in shown_in(text) if shown.stem not in SEE.findall(text)]
+
+
+def caption_of(content, title):
+    """Returns the caption of a table, or the titles of a figure's pictures, else the given title."""
+    titles = re.findall(r"<caption>(.*?)</caption>|<title>(.*?)</title>", content, re.DOTALL)
+    titles = [caption or picture for caption, picture in titles] or [html.escape(title)]
+    # The pictures of one figure have titles "What is shown: error against ...".
+    caption = "; ".join([titles[0], *(further.rpartition(": ")[2] for further in titles[1:])])
+    return caption if caption.endswith((".", "!", "?")) else caption + "."
+
+
+def study_sections(folder):
+    """Returns where the studies show their files: name of file -> (title, link) of the section."""
+    sections = {}
+    for page in sorted(folder.glob("*_study.md")):
+        for part in page.read_text().split("\n## ")[1:]:
+            title, anchor = re.match(r"(.*) \{#(\w+)\}", part).groups()
+            for name in re.findall(r"@htmlinclude (\S+)", part):
+                sections[name] = title, f"study_{page.stem.removesuffix('_study')}.html#{anchor}"
+    return sections
+
+
+def figure_html(shown, content, title, study):
+    """Returns a figure or table with its number and caption."""
+    caption = caption_of(content, title)
+    if study:
+        caption += f' <a class="study" href="{study}">Study</a>'
+    label = shown.label.capitalize()
+    content = re.sub(r"<caption>.*?</caption>\n?", "", content, flags=re.DOTALL)
+    if shown.folded_below:
+        content = (f"<details><summary>{label}: the numbers of {shown.folded_below.label}</summary>\n"
+                   f"<p>{caption}</p>\n{content}</details>")
+    else:
+        caption = f"<figcaption><b>{label}.</b> {caption}</figcaption>\n"
+        content = caption + content if shown.is_table else content + caption
+    kind = "table" if shown.is_table else "picture"
+    return f'<figure class="{kind}" id="{shown.stem}">\n{content}</figure>\n'
+
+
+def reading_minutes(text):
+    """Returns the words of a chapter's prose, in hundreds, and the minutes to read them."""
+    prose = re.sub(r"[@\\]\w+|\{#\w+\}|<[^>]*>", " ", FORMULA.sub(" ", without_code(text)))
+    words = len(re.findall(r"[^\W\d_][\w'-]*", prose))
+    return round(words, -2), 5 * round(words / WORDS_A_MINUTE / 5)
+
+
+def with_section_numbers(text, chapter):
+    """Returns the text of a chapter with its number before its title, and numbers before sections."""
+    code, section, lines = False, 0, []
+    for line in text.splitlines():
+        code ^= line.startswith("```")
+        if line.startswith("# ") and not lines:
+            line = f"# {int(chapter)} {line[2:]}"
+        elif line.startswith("## ") and not code:
+            section += 1
+            line = f"## {int(chapter)}.{section} {line[3:]}"
+        lines.append(line)
+    return "\n".join([*lines, ""])
+
+
+def pager(chapters, k):
+    """Returns links to the chapters before and after the chapter k of (title, anchor) pairs."""
+    links = [f'<a rel="{relation}" href="{chapters[j][1]}.html">{html.escape(chapters[j][0])}</a>'
+             for relation, j in [("prev", k - 1), ("next", k + 1)] if 0 <= j < len(chapters)]
+    return f'@htmlonly[block]<nav class="pager">{"".join(links)}</nav>@endhtmlonly'
+
+
+def numbered_pages(texts, find, sections):
+    """Returns the texts to be read by Doxygen, and their figures and tables: file name -> text.
+
+    texts are the chapters, in order, and other pages: all with a title and an anchor. find(name) returns
+    the text of an included file, sections is that of study_sections().
+    """
+    figures = [shown_in(text) for text in texts]
+    chapters = [(f"{int(anchor[-2:])} {title}", anchor) for title, anchor in
+                (TITLE.match(text).groups() for text in texts) if anchor.startswith("chapter_")]
+    everywhere = {shown.stem: shown for page in reversed(figures) for shown in page}
+    written = {}
+    for k, text in enumerate(texts):
+        page = TITLE.match(text)[2]
+        own = everywhere | {shown.stem: shown for shown in figures[k]}
+        in_order = iter(figures[k])
+        if k < len(chapters):
+            words, minutes = reading_minutes(text)
+            text = with_section_numbers(text, page[-2:])
+            title, _, body = text.partition("\n\n")
+            text = (f"{title}\n@tableofcontents{{HTML:1}} {pager(chapters, k)} "
+                    f'@htmlonly[block]<p class="reading">Reading time: {minutes} minutes '
+                    f"({words:,} words at {WORDS_A_MINUTE} a minute, with a pencil)</p>@endhtmlonly\n"
+                    f"{body}\n{pager(chapters, k)}\n")
+        text = INCLUDE.sub(lambda _: f"@htmlinclude[block] {next(in_order).file}", text)
+        for stem in set(SEE.findall(text)):
+            if stem not in own:
+                raise SystemExit(f"{page}: \\see_{stem}: no page includes such a figure or table")
+        written[f"{page}.md"] = SEE.sub(lambda match: own[match[1]].link, text)
+        for shown in figures[k]:
+            title, study = sections.get(shown.name, (shown.name, None))
+            written[shown.file] = figure_html(shown, find(shown.name), title, study)
+    return written
