@@ -63,24 +63,43 @@ std::string anchor(const StudyResult& result, const Experiment& experiment) {
   return "study_" + result.name + '_' + experiment.key;
 }
 
-/// Returns the entry of a claim in the index of claims, as Markdown.
+/// Returns the alias of a claim's badge: a link that shows the measured and the claimed number.
+std::string badge(const LineResult& found, const std::string& axis) {
+  const Claim& claim = *found.line.claim;
+  const std::string law = law_text(claim.law, axis);
+  std::string title = claim.statement + " Claimed: " + law + '.', text = claim.id;
+  text.replace(text.find('_'), 1, ".");
+  if (found.verdict) {
+    const bool is_bound = law.find("<=") != std::string::npos;
+    text += ": " + html_number(found.verdict->measured) + "<small> claimed " +
+            (is_bound ? "&le;&nbsp;" : "") + html_number(claimed_number(claim.law)) + "</small>";
+    title += " Measured: " + found.verdict->explanation + ". Planted error " +
+             (found.control->is_rejected() ? "" : "not ") + "detected.";
+  } else {
+    text += ": full size only";
+  }
+  return "ALIASES += \"badge_" + claim.id +
+         R"(=@htmlonly <a class=\"badge\" href=\"claims.html#claim_)" + claim.id +
+         R"(\" title=\")" + escaped(title) + R"(\">)" + text + "</a>@endhtmlonly\"\n";
+}
+
+/// Returns the entry of a claim in the index of claims, as Markdown: a sentence, and folded details.
 std::string claim_entry(const StudyResult& result, const Experiment& experiment,
                         const LineResult& found) {
   const Claim& claim = *found.line.claim;
-  const std::string entry = "@anchor claim_" + claim.id + "\n**" + claim.id + "**, " +
-                            escaped(found.line.label) + ": " + escaped(claim.statement) +
-                            " \n<small>" + escaped(claim.reason) + "</small>\n\n";
-  if (!found.verdict) {
-    return entry + full_size_measures + " See @ref " + anchor(result, experiment) + ".\n\n";
-  }
   std::string about;
-  for (const std::string& name : claim.api) about += " @ref " + name;
-  return entry +
-         "| claimed | measured | control | verdict | study | about |\n|---|---|---|---|---|---|\n"
-         "| " +
-         escaped(law_text(claim.law, experiment.x)) + " | " + escaped(found.verdict->explanation) +
-         " | " + control_html(found) + " | " + verdict_html(found) + " | @ref " +
-         anchor(result, experiment) + " |" + about + " |\n\n";
+  for (const std::string& name : claim.api) about += ", @ref " + name;
+  const std::string measured = found.verdict ? escaped(found.verdict->explanation) + ": " +
+                                                   verdict_html(found) +
+                                                   "\n- Planted error: " + control_html(found)
+                                             : full_size_measures;
+  return "@htmlonly[block]<div class=\"claim\">@endhtmlonly\n@anchor claim_" + claim.id + '\n' +
+         escaped(claim.statement) + " \\badge_" + claim.id +
+         "\n@htmlonly[block]<details><summary>" + escaped(law_text(claim.law, experiment.x)) +
+         "; " + escaped(found.line.label) +
+         "</summary>@endhtmlonly\n\n- Reason: " + escaped(claim.reason) +
+         "\n- Measured: " + measured + "\n- See @ref " + anchor(result, experiment) + about +
+         "\n\n@htmlonly[block]</details></div>@endhtmlonly\n\n";
 }
 
 constexpr const char* index_style =
@@ -111,12 +130,14 @@ std::string to_csv(const StudyResult& result) {
 std::string to_aliases(const StudyResult& result) {
   std::string text;
   for (const auto& [experiment, lines] : result.experiments) {
-    for (const auto& [line, measurements, verdict, _] : lines) {
+    for (const LineResult& found : lines) {
+      const auto& [line, measurements, verdict, _] = found;
       const std::string name = "val_" + result.number + '_' + experiment.key + '_' + line.key;
       for (const Measurement& point : measurements) {
         text += alias(name + '_' + key_of(point.x), point.error);
       }
       if (!line.claim) continue;
+      text += badge(found, experiment.x);
       text += alias("val_claim_" + line.claim->id + "_claimed", claimed_number(line.claim->law));
       if (verdict) text += alias("val_claim_" + line.claim->id, verdict->measured);
     }
@@ -143,8 +164,8 @@ std::string claims_page(const std::vector<StudyResult>& results) {
   std::string page =
       "# Index of claims {#claims}\n\n"
       "Every claim of accuracy or cost that the book makes, as this build has measured it. A claim "
-      "holds when the number measured lies in its band and the same check rejects the planted "
-      "defect.\n\n";
+      "holds when the number measured lies in its band and the same check detects the planted "
+      "error.\n\n";
   for (const StudyResult& result : results) {
     page += "## " + result.number + " " + result.title + " {#claims_" + result.name +
             "}\n\nChapter: @ref chapter_" + result.number + ". Library: @ref " + result.name +

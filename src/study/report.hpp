@@ -16,7 +16,7 @@ std::string to_csv(const StudyResult& result);
 
 /// Returns the numbers of a study as aliases of Doxygen, one line `ALIASES += name="value"` for
 /// each: `val_<number>_<experiment>_<line>_<x>` is an error, `val_claim_<id>` the measured number
-/// of a claim, and `val_claim_<id>_claimed` the claimed one.
+/// of a claim, `val_claim_<id>_claimed` the claimed number, and `badge_<id>` a link to the claim.
 std::string to_aliases(const StudyResult& result);
 
 /// Returns all tables and figures of a study as a page of Doxygen: Markdown that includes the files

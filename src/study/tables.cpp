@@ -141,7 +141,7 @@ std::string claims_table(const StudyResult& result) {
   }
   return table(escaped(result.title),
                "<thead><tr><th>claim</th><th>statement, reason</th><th>law</th><th>measured</th>"
-               "<th>control</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
+               "<th>planted error</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
                    body + "</tbody>");
 }
 
@@ -150,12 +150,12 @@ std::string verdict_html(const LineResult& result) {
   const std::string text = to_string(result.verdict->outcome);
   if (result.holds()) return text;
   const bool only_control = result.verdict->outcome == Outcome::holds;
-  return "<b>" + text + (only_control ? ", but its control is not rejected" : "") + "</b>";
+  return "<b>" + text + (only_control ? ", but its planted error is not detected" : "") + "</b>";
 }
 
 std::string control_html(const LineResult& result) {
   return escaped(result.line.control->defect) +
-         (result.control->is_rejected() ? ": rejected" : ": <b>not rejected</b>");
+         (result.control->is_rejected() ? ": detected" : ": <b>not detected</b>");
 }
 
 }  // namespace stokesbook::study
