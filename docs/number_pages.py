@@ -14,7 +14,7 @@ from check_pages import FORMULA, without_code
 INCLUDE = re.compile(r"^@htmlinclude (?:\S*/)?(\w+_(figure|table)\.html|\w+\.svg)$", re.MULTILINE)
 SEE = re.compile(r"[@\\]see_(\w+)")
 TITLE = re.compile(r"# (.*) \{#(\w+)\}\n")
-WORDS_A_MINUTE = 45  # read with a pencil: formulas and figures take their time, but have no words
+WORDS_A_MINUTE = 45  # slow, because formulas and figures take their time, but are not counted
 
 
 class Shown:
@@ -146,7 +146,7 @@ def numbered_pages(texts, find, sections):
             title, _, body = text.partition("\n\n")
             text = (f"{title}\n@tableofcontents{{HTML:1}} {pager(chapters, k)} "
                     f'@htmlonly[block]<p class="reading">Reading time: {minutes} minutes '
-                    f"({words:,} words at {WORDS_A_MINUTE} a minute, with a pencil)</p>@endhtmlonly\n"
+                    f"({words:,} words at {WORDS_A_MINUTE} a minute, formulas included)</p>@endhtmlonly\n"
                     f"{body}\n{pager(chapters, k)}\n")
         text = INCLUDE.sub(lambda _: f"@htmlinclude[block] {next(in_order).file}", text)
         for stem in set(SEE.findall(text)):

@@ -98,31 +98,17 @@ def render_all(pages, command="chromium", tabs=4):
 
 
 def search_results(tab, page, words):
-    """Returns the titles that the search box of a page offers for some words."""
+    """Returns the addresses that the search box of a page offers for some words."""
     tab.look(*DESKTOP)
     tab.open(page.as_uri())
     return tab.evaluate(r"""
       (async () => {
-        // What look() returns, once it returns something; the page makes its search box after loading.
-        const eventually = async look => {
-          for (let k = 0; k < 200; ++k) {
-            const found = look();
-            if (found) return found;
-            await new Promise(done => setTimeout(done, 50));
-          }
-        };
-        const field = await eventually(() => document.getElementById("MSearchField"));
-        if (!field) return [];
+        const [field, list] = document.getElementById("book-search").children;
         field.focus();
+        while (!window.searchIndex) await new Promise(done => setTimeout(done, 50));
         field.value = WORDS;
-        searchBox.OnSearchFieldChange({keyCode: 0, preventDefault() {}, stopPropagation() {}});
-        return await eventually(() => {
-          const frame = document.getElementById("MSearchResults");
-          const results = (frame.contentDocument || document).querySelectorAll(".SRResult");
-          const titles = [...results].filter(r => getComputedStyle(r).display !== "none")
-                                     .map(r => r.querySelector(".SRSymbol").textContent);
-          return titles.length ? titles : null;
-        }) || [];
+        field.dispatchEvent(new Event("input"));
+        return [...list.querySelectorAll("a")].map(link => link.getAttribute("href"));
       })()""".replace("WORDS", repr(words)))
 
 

@@ -10,6 +10,7 @@ sys.path.insert(0, str(ROOT / "docs"))
 import check_pages  # noqa: E402
 import make_pages  # noqa: E402
 import number_pages  # noqa: E402
+import search_index  # noqa: E402
 
 TITLE = "# A title {#chapter_01}\n\n"
 
@@ -244,6 +245,23 @@ class Numbers(unittest.TestCase):
     def test_words_of_prose_are_counted(self):
         text = "A word \\f$ x + y \\f$, @ref eq_01_1 \"(01.1)\".\n```sh\n./stokes docs\n```\n" * 100
         self.assertEqual(number_pages.reading_minutes(text), (300, 5))
+
+
+class Search(unittest.TestCase):
+    def test_sections_and_their_texts(self):
+        page = ('<script>x</script><div class="title">The title <div class="ingroups">a group</div></div>'
+                '<div class="toc"><h3>Contents</h3><div>1</div></div><p>First, \\( x^2 \\) text.</p>'
+                '<h1><a class="anchor" id="a"></a>\nHead</h1><p>of<a id="b"></a> a</p>'
+                '<h2 class="memtitle"><span class="permalink"><a href="#b">x</a></span>f()</h2>last')
+        self.assertEqual(search_index.entries_of("chapter_01.html", page), [
+            [0, "The title", "The title", "chapter_01.html", "a group First, … text."],
+            [0, "The title", "Head", "chapter_01.html#a", "of a"],
+            [0, "The title", "f()", "chapter_01.html#b", "last"]])
+
+    def test_chapters_come_before_other_pages(self):
+        names = ["chapter_01", "conventions", "exercise_01_1", "study_fmm", "group__fmm"]
+        ranks = [search_index.entries_of(f"{name}.html", '<h1 id="a">x</h1>')[0][0] for name in names]
+        self.assertEqual(ranks, [0, 1, 2, 3, 4])
 
 
 class Lists(unittest.TestCase):

@@ -31,10 +31,24 @@ class ThisBuild(unittest.TestCase):
     def test_every_page(self):
         self.assertEqual(render.render_all(render.pages_of(SITE), CHROMIUM), [])
 
-    def test_search(self):
+    def test_search_finds_sections(self):
+        first = {"jump relation": "chapter_02.html#chapter_02_jump",
+                 "Goursat": "chapter_06.html#chapter_06_goursat",
+                 "null space": "chapter_04.html",
+                 "fredholm": "chapter_02.html#chapter_02_second_kind",
+                 "further reading": "chapter_",
+                 "lubrication": "chapter_",
+                 "stresslet()": "group__double__layer.html#",
+                 "null_space_velocity": "group__null__space.html#",
+                 "reversib": "chapter_"}
         with browser.Browser(CHROMIUM) as chromium:
-            found = render.search_results(chromium.tab(), SITE / "index.html", "stresslet")
-        self.assertIn("stresslet", found)
+            tab = chromium.tab()
+            for words, address in first.items():
+                found = render.search_results(tab, SITE / "index.html", words)
+                self.assertTrue(found and found[0].startswith(address), (words, found))
+            self.assertTrue([address for address in render.search_results(
+                tab, SITE / "index.html", "stresslet") if address.startswith("chapter_07.html#")])
+            self.assertEqual(render.search_results(tab, SITE / "index.html", "nosuchword"), [])
 
 
 class PlantedFaults(unittest.TestCase):
