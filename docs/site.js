@@ -1,4 +1,4 @@
-// The search box of all pages, the filter of the index of claims, and folded tables on paper.
+// The search box of all pages, the index of claims, and folded tables on paper.
 
 // Returns up to 20 sections of the index that contain words of the query, the best first. A word counts
 // more in a heading of the book, and in a name of the API that is the whole query. Then chapters come first,
@@ -63,6 +63,47 @@ function search(index, query) {
     else return;
     event.preventDefault();
   });
+})();
+
+// In the index of claims, powers are set as such: e^{-d N}, N^-2 and |x|^(3/2).
+for (const element of document.querySelectorAll(".claim p, .claim summary, .claim li")) {
+  for (const node of [...element.childNodes].filter(node => node.nodeType === Node.TEXT_NODE)) {
+    const text = node.textContent.replace(/[&<>]/g, c => `&#${c.charCodeAt(0)};`);
+    const set = text.replace(/\^(?:\{([^}]*)\}|\(([^)]*)\)|(-?\w+(?:\.\d+)?))/g, "<sup>$1$2$3</sup>");
+    if (set !== text) node.replaceWith(document.createRange().createContextualFragment(set));
+  }
+}
+
+// Above the index of claims: a field that shows only claims with given words, and an order by laws.
+(function addFilterOfClaims() {
+  const claims = [...document.querySelectorAll(".claim")];
+  if (!claims.length) return;
+  const bar = document.createElement("p");
+  bar.className = "claim-filter";
+  bar.innerHTML = '<input type="search" placeholder="Show claims with ..." aria-label="Show claims with"> ' +
+                  '<label><input type="checkbox"> sorted by law</label> <output></output>';
+  claims[0].parentElement.prepend(bar);
+  const [field, label, output] = bar.children, byLaw = label.firstChild, heads = [];
+  for (let e = claims[0].parentElement.firstElementChild; e; e = e.nextElementSibling) {
+    if (e !== bar && !claims.includes(e)) heads.push(e);
+  }
+  const places = claims.map(claim => claim.previousElementSibling);
+  const law = claim => claim.querySelector("summary").textContent.replace(/[\d.]+/g, "");
+
+  function show() {
+    const words = field.value.toLowerCase().split(/\s+/);
+    const shown = claims.filter(claim => {
+      const text = (claim.textContent + claim.querySelector(".badge").title).toLowerCase();
+      claim.hidden = !words.every(word => text.includes(word));
+      return !claim.hidden;
+    });
+    output.textContent = shown.length + " of " + claims.length + " claims";
+    for (const head of heads) head.hidden = byLaw.checked || field.value !== "";
+    if (byLaw.checked) bar.after(...claims.toSorted((a, b) => law(a) < law(b) ? -1 : 1));
+    else claims.forEach((claim, k) => places[k].after(claim));
+  }
+  bar.addEventListener("input", show);
+  show();
 })();
 
 addEventListener("beforeprint", () => {

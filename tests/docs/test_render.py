@@ -50,6 +50,29 @@ class ThisBuild(unittest.TestCase):
                 tab, SITE / "index.html", "stresslet") if address.startswith("chapter_07.html#")])
             self.assertEqual(render.search_results(tab, SITE / "index.html", "nosuchword"), [])
 
+    def test_claims_are_filtered_and_sorted(self):
+        with browser.Browser(CHROMIUM) as chromium:
+            tab = chromium.tab()
+            tab.open((SITE / "claims.html").as_uri())
+            shown, laws, ids = tab.evaluate("""(() => {
+                const [field, label] = document.querySelector(".claim-filter").children;
+                const texts = what => [...document.querySelectorAll(".claim:not([hidden]) " + what)]
+                                        .map(element => element.textContent);
+                field.value = "eigenvalues collocation";
+                field.dispatchEvent(new Event("input", {bubbles: true}));
+                const shown = texts("p");
+                field.value = "";
+                label.firstChild.click();
+                const laws = texts("summary").map(text => text.split(" ")[0]);
+                label.firstChild.click();
+                return [shown, laws, texts(".badge").map(text => text.split(/[.:]/).slice(0, 2).join(" "))];
+            })()""")
+        self.assertTrue(shown and all("eigenvalues" in text for text in shown), shown)
+        self.assertGreater(len(laws), 300)
+        self.assertGreater(laws.index("value"), laws.index("error"))
+        chapters = [int(name.split()[0]) for name in ids]
+        self.assertEqual(chapters, sorted(chapters))
+
 
 class PlantedFaults(unittest.TestCase):
     """A page with formulas, into which each test plants one fault."""
