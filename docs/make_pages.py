@@ -103,8 +103,9 @@ def exercises_of(root):
 
 
 def exercise_page(chapter, exercise, text):
-    """Returns an exercise's README as a page, with an anchor and with formulas for Doxygen."""
+    """Returns an exercise's README as a page: with its number, links, and formulas for Doxygen."""
     title, _, body = text.partition("\n")
+    title = f"# Exercise {chapter}.{exercise}: {title.removeprefix('# ')}"
     parts = re.split(r"(^```.*?^```$|`[^`\n]*`)", body, flags=re.MULTILINE | re.DOTALL)
     for k in range(0, len(parts), 2):  # the parts with odd k are code
         parts[k] = re.sub(r"\$\$(.+?)\$\$", r"\\f[\1\\f]", parts[k], flags=re.DOTALL)
@@ -112,7 +113,8 @@ def exercise_page(chapter, exercise, text):
         # Doxygen would end a paragraph, and with it the folded text, after the summary.
         parts[k] = re.sub(r"<details><summary>.*?</summary>|</details>",
                           r"\n@htmlonly[block]\n\g<0>\n@endhtmlonly\n", parts[k])
-    return f"{title} {{#exercise_{chapter}_{exercise}}}\n{''.join(parts)}"
+    return (f"{title} {{#exercise_{chapter}_{exercise}}}\n\nThis exercise belongs to chapter @ref chapter_{chapter}. "
+            f"`./stokes check {chapter}.{exercise}` checks your answer.\n{''.join(parts)}")
 
 
 def chapters_page(methods):

@@ -289,8 +289,9 @@ class Lists(unittest.TestCase):
                              {"a": set(), "b": {"a"}, "c": {"b"}, "d": {"c"}})
 
     def test_exercise_page(self):
-        self.assertEqual(make_pages.exercise_page("03", 2, "# Two\nA $x$ and `$HOME`.\n"),
-                         "# Two {#exercise_03_2}\nA \\f$x\\f$ and `$HOME`.\n")
+        page = make_pages.exercise_page("03", 2, "# Two\nA $x$ and `$HOME`.\n")
+        self.assertTrue(page.startswith("# Exercise 03.2: Two {#exercise_03_2}\n\nThis exercise belongs"), page)
+        self.assertTrue(page.endswith("\nA \\f$x\\f$ and `$HOME`.\n"), page)
         folded = make_pages.exercise_page("03", 2, "# Two\n<details><summary>a</summary>\n")
         self.assertIn("@htmlonly[block]\n<details><summary>a</summary>\n@endhtmlonly", folded)
 
