@@ -15,7 +15,7 @@ double ErrorBound::in_units_of_scale(const VectorXd& error) const {
 }
 
 // [factor]
-// 0.9 e_n^(-0.7/k) e_(n-1)^(0.4/k), bounded (09.9)
+// 0.9 e_n^(-0.7/m) e_(n-1)^(0.4/m), bounded (09.9)
 double step_factor(double error, double previous, int order) {
   constexpr double safety = 0.9, least = 0.2, most = 5.0;
   const double history = std::pow(std::max(previous, 1e-4), 0.4 / order);

@@ -1,5 +1,5 @@
 // Computes the speed at which four disks driven by torques circle round each other, and compares
-// with the law of point rotlets (12.2).
+// with the law of point rotlets (page Scenes, section "Rotors").
 #include <cmath>
 #include <numbers>
 
@@ -33,7 +33,7 @@ double circling_speed(double radius, double distance, Rotors rotors) {
   return solver.solve(solver.start()).motions[0].velocity.imag();
 }
 
-/// Returns the speed of point rotlets (12.2). Each of the three other rotlets causes a velocity
+/// Returns the speed of point rotlets. Each of the three other rotlets causes a velocity
 /// 1 / (4 pi r) around it. The two neighbours are at r = sqrt(2) R, and the share 1/sqrt(2) of
 /// their velocity is along the circle; the opposite rotlet is at r = 2 R.
 double rotlet_speed(double distance) {

@@ -1,6 +1,6 @@
 // Samples a shape, and prepares the data that all components of this shape share: the schemes of
 // close evaluation (chapter 06) and the inverse of the own block (05.11). Estimates how well the
-// nodes resolve the shape and its softest mode (chapter 12, section "How fine").
+// nodes resolve the shape and its softest mode (chapter 12, section "Nodes").
 #include "suspension/bodies/discretised_shape.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ double softest_mode_error(const DiscretisedShape& discretised) {
   if (discretised.shape_residual < beyond_question) return discretised.shape_residual;
   try {
     const Eigen::MatrixXd& inverse = *discretised.inverse_block.get();
-    // delta ||B^{-1}|| of chapter 12, in the maximum norm.
+    // delta ||M^{-1}|| of chapter 12, in the maximum norm.
     return discretised.shape_residual * inverse.cwiseAbs().rowwise().sum().maxCoeff();
   } catch (const std::domain_error&) {
     return discretised.shape_residual;  // singular for any number of nodes: solves are refused

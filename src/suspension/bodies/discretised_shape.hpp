@@ -67,8 +67,8 @@ struct DiscretisationNeeds {
 double shape_residual(const Shape& shape, const Curve& curve);
 
 /// Estimates the relative error that the nodes of a component cause in the softest mode of its own
-/// block B: \f$ \delta\,\|B^{-1}\| \f$ with the shape residual \f$ \delta \f$ (chapter 12, section
-/// "How fine").
+/// block M: \f$ \delta\,\|M^{-1}\| \f$ with the shape residual \f$ \delta \f$ (chapter 12, section
+/// "Nodes").
 ///
 /// Slender bodies have densities that cause almost no flow: the block has eigenvalues near zero. If
 /// the errors of the block are as large as such an eigenvalue, the solution may contain the mode

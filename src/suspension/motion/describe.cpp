@@ -1,5 +1,5 @@
 // Describes the plan of a scene, its nodes, gaps and time steps, as lines of text for the user
-// (chapter 12, section "One way for the data").
+// (chapter 12, section "System").
 #include "suspension/motion/describe.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Chooses the nodes with which a solve begins, for shapes, their softest modes, and gaps (chapter
-// 12, section "How fine"). Near a gap, densities decay at a rate that follows from the limit points
-// of reflections between the circles of curvature (chapter 06, section "Two circles that nearly
+// 12, section "Nodes"). Near a gap, densities decay at a rate that follows from the limit points of
+// reflections between the circles of curvature (chapter 06, section "Two circles that nearly
 // touch"). The rate determines the number of equidistant nodes, or of graded nodes (06.18),
 // N = ln(10^5 / T) / r with the tolerance T and the rate r.
 #include "suspension/nodes/node_choice.hpp"

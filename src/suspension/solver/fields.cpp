@@ -1,6 +1,6 @@
 // Evaluates velocity, pressure, vorticity, stress (07.1) and dissipation at the points of a grid
 // that lie in the fluid, and estimates their errors by a solution on more nodes (chapter 12,
-// section "How fine"). The side of a point follows from the divisor Delta of the barycentric
+// section "Solver"). The side of a point follows from the divisor Delta of the barycentric
 // formula: the point is in the fluid if Re Delta > 1/2 (06.15). An R-tree selects the components to
 // test.
 #include "suspension/solver/fields.hpp"

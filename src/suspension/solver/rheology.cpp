@@ -1,5 +1,5 @@
 // Computes the rheology of a solution: dissipation (07.11), stresslets (07.14), the torque ratio of
-// a Couette cell, and the order parameter of long bodies (chapter 12, section "Couette cells").
+// a Couette cell, and the order parameter of long bodies (page Scenes, section "A Couette cell").
 #include "suspension/solver/rheology.hpp"
 
 #include <algorithm>

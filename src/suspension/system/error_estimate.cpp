@@ -1,7 +1,7 @@
 // Estimates the error of a solution by a correction on finer nodes: interpolates the density,
 // solves for the correction of its residual, and compares motions and loads before and after. If
 // the error is too large, the tails of the densities show which components to refine (chapter 12,
-// section "How fine").
+// section "System").
 #include "suspension/system/error_estimate.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Decides from the scene alone which parts of the solver are built and how accurate they are
-// (chapter 12, section "One way for the data").
+// (chapter 12, section "System").
 #include "suspension/system/plan.hpp"
 
 #include <algorithm>
