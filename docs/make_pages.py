@@ -161,7 +161,7 @@ def main(root, folder, study, results):
     (folder / "exercises.md").write_text(exercises_page(methods, exercises))
     chapters = sorted(root.glob("chapters/*/chapter.md"))
     texts = [path.read_text() for path in [*chapters, *sorted(root.glob("docs/*.md"))]]
-    folders = [study, results, folder, *(path.parent for path in chapters)]
+    folders = [study, results, folder, root / "docs/drawings", *(path.parent for path in chapters)]
     pages = number_pages.numbered_pages(texts, lambda name: included_file(name, folders),
                                         number_pages.study_sections(study))
     for name, text in pages.items():
