@@ -95,8 +95,8 @@ PairEvents pair_events(const ContactShapes& shapes, const PathPair& paths,
 
 /// Makes the row of a vertex event.
 ///
-/// With the normal n = R(theta_B) n_I in the plane, the derivative is \f$ (n, a_A\times n) \f$ for
-/// the vertex's component and \f$ (-n, -a_B\times n) \f$ for the polygon's component (10.9), with
+/// With the normal n = R(theta_B) n_I in the plane, the derivative is \f$ (n, r_A\times n) \f$ for
+/// the vertex's component and \f$ (-n, -r_B\times n) \f$ for the polygon's component (10.9), with
 /// the arms of the vertex at the end of the step. The force has the same form, with the
 /// orientations at VertexEvent::time, the centres at the start of the step, where the Stokes
 /// equations are solved, and the arms to the point half-way between the vertex and the point that
