@@ -33,7 +33,6 @@ struct Traversal {
   Index direct_pairs;
   Interactions found;
 
-  // [visit]
   void visit(std::size_t t, std::size_t s) {
     const Box &target = targets[t], &source = sources[s];
     const bool separated = well_separated(target, source);
@@ -52,7 +51,6 @@ struct Traversal {
       }
     }
   }
-  // [visit]
 };
 
 }  // namespace

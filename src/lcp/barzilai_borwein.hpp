@@ -14,11 +14,12 @@ struct LcpOperator {
 /// Solves (11.2) by projected gradients,
 /// \f$ z_{k+1} = \max(0, z_k - \alpha_k w_k) \f$, which require only products with M.
 ///
-/// With \f$ s = z_k - z_{k-1},\ y = w_k - w_{k-1} \f$, the step length \f$ \alpha_k \f$ alternates
-/// between the two of Barzilai and Borwein, \f$ s \cdot s / s \cdot y \f$ and
-/// \f$ s \cdot y / y \cdot y \f$. The first step has the length \f$ 1 / |p|_\infty \f$ with the
-/// projected gradient p. There is no line search, so the residual may grow in a step; the iterate
-/// with the least residual is returned.
+/// With \f$ \Delta z = z_k - z_{k-1},\ \Delta w = w_k - w_{k-1} \f$, the step length
+/// \f$ \alpha_k \f$ alternates between the two of Barzilai and Borwein,
+/// \f$ \Delta z \cdot \Delta z / \Delta z \cdot \Delta w \f$ and
+/// \f$ \Delta z \cdot \Delta w / \Delta w \cdot \Delta w \f$. The first step has the length
+/// \f$ 1 / |p|_\infty \f$ with the projected gradient p. There is no line search, so the residual
+/// may grow in a step; the iterate with the least residual is returned.
 /// @param  problem  with m rows, M symmetric and positive semidefinite
 /// @param  options  default limit: 2000 products with M
 /// @return          solved or stalled; iterations are products with M

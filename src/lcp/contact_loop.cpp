@@ -266,14 +266,12 @@ class ContactLoop {
     const LcpOptions options{.guess = guess};
     LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
     LcpResult solution = options_.solver(lcp, options);
-    //! [clip]
     // No solution: some c < 0 is an error of the linearisation. Replace c by max(c, 0).
     if (solution.status == LcpStatus::ray) {
       ++result_.rays;
       lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
       solution = options_.solver(lcp, options);
     }
-    //! [clip]
     return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
   }
 

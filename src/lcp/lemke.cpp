@@ -175,7 +175,6 @@ LcpResult polish(const ScaledLcp& scaled, const Tableau& tableau, double toleran
 LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
   const Index m = scaled.problem.offset.size();
   const int most = options.max_iterations.value_or(50000 + 20 * static_cast<int>(m));
-  //! [pivots]
   Tableau tableau(scaled.problem);
   Index entering = tableau.artificial();
   Index row = tableau.leaving_row(VectorXd::Ones(m));
@@ -192,7 +191,6 @@ LcpResult follow_path(const ScaledLcp& scaled, const LcpOptions& options) {
     entering = tableau.complement(leaving);
     row = tableau.leaving_row(tableau.fall(entering));
   }
-  //! [pivots]
   LcpResult result = make_result(scaled, basic_z(tableau, tableau.values()), options.tolerance);
   result.iterations = pivots;
   result.status = row < 0 ? LcpStatus::ray : LcpStatus::stalled;

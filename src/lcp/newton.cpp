@@ -77,8 +77,7 @@ VectorXd fischer(const VectorXd& z, const VectorXd& w) {
   return (z.array().square() + w.array().square()).sqrt() - z.array() - w.array();
 }
 
-//! [jacobian]
-// Returns D_a + D_b M (11.8). At z_i = w_i = 0 it is the limit along z = (1, ..., 1).
+// Returns D_z + D_w M (11.8). At z_i = w_i = 0 it is the limit along z = (1, ..., 1).
 MatrixXd jacobian(const MatrixXd& matrix, const VectorXd& z, const VectorXd& w) {
   const Index m = z.size();
   VectorXd by_z(m), by_w(m);
@@ -96,7 +95,6 @@ MatrixXd jacobian(const MatrixXd& matrix, const VectorXd& z, const VectorXd& w) 
   result.diagonal() += by_z;
   return result;
 }
-//! [jacobian]
 
 // Returns |phi|^2 / 2.
 double fischer_merit(const VectorXd& z, const VectorXd& w) {

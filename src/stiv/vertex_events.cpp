@@ -96,7 +96,6 @@ class Search {
                  tolerance = clearance_.tolerance;
     std::optional<Touch> touch;
     double tau = 0.0, previous = std::numeric_limits<double>::infinity(), stretch = 1.0;
-    //! [follow]
     while (tau < 1.0) {
       const Complex z = path_.at(tau)(x);
       const ClosestPoint at = closest(z, separation + tolerance + speed * (1.0 - tau));
@@ -126,7 +125,6 @@ class Search {
       }
       tau += std::max(step, std::numeric_limits<double>::epsilon());
     }
-    //! [follow]
     return {};
   }
 
