@@ -30,8 +30,10 @@ struct LawCheck {
   Eigen::ArrayXd error = all(&Measurement::error);
 
   Verdict operator()(const Algebraic& law) const {
-    // log e = log C - p log x
-    return band("order ", -fitted_slope(x.log(), error.log()), law.order, law.band);
+    // log e = log C - p log x; of errors that grow, the power -p is shown
+    const bool grows = law.order < 0.0;
+    const double slope = fitted_slope(x.log(), error.log());
+    return band(grows ? "power " : "order ", grows ? slope : -slope, std::abs(law.order), law.band);
   }
 
   Verdict operator()(const Geometric& law) const {

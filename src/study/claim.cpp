@@ -1,6 +1,8 @@
 // Writes the law of a claim as text for the pages.
 #include "study/claim.hpp"
 
+#include <cmath>
+
 #include "text/number_text.hpp"
 
 namespace stokesbook::study {
@@ -38,7 +40,7 @@ struct TextOfLaw {
 };
 
 struct NumberOfLaw {
-  double operator()(const Algebraic& law) const { return law.order; }
+  double operator()(const Algebraic& law) const { return std::abs(law.order); }
   double operator()(const Geometric& law) const { return law.rate; }
   double operator()(const Superalgebraic& law) const { return law.order; }
   double operator()(const Floor& law) const { return law.level; }

@@ -89,7 +89,7 @@ struct Claim {
 std::string law_text(const Law& law, const std::string& axis);
 
 /// Returns the number that a law claims, with which Verdict::measured is compared: order, rate,
-/// level, tolerance or bound.
+/// level, tolerance or bound; for errors that grow, their power.
 double claimed_number(const Law& law);
 
 }  // namespace stokesbook::study

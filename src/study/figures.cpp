@@ -24,7 +24,7 @@ struct GuideOfLaw {
     return Guide{.line = line,
                  .from = {x0, y(x0)},
                  .to = {x1, y(x1)},
-                 .slope = law.order == 0.0 ? "" : short_number(law.order)};
+                 .slope = law.order == 0.0 ? "" : short_number(std::abs(law.order))};
   }
 
   std::optional<Guide> operator()(const Geometric& law) const {

@@ -63,6 +63,16 @@ BOOST_AUTO_TEST_CASE(window_leaves_out_what_is_not_asymptotic) {
   BOOST_TEST(outcome(Algebraic{2.0}, doubling(8, settles), {.to = 64.0}) == Outcome::fails);
 }
 
+BOOST_AUTO_TEST_CASE(errors_that_grow_have_a_power) {
+  const Claim claim = claim_of(Algebraic{-1.5});
+  const Verdict growing = check(claim, doubling(8, power(-1.5)));
+  BOOST_TEST((growing.outcome == Outcome::holds));
+  BOOST_TEST(growing.measured == 1.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(claimed_number(claim.law) == 1.5);
+  BOOST_TEST(growing.explanation == "power 1.5 measured, 1.5 +- 0.15 claimed");
+  BOOST_TEST(outcome(claim.law, doubling(8, power(1.5))) == Outcome::fails);
+}
+
 BOOST_AUTO_TEST_CASE(two_points_are_inconclusive) {
   const Verdict few = check(claim_of(Algebraic{2.0}), doubling(2, power(2.0)));
   BOOST_TEST(few.explanation == "2 points in the window, 3 needed");
