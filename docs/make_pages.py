@@ -119,9 +119,10 @@ def exercise_page(chapter, exercise, text):
 
 def chapters_page(methods):
     lines = ["# Chapters {#chapters}", "",
-             "In reading order. Each is a text, a program, a study and exercises about one library.",
-             "",
-             "| chapter | library | what it adds |", "|---|---|---|"]
+             "In reading order. Each is a text, a program, a study and exercises about one library;",
+             "chapter 00 is a text alone.", "",
+             "| chapter | library | what it adds |", "|---|---|---|",
+             "| @subpage chapter_00 | | the fluid, its equations, and what the book computes |"]
     lines += [f"| @subpage chapter_{number} | @ref {method} | {adds} |"
               for number, method, adds in methods]
     return "\n".join([*lines, ""])
