@@ -10,6 +10,7 @@ sys.path.insert(0, str(ROOT / "docs"))
 import check_pages  # noqa: E402
 import make_pages  # noqa: E402
 import number_pages  # noqa: E402
+import print_book  # noqa: E402
 import search_index  # noqa: E402
 
 TITLE = "# A title {#chapter_01}\n\n"
@@ -262,6 +263,19 @@ class Search(unittest.TestCase):
         names = ["chapter_01", "conventions", "exercise_01_1", "study_fmm", "group__fmm"]
         ranks = [search_index.entries_of(f"{name}.html", '<h1 id="a">x</h1>')[0][0] for name in names]
         self.assertEqual(ranks, [0, 1, 2, 3, 4])
+
+
+class Book(unittest.TestCase):
+    def test_links_lead_to_places_in_the_book(self):
+        body = ('<a href="b.html#x">1</a> <a href="b.html">2</a> <a href="#y">3</a> <a href="https://a.org">4</a>'
+                ' <a href="claims.html#z">5</a>')
+        title, page = print_book.page_of_book(
+            '<div class="title">A title </div><div class="contents"><div class="toc">-</div>'
+            f'<div class="textblock">{body}</div></div><!-- contents -->', "a.html", {"a.html", "b.html"})
+        self.assertEqual(title, "A title")
+        self.assertIn('<a href="#x">1</a> <a href="#b.html">2</a> <a href="#y">3</a> '
+                      '<a href="https://a.org">4</a> <a >5</a>', page)
+        self.assertNotIn("toc", page)
 
 
 class Lists(unittest.TestCase):

@@ -1,0 +1,55 @@
+"""Prints the chapters, and the pages that explain their marks and letters, as one PDF.
+
+print_book.py FOLDER-OF-PAGES CHROMIUM     writes book.html and book.pdf into the folder
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+STYLE = """<style>
+  @page { size: A4; margin: 18mm 14mm; @bottom-center { content: counter(page); font-size: 9pt; } }
+  body { overflow: visible; } .book-page { break-before: page; }
+</style>"""
+
+
+def page_of_book(text, name, names):
+    """Returns the title of a page, and its text with links to places in the book only."""
+    title = re.search(r'<div class="title">(.*?) *</div>', text, re.DOTALL)[1]
+    body = text[text.index('<div class="textblock">'):text.index("</div><!-- contents -->")]
+
+    def link(match):
+        page, _, anchor = match[1].partition("#")
+        if not page or page in names:
+            return f'href="#{anchor or page}"'
+        return match[0] if page.startswith("http") else ""
+
+    body = re.sub(r'href="([^"]*)"', link, body)
+    return title, (f'<div class="book-page" id="{name}"><h1 class="title">{title}</h1>'
+                   f'<div class="contents">{body}</div></div>\n')
+
+
+def book_html(folder):
+    """Returns the book as one page."""
+    paths = [*sorted(folder.glob("chapter_*.html")),
+             *(folder / f"{name}.html" for name in ("reading_results", "conventions", "bibliography"))]
+    names = {path.name for path in paths}
+    head = (folder / "index.html").read_text().partition("</head>")[0]
+    head = re.sub(r"<title>.*?</title>", "<title>stokesbook</title>", head)
+    pages = [page_of_book(path.read_text(), path.name, names) for path in paths]
+    contents = "".join(f'<p><a href="#{path.name}">{title}</a></p>\n'
+                       for path, (title, _) in zip(paths, pages))
+    return (f'{head}{STYLE}</head><body><div class="contents"><h1>stokesbook</h1>\n{contents}</div>\n'
+            + "".join(text for _, text in pages) + '<script src="site.js"></script></body></html>\n')
+
+
+def main(folder, chromium):
+    (folder / "book.html").write_text(book_html(folder))
+    subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000",
+                    "--virtual-time-budget=1000000", "--no-pdf-header-footer",
+                    f"--print-to-pdf={folder / 'book.pdf'}", (folder / "book.html").as_uri()], check=True)
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]).resolve(), sys.argv[2])
