@@ -12,6 +12,7 @@ import pathlib
 import re
 import sys
 
+import glossary
 import number_pages
 
 # Each method has a column and a row in the graph. Arrows point down.
@@ -165,6 +166,8 @@ def main(root, folder, study, results):
     folders = [study, results, folder, root / "docs/drawings", *(path.parent for path in chapters)]
     pages = number_pages.numbered_pages(texts, lambda name: included_file(name, folders),
                                         number_pages.study_sections(study))
+    pages["glossary.md"] = glossary.glossary_page(
+        [text for name, text in sorted(pages.items()) if re.fullmatch(r"chapter_\d\d\.md", name)])
     for name, text in pages.items():
         (folder / name).write_text(text)
 

@@ -8,6 +8,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs"))
 import check_pages  # noqa: E402
+import glossary  # noqa: E402
 import make_pages  # noqa: E402
 import number_pages  # noqa: E402
 import print_book  # noqa: E402
@@ -276,6 +277,22 @@ class Book(unittest.TestCase):
         self.assertIn('<a href="#x">1</a> <a href="#b.html">2</a> <a href="#y">3</a> '
                       '<a href="https://a.org">4</a> <a >5</a>', page)
         self.assertNotIn("toc", page)
+
+
+class Glossary(unittest.TestCase):
+    CHAPTER = ("# One {#chapter_01}\n\n**New:** a thing.\n\n## Part {#chapter_01_part}\n\n**Cost.** The cost is a\n"
+               "**fine sum**, as said. **Rows** follow. It\n\\f[ x \\f] is **bare**.\n\n- **An item** is no term,\n"
+               "- but the **other** is.\n\n```sh\necho a **shell**.\n```\n")
+
+    def test_terms(self):
+        self.assertEqual(glossary.terms_of(self.CHAPTER), [
+            ("fine sum", "The cost is a **fine sum**, as said.", "chapter_01_part"),
+            ("bare", "", "chapter_01_part"), ("other", "", "chapter_01_part")])
+
+    def test_page(self):
+        page = glossary.glossary_page([self.CHAPTER, "# Two {#chapter_02}\n\nA **Bare** fact.\n"])
+        self.assertIn("\n- **bare**: @ref chapter_01_part; @ref chapter_02\n- **fine sum**: "
+                      "@ref chapter_01_part <br>The cost is a **fine sum**, as said.\n- **other**", page)
 
 
 class Lists(unittest.TestCase):
