@@ -19,9 +19,10 @@ import number_pages
 PLACES = {
     "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 3),
     "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 4), "time_stepping": (0, 4),
-    "stress": (2, 4), "stiv": (0, 5), "lcp": (0, 6), "suspension": (0, 7)}
+    "stress": (2, 4), "stiv": (0, 5), "lcp": (0, 6), "suspension": (0, 7),
+    "preconditioning": (0, 8)}
 PITCH, WIDTH, HEIGHT, ROW = 90, 78, 40, 62
-LAST_COLUMN, LAST_ROW = 3, 7  # the last chapter, which uses all others, is as wide as the graph
+LAST_COLUMN, LAST_ROW = 3, 7  # chapters from this row on, which use all others, are as wide as the graph
 
 
 def methods_of(root):
@@ -58,7 +59,7 @@ def direct_uses(uses, methods):
 def box(method):
     """Returns the left, the top and the width of a method's box."""
     column, row = PLACES[method]
-    width = LAST_COLUMN * PITCH + WIDTH if row == LAST_ROW else WIDTH
+    width = LAST_COLUMN * PITCH + WIDTH if row >= LAST_ROW else WIDTH
     return column * PITCH + 2, row * ROW + 2, width
 
 
@@ -68,14 +69,15 @@ def arrow(used, user):
     x1, y1 = left + width / 2, top + HEIGHT
     left, y2, width = box(user)
     assert y1 < y2, f"the graph of chapters has no place for {user} below {used}"
-    x2 = x1 if PLACES[user][1] == LAST_ROW else left + width / 2
+    x2 = x1 if PLACES[user][1] >= LAST_ROW else left + width / 2
     return f'<path class="arrow" d="M{x1:g} {y1:g} L{x2:g} {y2 - 5:g}" marker-end="url(#tip)"/>'
 
 
 def graph(methods, uses):
     names = [method for _, method, _ in methods]
+    rows = max(row for _, row in PLACES.values())
     lines = ['<div class="chapter-graph">',
-             f'<svg viewBox="0 0 {LAST_COLUMN * PITCH + WIDTH + 4} {LAST_ROW * ROW + HEIGHT + 4}" role="img" '
+             f'<svg viewBox="0 0 {LAST_COLUMN * PITCH + WIDTH + 4} {rows * ROW + HEIGHT + 4}" role="img" '
              'aria-label="The chapters; arrows lead to those that build on them">',
              '<defs><marker id="tip" viewBox="0 0 6 6" refX="2" refY="3" markerWidth="6" '
              'markerHeight="6" orient="auto"><path d="M0 0 L6 3 L0 6 z"/></marker></defs>']

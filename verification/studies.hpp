@@ -18,6 +18,7 @@ study::Study time_stepping_study();
 study::Study stiv_study();
 study::Study lcp_study();
 study::Study suspension_study();
+study::Study preconditioning_study();
 /// @}
 
 }  // namespace stokesbook

@@ -1,5 +1,5 @@
 // Assembles the matrix of the whole reduced system (03.11) from layers and rigid motions, and
-// solves by its LU factorisation (chapter 05, "Bodies that nearly touch").
+// solves by its LU factorisation (chapter 05, "Direct factorisation").
 #include "krylov/direct.hpp"
 
 namespace stokesbook {

@@ -14,7 +14,7 @@ namespace stokesbook {
 /// inner components, and \f$ P = K\Pi \f$ the projection onto these motions. The closure C depends
 /// on the rigid part of a density only, so that the system is
 /// \f[ A = L(I-P) + CP = L + (CK - LK)\Pi. \f]
-/// @par Accuracy  that of the layer; iterations for bodies that nearly touch, @ref claim_05_30
+/// @par Accuracy  that of the layer; iterations for bodies that nearly touch, @ref claim_13_10
 class DirectPreconditioner {
  public:
   /// Assembles and factorises the system of a problem with n nodes, from the layers between any two

@@ -1,7 +1,7 @@
 """Checks the rules of the house: which room may use which, and which files a commit may contain.
 
-The functions use_violations, folder_violations and file_violations take the root of a tree and
-return the violations that they find, as text.
+The functions use_violations, chapter_violations, folder_violations and file_violations take the root
+of a tree and return the violations that they find, as text.
 """
 
 import pathlib
@@ -10,7 +10,8 @@ import subprocess
 
 ONE_TO_THREE = {"trapezoid", "double_layer", "closure"}
 METHODS = ONE_TO_THREE | {
-    "null_space", "krylov", "near_singular", "stress", "fmm", "time_stepping", "stiv", "lcp"}
+    "null_space", "krylov", "near_singular", "stress", "fmm", "time_stepping", "stiv", "lcp",
+    "preconditioning"}
 
 # Room of src/ -> rooms that it may use, without cycles. Only suspension and cli use all methods.
 MAY_USE = {
@@ -26,6 +27,7 @@ MAY_USE = {
     "time_stepping": set(),
     "stiv": {"trapezoid"},
     "lcp": set(),
+    "preconditioning": ONE_TO_THREE | {"null_space", "krylov", "fmm"},
     "suspension": METHODS | {"text", "scene", "record"},
     "scene": {"text", "trapezoid", "time_stepping"},
     "record": {"text", "trapezoid"},
@@ -34,11 +36,15 @@ MAY_USE = {
     "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study"},
 }
 
+# Methods that a library may use although their chapters are read later.
+READ_LATER = {"suspension": {"preconditioning"}}
+
 # Folders of src/suspension: each folder may use itself and the folders before it.
 FOLDERS_OF_SUSPENSION = ["bodies", "nodes", "system", "solver", "contact", "motion"]
 MOST_FILES_OF_A_FOLDER = 20
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+BUILDS_ON = re.compile(r"\*\*Builds on:\*\*(.*?)\*\*Library", re.DOTALL)
 LIBRARY = re.compile(r"^stokesbook_library\(([^)]*)\)", re.MULTILINE)
 
 # Absolute paths into folders of one machine; a URL or a relative path may contain such folders.
@@ -101,6 +107,27 @@ def use_violations(root):
             violations.append(
                 f"src/{room.name}/CMakeLists.txt lists {used} in USES, but nothing is included "
                 f"from {used}")
+    return violations
+
+
+def chapter_violations(root):
+    """Compares the chapters' order with the table of rooms, and with the chapters that they name.
+
+    A library uses the libraries of earlier chapters, except for READ_LATER. The first paragraph of
+    a chapter says that the chapter builds on earlier chapters.
+    """
+    violations = []
+    folders = sorted((root / "chapters").glob("[0-9][0-9]_*"))
+    numbers = {folder.name[3:]: int(folder.name[:2]) for folder in folders}
+    for folder in folders:
+        method, number = folder.name[3:], int(folder.name[:2])
+        for used in sorted(MAY_USE.get(method, set()) - READ_LATER.get(method, set())):
+            if numbers.get(used, 0) > number:
+                violations.append(f"{method} may use {used}, whose chapter is read later")
+        said = BUILDS_ON.search((folder / "chapter.md").read_text())
+        for other in re.findall(r"chapter_(\d+)", said[1] if said else ""):
+            if int(other) >= number:
+                violations.append(f"{folder.name} builds on chapter {other}, which is not earlier")
     return violations
 
 

@@ -19,6 +19,7 @@ class ThisTree(unittest.TestCase):
     def test_uses(self):
         self.assertEqual(house.use_violations(ROOT), [])
         self.assertEqual(house.folder_violations(ROOT), [])
+        self.assertEqual(house.chapter_violations(ROOT), [])
 
     @unittest.skipUnless((ROOT / ".git").exists(), "not a git checkout")
     def test_files(self):
@@ -26,7 +27,7 @@ class ThisTree(unittest.TestCase):
 
     def test_readme_names_what_exists(self):
         methods = re.findall(r"^\| \d\d \| `(\w+)` \|", README, re.MULTILINE)
-        self.assertEqual(len(methods), 12)
+        self.assertEqual(len(methods), 13)
         for method in methods:
             self.assertTrue((ROOT / "src" / method).is_dir(), method)
 
@@ -102,6 +103,20 @@ class PlantedTree(unittest.TestCase):
         self.plant("src/attic/box.hpp", "")
         self.assertEqual(house.use_violations(self.root),
                          ["src/attic is not in the table of rooms, MAY_USE"])
+
+    def test_order_of_chapters(self):
+        said = "**Builds on:** @ref chapter_01. **Library:** @ref x."
+        for name in ["01_fmm", "02_suspension", "03_preconditioning"]:
+            self.plant(f"chapters/{name}/chapter.md", said.replace("_01", "_00") if "01" in name else said)
+        self.assertEqual(house.chapter_violations(self.root), [])
+        self.plant("chapters/02_suspension/chapter.md", said.replace("_01", "_01 to @ref chapter_03"))
+        self.assertEqual(house.chapter_violations(self.root),
+                         ["02_suspension builds on chapter 03, which is not earlier"])
+        self.plant("chapters/02_suspension/chapter.md", said)
+        self.plant("chapters/04_krylov/chapter.md", said)
+        self.assertEqual(house.chapter_violations(self.root),
+                         ["suspension may use krylov, whose chapter is read later",
+                          "preconditioning may use krylov, whose chapter is read later"])
 
     def test_folders_of_suspension(self):
         self.plant("src/suspension/nodes/fill.cpp", '#include "suspension/nodes/random_fill.hpp"\n'

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
-#include "systems.hpp"
+#include "support/body_systems.hpp"
 
 namespace stokesbook::verification::krylov {
 
@@ -70,7 +70,7 @@ Experiment costs_of_a_solve() {
                                     .reason = "a number of products that does not grow, N^2 each; "
                                               "the orthogonalisation, linear in N, is small",
                                     .api = {"stokesbook::gmres"}},
-                     .control = Control{"the draft's border and the plain trapezoid rule",
+                     .control = Control{"Power's border and the plain trapezoid rule",
                                         costs([](Index nodes, double unknowns) {
                                           return multiplications(unknowns, draft_iterations(nodes));
                                         })}},

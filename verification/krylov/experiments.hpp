@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numbers>
 #include <vector>
 
 #include "krylov/gmres.hpp"
@@ -15,26 +14,12 @@ study::Experiment least_residuals();
 study::Experiment orthogonality();
 study::Experiment residuals();
 study::Experiment normality();
-study::Experiment pair_spectrum();
-study::Experiment clusters();
 study::Experiment nine_by_form();
 study::Experiment published_count();
 study::Experiment one_body();
 study::Experiment slender_bodies();
 study::Experiment aspect_ratios();
-study::Experiment gaps();
 study::Experiment restarts();
-study::Experiment asked_iterations();
-study::Experiment asked_seconds();
-study::Experiment ideas();
-study::Experiment screening();
-study::Experiment pores();
-study::Experiment contact_iterations();
-study::Experiment contact_seconds();
-study::Experiment packings();
-study::Experiment packing_seconds();
-study::Experiment crystals();
-study::Experiment recycling();
 study::Experiment tolerances();
 study::Experiment solvers();
 study::Experiment costs_of_a_solve();

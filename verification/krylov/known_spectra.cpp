@@ -1,5 +1,6 @@
 // Compares residuals of GMRES with closed forms, on matrices with known spectra (05.6)-(05.8).
 #include <cmath>
+#include <numbers>
 
 #include "experiments.hpp"
 #include "krylov/gmres.hpp"

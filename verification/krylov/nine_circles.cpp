@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "experiments.hpp"
-#include "systems.hpp"
+#include "support/body_systems.hpp"
 
 namespace stokesbook::verification::krylov {
 
@@ -122,18 +122,18 @@ Experiment nine_by_form() {
       .lines = {
           mesh_independent(
               "reduced", "reduced form", "05_12", reduced_form(),
-              {"the draft's border, and the plain trapezoid rule", counts(draft_plain)}),
+              {"Power's border, and the plain trapezoid rule", counts(draft_plain)}),
           mesh_independent("scaled", "scaled border", "05_13",
                            bordered(scaled_bordered, Between::resolved),
                            {"the plain trapezoid rule between the circles", counts(scaled_plain)}),
-          mesh_independent("draft", "the draft's border", "05_14",
+          mesh_independent("draft", "Power's border", "05_14",
                            bordered(draft_bordered, Between::resolved),
                            {"the plain trapezoid rule between the circles", counts(draft_plain)}),
           {.key = "scaled_plain",
            .label = "scaled border, plain trapezoid rule",
            .measure = counts(scaled_plain)},
           {.key = "draft_plain",
-           .label = "the draft's border, plain trapezoid rule",
+           .label = "Power's border, plain trapezoid rule",
            .measure = counts(draft_plain)}}};
 }
 
@@ -153,7 +153,7 @@ Experiment published_count() {
                         differences(reduced_form_with_blocks(Ellipse{0.5, 0.25}))}),
           as_published("scaled", "scaled border", "05_16", bordered_with_blocks(scaled_bordered),
                        without_blocks(scaled_bordered)),
-          as_published("draft", "the draft's border", "05_17", bordered_with_blocks(draft_bordered),
+          as_published("draft", "Power's border", "05_17", bordered_with_blocks(draft_bordered),
                        without_blocks(draft_bordered))}};
 }
 

@@ -4,9 +4,9 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
+#include "support/body_systems.hpp"
 #include "support/spectra.hpp"
 #include "support/vectors.hpp"
-#include "systems.hpp"
 
 namespace stokesbook::verification::krylov {
 

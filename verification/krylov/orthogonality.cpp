@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments.hpp"
-#include "systems.hpp"
+#include "support/body_systems.hpp"
 
 namespace stokesbook::verification::krylov {
 

@@ -4,8 +4,8 @@
 
 #include "double_layer/double_layer.hpp"
 #include "experiments.hpp"
+#include "support/body_systems.hpp"
 #include "support/vectors.hpp"
-#include "systems.hpp"
 
 namespace stokesbook::verification::krylov {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "experiments.hpp"
+#include "support/body_systems.hpp"
 #include "support/dense.hpp"
-#include "systems.hpp"
 
 namespace stokesbook::verification::krylov {
 

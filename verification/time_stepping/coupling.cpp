@@ -64,7 +64,7 @@ double contraction(double gap, Blocks blocks) {
   return factor;
 }
 
-/// Returns the factor in closed form, for mode 2 of two circles in bipolar coordinates (05.13).
+/// Returns the factor in closed form, for mode 2 of two circles in bipolar coordinates (13.2).
 double exact_contraction(double gap) {
   const double alpha = std::acosh(1.0 + 0.5 * gap);
   return std::exp(-4.0 * alpha + std::asinh(2.0 * std::sinh(2.0 * alpha)));

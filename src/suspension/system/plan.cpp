@@ -38,7 +38,7 @@ Plan make_plan(const Scene& scene) {
   constexpr double least_tolerance_of_direct = 1e-8;
   plan.direct_at_tight_gaps =
       chosen_here && counts.all() > 1 && solver.tolerance >= least_tolerance_of_direct;
-  // GMRES with clusters may break down if held components are close to each other (chapter 05).
+  // GMRES with clusters may break down if held components are close to each other (chapter 13).
   plan.clusters_at_tight_gaps = chosen_here && counts.free > 1 && counts.held + counts.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number. Rounding limits all
   // tolerances from below.

@@ -1,8 +1,8 @@
 // Chooses and builds the preconditioner that takes the least time for a configuration, by its
-// number of nodes and its narrow gaps (chapter 05, section "Bodies that nearly touch"): blocks of
-// single components, clusters of neighbours, or a factorisation. The last two assemble the double
-// layer between components (02.6); at near nodes a scheme of close evaluation replaces the
-// trapezoid rule (06.17).
+// number of nodes and its narrow gaps (chapter 13, section "When it pays"): blocks of single
+// components, clusters of neighbours, or a factorisation. The last two assemble the double layer
+// between components (02.6); at near nodes a scheme of close evaluation replaces the trapezoid rule
+// (06.17).
 #include "suspension/system/preconditioner.hpp"
 
 #include <algorithm>

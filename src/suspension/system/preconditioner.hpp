@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "closure/problem.hpp"
-#include "krylov/cluster_preconditioner.hpp"
 #include "krylov/gmres.hpp"
 #include "near_singular/near_targets.hpp"
+#include "preconditioning/cluster_preconditioner.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/system/plan.hpp"
 
@@ -14,7 +14,7 @@ namespace stokesbook {
 
 /// Returns whether a factorisation of the whole system takes less time than the iterations that it
 /// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
-/// be required for the force of each pair (chapter 05, section "Bodies that nearly touch").
+/// be required for the force of each pair (chapter 13, section "When it pays").
 ///
 /// @param  gaps        from find_gaps(), here and below
 /// @param  separation  least gap that contact maintains, length; 0: no contact

@@ -13,7 +13,7 @@
 #include "support/spectra.hpp"
 #include "support/touching.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification::preconditioning {
 
 using namespace study;
 using Eigen::Index;
@@ -172,4 +172,4 @@ Experiment recycling() {
           .lines = std::move(lines)};
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification::preconditioning

@@ -9,7 +9,7 @@
 #include "support/touching.hpp"
 #include "suspension/system/preconditioner.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification::preconditioning {
 
 using namespace study;
 using Eigen::Index;
@@ -111,7 +111,7 @@ class Hexagon {
   test::Discretised free_, held_;
 
  public:
-  MatrixXd free_matrix, held_matrix;  // A, A_h (05.15)
+  MatrixXd free_matrix, held_matrix;  // A, A_h (13.4)
   MatrixXd modes, projection;         // K, Pi
   std::vector<BodyIndices> clusters;  // each body and its neighbours
 };
@@ -183,7 +183,7 @@ Idea free_bodies(Approximate approximate) {
 }
 
 /// Returns the inverse for free bodies from the inverse H for held bodies and the resistances R:
-/// A^{-1} = H - (H K + K) R^{-1} Pi H, see (05.16).
+/// A^{-1} = H - (H K + K) R^{-1} Pi H, see (13.5).
 MatrixXd let_go(const Hexagon& hexagon, const MatrixXd& inverse, const MatrixXd& resistance) {
   const MatrixXd motions = test::inverse(resistance) * (hexagon.projection * inverse);
   return inverse - (inverse * hexagon.modes + hexagon.modes) * motions;
@@ -252,7 +252,7 @@ Experiment ideas() {
     lines.push_back({.key = key, .label = label, .measure = residuals(idea)});
   }
   lines.front().claim =
-      Claim{.id = "05_29",
+      Claim{.id = "13_9",
             .statement = "The residual of held clusters falls by a digit an iteration or more.",
             .law = Geometric{2.9, 0.25},
             .reason =
@@ -269,4 +269,4 @@ Experiment ideas() {
           .lines = std::move(lines)};
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification::preconditioning

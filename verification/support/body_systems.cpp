@@ -1,15 +1,16 @@
-// Builds the systems of the study: reduced and bordered systems of free bodies in a flow with near
+// Builds systems for studies: reduced and bordered systems of free bodies in a flow with near
 // corrections, block-diagonal preconditioners, and arrangements of bodies.
-#include "systems.hpp"
+#include "support/body_systems.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "double_layer/double_layer.hpp"
 #include "support/dense.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -188,6 +189,10 @@ std::vector<PlacedBody> circle_pair(double gap) {
   return {{Circle{1.0}, -1.0 - 0.5 * gap}, {Circle{1.0}, 1.0 + 0.5 * gap}};
 }
 
+Index nodes_at_gap(double gap) {
+  return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
+}
+
 std::vector<PlacedBody> hexagon(double gap) {
   std::vector<PlacedBody> bodies{{Circle{1.0}, 0.0}};
   for (int k = 0; k < 6; ++k) {
@@ -196,4 +201,4 @@ std::vector<PlacedBody> hexagon(double gap) {
   return bodies;
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification

@@ -1,4 +1,4 @@
-// Check of exercise 05.3: what the book's GMRES makes of the reader's systems.
+// Check of exercise 05.2: what the book's GMRES makes of the reader's systems.
 #include "chapters/check.hpp"
 
 #include "krylov/gmres.hpp"

@@ -1,5 +1,5 @@
 // Shows why clusters of held bodies can be local: measures how forces between held bodies decay
-// with distance, and the force due to closed pores (05.17).
+// with distance, and the force due to closed pores (13.6).
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -11,7 +11,7 @@
 #include "support/once.hpp"
 #include "support/touching.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification::preconditioning {
 
 using namespace study;
 
@@ -117,7 +117,7 @@ Experiment screening() {
           {.key = "held",
            .label = "forces on held disks",
            .measure = by_distance(Others::held),
-           .claim = Claim{.id = "05_27",
+           .claim = Claim{.id = "13_7",
                           .statement = "Among held disks the forces that a moved one exerts fall "
                                        "with the square of the distance.",
                           .law = Algebraic{2.0, 0.3},
@@ -144,7 +144,7 @@ Experiment pores() {
           {.key = "hexagon",
            .label = "all seven together",
            .measure = forces(force_in_hexagon),
-           .claim = Claim{.id = "05_28",
+           .claim = Claim{.id = "13_8",
                           .statement = "Where gaps close pores, resistances of held disks grow as "
                                        "g^(-5/2), and are no sum over pairs.",
                           .law = Algebraic{2.5, 0.1},
@@ -156,4 +156,4 @@ Experiment pores() {
           {.key = "pairs", .label = "sum over six pairs", .measure = forces(force_of_pairs)}}};
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification::preconditioning

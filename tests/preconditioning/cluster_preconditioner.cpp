@@ -1,6 +1,6 @@
 // Checks that a cluster that contains all bodies is the inverse, in both forms, for free and held
 // bodies, and that clusters of held bodies have forces of the right sign and a moderate size.
-#include "krylov/cluster_preconditioner.hpp"
+#include "preconditioning/cluster_preconditioner.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -44,8 +44,8 @@ struct Neighbour {
 /// The mobility form applies this method to A itself. Contacts that form a rigid network have
 /// collective modes, which clusters of free bodies do not contain. The resistance form contains
 /// these modes. With all inner components held, the operator is
-/// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$ (05.15), where \f$ \Pi\eta \f$ are the rigid motions
-/// in \f$ P = K\Pi \f$, and S are the flows of their loads. With the free bodies f, exactly (05.16)
+/// \f$ A_h = (-\frac12 + D)(I-P) + S\Pi \f$ (13.4), where \f$ \Pi\eta \f$ are the rigid motions
+/// in \f$ P = K\Pi \f$, and S are the flows of their loads. With the free bodies f, exactly (13.5)
 /// \f[ A^{-1}r = A_h^{-1}(r - K_f V) - K_f V, \qquad
 ///     \Pi_f A_h^{-1} K_f\, V = \Pi_f A_h^{-1} r: \f]
 /// the motions -V balance the loads of the held bodies under the data r. Held bodies screen the
@@ -54,10 +54,10 @@ struct Neighbour {
 ///
 /// Let the operator, A or A_h, be \f$ (I + B)A_0 \f$, where \f$ A_0 \f$ consists of the own blocks.
 /// The clusters are solved only in the few directions Q that couple a component to its neighbours
-/// (05.18): \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
+/// (13.7): \f$ (I+B)^{-1} \approx I - QQ^T + Q(I + Q^T B Q)^{-1}Q^T \f$.
 /// @par Accuracy  residuals fall by a digit or more per iteration on seven disks at gaps of 0.01,
-/// @ref claim_05_29; iterations for bodies that nearly touch, @ref claim_05_26; the forces that
-/// clusters leave out fall with the square of the distance, @ref claim_05_27
+/// @ref claim_13_9; iterations for bodies that nearly touch, @ref claim_13_6; the forces that
+/// clusters leave out fall with the square of the distance, @ref claim_13_7
 /// @par Not for   problems with held bodies only whose gaps, a few hundredths or less, close pores:
 /// GMRES may break down by rounding
 class ClusterPreconditioner {

@@ -1,4 +1,4 @@
-// Exercise 05.3: systems on which GMRES fails.
+// Exercise 05.2: systems on which GMRES fails.
 #include "chapters/exercise.hpp"
 
 #include <cmath>

@@ -1,11 +1,8 @@
-// Counts iterations for bodies that nearly touch with the block-diagonal preconditioner, and shows
-// the effect of a restart.
-#include <cmath>
-
+// Counts iterations for bodies that nearly touch with the block-diagonal preconditioner.
 #include "experiments.hpp"
-#include "systems.hpp"
+#include "support/body_systems.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification::preconditioning {
 
 using namespace study;
 using Eigen::Index;
@@ -15,12 +12,6 @@ namespace {
 constexpr GmresOptions near_contact_options{1e-8, 1000};
 
 using Arrangement = std::vector<PlacedBody> (*)(double gap);
-
-/// Returns a number of nodes that resolves densities with modes e^{-alpha |k|}, in which
-/// cosh alpha = 1 + gap / 2.
-Index nodes_at_gap(double gap) {
-  return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
-}
 
 enum class CircleBlocks { none, own };
 
@@ -50,23 +41,6 @@ Measure counts(Arrangement arrange, CircleBlocks blocks, std::vector<double> gap
   };
 }
 
-constexpr double restart_gap = 1e-2;
-
-Measure history(int length) {
-  return [=](Size) {
-    const Index nodes = nodes_at_gap(restart_gap);
-    const BodySystem system(circle_pair(restart_gap), nodes, generic_flow);
-    const LinearMap solve_blocks = block_diagonal(circle_pair(restart_gap), nodes);
-    const std::vector<double> residuals =
-        restarted(system.map(), solve_blocks, system.rhs(), length, 120);
-    std::vector<Measurement> measurements;
-    for (std::size_t k = 1; k < residuals.size() && residuals[k - 1] > 1e-10; ++k) {
-      measurements.push_back({.x = static_cast<double>(k), .error = residuals[k]});
-    }
-    return measurements;
-  };
-}
-
 }  // namespace
 
 Experiment gaps() {
@@ -80,7 +54,7 @@ Experiment gaps() {
               {.key = "pair",
                .label = "two circles, block-diagonal",
                .measure = counts(circle_pair, CircleBlocks::own, of_pair),
-               .claim = Claim{.id = "05_21",
+               .claim = Claim{.id = "13_5",
                               .statement = "Near contact the block-diagonal preconditioner fails: "
                                            "the iterations of two circles grow as g^(-1/2).",
                               .law = Algebraic{0.5, 0.1},
@@ -99,15 +73,4 @@ Experiment gaps() {
                .measure = counts(hexagon, CircleBlocks::own, of_hexagon)}}};
 }
 
-Experiment restarts() {
-  return {.key = "restarts",
-          .title = "Restarts, for two circles with the gap 1e-2",
-          .x = "matrix-vector products k",
-          .error = "residual, relative to the right-hand side",
-          .axes = Axes::semi_log,
-          .lines = {{.key = "never", .label = "no restart", .measure = history(120)},
-                    {.key = "thirty", .label = "every 30 iterations", .measure = history(30)},
-                    {.key = "ten", .label = "every 10 iterations", .measure = history(10)}}};
-}
-
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification::preconditioning

@@ -1,4 +1,4 @@
-// Exercise 05.2: the method of reflections, and how fast it is.
+// Exercise 13.2: the method of reflections, and how fast it is.
 #include "chapters/exercise.hpp"
 
 #include <cmath>

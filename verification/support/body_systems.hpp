@@ -12,7 +12,7 @@
 #include "near_singular/near_correction.hpp"
 #include "trapezoid/shape.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification {
 
 /// Describes a free body without load.
 struct PlacedBody {
@@ -121,10 +121,14 @@ std::vector<PlacedBody> woven_ellipses(int columns, int rows, double aspect);
 /// Returns two unit circles.
 std::vector<PlacedBody> circle_pair(double gap);
 
+/// Returns a number of nodes that resolves densities with modes e^{-alpha |k|} on two unit circles,
+/// in which cosh alpha = 1 + gap / 2.
+Eigen::Index nodes_at_gap(double gap);
+
 /// Returns a unit circle and six circles around this circle. Each circle nearly touches its
 /// neighbours.
 std::vector<PlacedBody> hexagon(double gap);
 
 /// @}
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification

@@ -1,15 +1,15 @@
-// Compares the spectrum of two circles with its closed form (05.13), and shows how the clustering
+// Compares the spectrum of two circles with its closed form (13.2), and shows how the clustering
 // of the eigenvalues depends on the gap.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "experiments.hpp"
+#include "support/body_systems.hpp"
 #include "support/spectra.hpp"
-#include "systems.hpp"
 #include "text/number_text.hpp"
 
-namespace stokesbook::verification::krylov {
+namespace stokesbook::verification::preconditioning {
 
 using namespace study;
 using Eigen::Index;
@@ -30,7 +30,7 @@ Index nodes_for_modes(double gap) {
   return 2 * static_cast<Index>(std::ceil(12.0 + 40.0 / bipolar(gap)));
 }
 
-/// Returns the eigenvalues of A M^{-1} - 1 in closed form (05.13). The nonzero eigenvalues are
+/// Returns the eigenvalues of A M^{-1} - 1 in closed form (13.2). The nonzero eigenvalues are
 /// +-e^{-y} with sinh(2 n alpha - y) = +-n sinh(2 alpha), and each eigenvalue occurs twice. The
 /// mode n = 1 has only the eigenvalues with the larger y. The eigenvalues of rigid motions, and of
 /// modes that the nodes do not resolve, are 0.
@@ -141,7 +141,7 @@ Experiment pair_spectrum() {
            .measure = spectrum_errors(Circle{}),
            .claim =
                Claim{
-                   .id = "05_8",
+                   .id = "13_1",
                    .statement = "Preconditioned by their own blocks, two equal "
                                 "circles have the eigenvalues 1 +- exp(-2 n a +- "
                                 "asinh(n sinh 2a)), n >= 2, and 1 +- exp(-4 a), each "
@@ -162,8 +162,8 @@ Experiment clusters() {
           .x = "rank j",
           .error = "distance of the eigenvalue from 1",
           .axes = Axes::semi_log,
-          .lines = {cluster_line("far", "05_9", 2.0), cluster_line("half", "05_10", 0.5),
-                    cluster_line("near", "05_11", 0.2)}};
+          .lines = {cluster_line("far", "13_2", 2.0), cluster_line("half", "13_3", 0.5),
+                    cluster_line("near", "13_4", 0.2)}};
 }
 
-}  // namespace stokesbook::verification::krylov
+}  // namespace stokesbook::verification::preconditioning

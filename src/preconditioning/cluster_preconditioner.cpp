@@ -1,7 +1,7 @@
 // Solves clusters of neighbours as a restricted additive Schwarz preconditioner, in compressed
-// bases (05.18). In the resistance form, clusters of held bodies replace A_h of (05.15), and a
-// sparse resistance matrix releases the free bodies (05.16).
-#include "krylov/cluster_preconditioner.hpp"
+// bases (13.7). In the resistance form, clusters of held bodies replace A_h of (13.4), and a
+// sparse resistance matrix releases the free bodies (13.5).
+#include "preconditioning/cluster_preconditioner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,7 @@ class ClusterOperator {
 
   const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }
 
-  // D (I - P), and the flows S Pi of the source's loads if the source is held (05.15).
+  // D (I - P), and the flows S Pi of the source's loads if the source is held (13.4).
   MatrixXd block(const Pair& pair) const {
     const auto [target, source] = pair;
     const RigidModeMatrices& rigid = modes_[source];
@@ -228,7 +228,7 @@ void ClusterPreconditioner::factorise_resistance(const std::vector<Member>& alon
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t f = 0; f < released_.size(); ++f) {
     const std::size_t own = released_[f].component;
-    // R = Pi A_h^{-1} K (05.16), A_h^{-1} = A_0^{-1} (I + Q X Q^T) with the coupling X of a
+    // R = Pi A_h^{-1} K (13.5), A_h^{-1} = A_0^{-1} (I + Q X Q^T) with the coupling X of a
     // cluster.
     const MatrixXd weights = times_inverse(released_[f].rigid.projection, alone[own]);
     const MatrixXd coupled = weights * bases_[own] * couplings_[own];
@@ -264,7 +264,7 @@ VectorXd ClusterPreconditioner::solve_clusters(const VectorXd& v) const {
   const auto own = [&](std::size_t k) {
     return Eigen::seqN(offsets_[k], offsets_[k + 1] - offsets_[k]);
   };
-  // A_0^{-1} (v + Q X Q^T v) with the coupling X of each component's cluster (05.18).
+  // A_0^{-1} (v + Q X Q^T v) with the coupling X of each component's cluster (13.7).
   std::vector<VectorXd> along(bases_.size());  // Q^T v
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < bases_.size(); ++k) along[k] = bases_[k].transpose() * v(own(k));
@@ -285,7 +285,7 @@ VectorXd ClusterPreconditioner::solve_clusters(const VectorXd& v) const {
 VectorXd ClusterPreconditioner::operator()(const VectorXd& v) const {
   const VectorXd solved = solve_clusters(v);
   if (released_.empty()) return solved;
-  // V from R V = Pi A_h^{-1} v, and then A_h^{-1} (v - K V) - K V (05.16).
+  // V from R V = Pi A_h^{-1} v, and then A_h^{-1} (v - K V) - K V (13.5).
   VectorXd loads(static_cast<Index>(3 * released_.size()));
   for (std::size_t f = 0; f < released_.size(); ++f) {
     const MatrixXd& projection = released_[f].rigid.projection;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "study/study.hpp"
+
+namespace stokesbook::verification::preconditioning {
+
+/// @name Experiments of the study
+/// @{
+study::Experiment pair_spectrum();
+study::Experiment clusters();
+study::Experiment gaps();
+study::Experiment target_iterations();
+study::Experiment target_seconds();
+study::Experiment ideas();
+study::Experiment screening();
+study::Experiment pores();
+study::Experiment contact_iterations();
+study::Experiment contact_seconds();
+study::Experiment packings();
+study::Experiment packing_seconds();
+study::Experiment crystals();
+study::Experiment recycling();
+/// @}
+
+}  // namespace stokesbook::verification::preconditioning
