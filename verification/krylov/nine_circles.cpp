@@ -120,9 +120,8 @@ Experiment nine_by_form() {
       .x = "nodes of a circle, N",
       .error = "iterations to a residual of 1e-12",
       .lines = {
-          mesh_independent(
-              "reduced", "reduced form", "05_12", reduced_form(),
-              {"Power's border, and the plain trapezoid rule", counts(draft_plain)}),
+          mesh_independent("reduced", "reduced form", "05_12", reduced_form(),
+                           {"Power's border, and the plain trapezoid rule", counts(draft_plain)}),
           mesh_independent("scaled", "scaled border", "05_13",
                            bordered(scaled_bordered, Between::resolved),
                            {"the plain trapezoid rule between the circles", counts(scaled_plain)}),

@@ -130,17 +130,17 @@ Experiment target_iterations() {
            .claim =
                Claim{.id = "13_6",
                      .statement = "Clusters solve bodies that nearly touch within limits of the "
-                                  "iterations that were set in advance: 12 for a chain of five disks with gaps of "
-                                  "0.001, 15 for 48 ellipses in vortices, 20 and 30 for a hexagon "
-                                  "of seven disks with gaps of 0.01 and 0.001, 35 for one of 19 "
-                                  "with gaps of 0.01, 60 for a random packing of 1000 disks with "
-                                  "gaps of 0.001 and more (the last two in a full study).",
+                                  "iterations that were set in advance: 12 for a chain of five "
+                                  "disks with gaps of 0.001, 15 for 48 ellipses in vortices, 20 "
+                                  "and 30 for a hexagon of seven disks with gaps of 0.01 and "
+                                  "0.001, 35 for one of 19 with gaps of 0.01, 60 for a random "
+                                  "packing of 1000 disks with gaps of 0.001 and more (the last "
+                                  "two in a full study).",
                      .law = ErrorBelowTolerance{1.0, 0.1},
                      .reason = "the limits were set before the method was chosen, from the "
                                "iterations of near-field factorisations on the same bodies",
                      .api = {"stokesbook::ClusterPreconditioner"}},
-           .control = Control{"every component alone",
-                              counts(by_target(), Kind::block_diagonal)}},
+           .control = Control{"every component alone", counts(by_target(), Kind::block_diagonal)}},
           {.key = "blocks",
            .label = "block-diagonal",
            .measure = counts(by_target(), Kind::block_diagonal)}}};
@@ -155,16 +155,15 @@ Experiment target_seconds() {
           .title = "Time to the solution of the same scenes, on one machine",
           .x = "limit of the iterations, m",
           .error = "seconds, set-up and iteration",
-          .lines = {
-              {.key = "blocks",
-               .label = "block-diagonal",
-               .measure = measured(by_target(), Kind::block_diagonal, &Effort::seconds)},
-              {.key = "clusters",
-               .label = "clusters",
-               .measure = measured(by_target(), Kind::clusters, &Effort::seconds)},
-              {.key = "direct",
-               .label = "factorised",
-               .measure = measured(small, Kind::direct, &Effort::seconds)}}};
+          .lines = {{.key = "blocks",
+                     .label = "block-diagonal",
+                     .measure = measured(by_target(), Kind::block_diagonal, &Effort::seconds)},
+                    {.key = "clusters",
+                     .label = "clusters",
+                     .measure = measured(by_target(), Kind::clusters, &Effort::seconds)},
+                    {.key = "direct",
+                     .label = "factorised",
+                     .measure = measured(small, Kind::direct, &Effort::seconds)}}};
 }
 
 Experiment contact_iterations() {

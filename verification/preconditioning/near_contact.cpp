@@ -47,7 +47,7 @@ Experiment gaps() {
   const std::vector<double> of_pair{0.001, 0.003, 0.01, 0.03, 0.1, 0.3};
   const std::vector<double> of_hexagon{0.01, 0.03, 0.1, 0.3};
   return {.key = "gaps",
-          .title = "Iterations and gaps",
+          .title = "Iterations with the blocks of single bodies, when the gap closes",
           .x = "gap, in radii, g",
           .error = "iterations to a residual of 1e-8",
           .lines = {

@@ -166,7 +166,7 @@ Experiment recycling() {
     lines.push_back({.key = one.key, .label = one.label, .measure = products(one)});
   }
   return {.key = "recycling",
-          .title = "Recycled directions of the step before",
+          .title = "Products with directions that the previous step supplies",
           .x = "number of directions plus one, k",
           .error = "products with the operator, to 1e-8",
           .lines = std::move(lines)};

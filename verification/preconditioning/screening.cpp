@@ -108,30 +108,30 @@ Measure forces(Force force) {
 }  // namespace
 
 Experiment screening() {
-  return {
-      .key = "screening",
-      .title = "Effect of a moved disk on others in a hexagonal patch, gap 0.05",
-      .x = "distance of the centres, in radii, r",
-      .error = "force or velocity, relative to that of the moved disk",
-      .lines = {
-          {.key = "held",
-           .label = "forces on held disks",
-           .measure = by_distance(Others::held),
-           .claim = Claim{.id = "13_7",
-                          .statement = "Among held disks the forces that a moved one exerts fall "
-                                       "with the square of the distance.",
-                          .law = Algebraic{2.0, 0.3},
-                          .window = {.from = 3.0, .to = 6.5},
-                          .reason = "held disks are a porous medium: the pressure is harmonic "
-                                    "(Darcy), that of a moved disk a dipole's, 1 / r, and forces "
-                                    "go like its gradient; the first shell is no continuum yet, "
-                                    "and an open edge at a distance R adds (r / R)^4 / 2, at 9 "
-                                    "radii a tenth for r = 6.5",
-                          .api = {"stokesbook::ClusterPreconditioner"}},
-           .control = Control{"free disks in place of held ones", by_distance(Others::free)}},
-          {.key = "free",
-           .label = "velocities of free disks",
-           .measure = by_distance(Others::free)}}};
+  return {.key = "screening",
+          .title = "Effect of a moved disk on others in a hexagonal patch, gap 0.05",
+          .x = "distance of the centres, in radii, r",
+          .error = "force or velocity, relative to that of the moved disk",
+          .lines = {
+              {.key = "held",
+               .label = "forces on held disks",
+               .measure = by_distance(Others::held),
+               .claim =
+                   Claim{.id = "13_7",
+                         .statement = "The forces that a moved disk exerts on held disks fall with "
+                                      "the square of the distance.",
+                         .law = Algebraic{2.0, 0.3},
+                         .window = {.from = 3.0, .to = 6.5},
+                         .reason = "held disks are a porous medium: the pressure is harmonic "
+                                   "(Darcy), that of a moved disk a dipole's, 1 / r, and forces "
+                                   "go like its gradient; the first shell is no continuum yet, "
+                                   "and an open edge at a distance R adds (r / R)^4 / 2, at 9 "
+                                   "radii a tenth for r = 6.5",
+                         .api = {"stokesbook::ClusterPreconditioner"}},
+               .control = Control{"free disks in place of held ones", by_distance(Others::free)}},
+              {.key = "free",
+               .label = "velocities of free disks",
+               .measure = by_distance(Others::free)}}};
 }
 
 Experiment pores() {
@@ -144,14 +144,15 @@ Experiment pores() {
           {.key = "hexagon",
            .label = "all seven together",
            .measure = forces(force_in_hexagon),
-           .claim = Claim{.id = "13_8",
-                          .statement = "Where gaps close pores, resistances of held disks grow as "
-                                       "g^(-5/2), and are no sum over pairs.",
-                          .law = Algebraic{2.5, 0.1},
-                          .reason = "what a moved disk displaces from the pores about it flows "
-                                    "through gaps, which takes a pressure of g^(-5/2) "
-                                    "(Reynolds); a pair, with open pores, has g^(-3/2)",
-                          .api = {"stokesbook::ClusterPreconditioner"}},
+           .claim =
+               Claim{.id = "13_8",
+                     .statement = "Where gaps close pores, resistances of held disks grow like "
+                                  "g^(-5/2), and are not sums over pairs.",
+                     .law = Algebraic{2.5, 0.1},
+                     .reason = "what a moved disk displaces from the pores about it flows "
+                               "through gaps, which takes a pressure of g^(-5/2) "
+                               "(Reynolds); a pair, with open pores, has g^(-3/2)",
+                     .api = {"stokesbook::ClusterPreconditioner"}},
            .control = Control{"the sum over the six pairs of the disk", forces(force_of_pairs)}},
           {.key = "pairs", .label = "sum over six pairs", .measure = forces(force_of_pairs)}}};
 }
