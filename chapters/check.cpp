@@ -3,8 +3,11 @@
 
 #include "chapters/check.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
-#include <set>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -50,17 +53,31 @@ std::string difference(const Value& got, const Value& expected) {
 
 namespace {
 
+/// A mistake that gives the first wrong result of a task.
+struct Candidate {
+  std::string sentence;
+  Value result;            ///< the first wrong one
+  bool confirmed = false;  ///< another wrong result, which differs, is that of the mistake too
+  bool refuted = false;    ///< another wrong result is not that of the mistake
+};
+
 /// Collects what the comparisons of a task have found.
 struct Findings {
-  std::string first_wrong;              ///< report on the first wrong result; empty without one
-  std::vector<std::string> candidates;  ///< sentences of mistakes that give it
-  std::set<std::string> refuted;        ///< of mistakes that do not give some wrong result
+  std::string first_wrong;  ///< report on the first wrong result; empty without one
+  std::vector<Candidate> candidates;
 
   std::string report() const {
-    for (const std::string& sentence : candidates) {
-      if (!refuted.contains(sentence)) return first_wrong + line("mistake", sentence);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.refuted) continue;
+      return first_wrong +
+             (candidate.confirmed ? line("mistake", candidate.sentence) : perhaps(candidate));
     }
-    return first_wrong + (candidates.empty() ? "" : line("perhaps", candidates.front()));
+    return first_wrong + (candidates.empty() ? "" : perhaps(candidates.front()));
+  }
+
+ private:
+  static std::string perhaps(const Candidate& candidate) {
+    return line("perhaps", candidate.sentence + " (one way to get this value)");
   }
 };
 
@@ -71,22 +88,37 @@ Findings findings;  // of the task that is being checked
 void expect(const Comparison& comparison) {
   const auto& [what, got, expected, tolerance, mistakes] = comparison;
   if (agree(got, expected, tolerance)) return;
-  const bool is_first = findings.first_wrong.empty();
-  if (is_first) findings.first_wrong = line("for", what) + difference(got, expected);
-  for (const Mistake& mistake : mistakes) {
-    if (!agree(got, mistake.gives, tolerance)) {
-      findings.refuted.insert(mistake.sentence);
-    } else if (is_first) {
-      findings.candidates.push_back(mistake.sentence);
+  if (findings.first_wrong.empty()) {
+    findings.first_wrong = line("for", what) + difference(got, expected);
+    for (const Mistake& mistake : mistakes) {
+      if (agree(got, mistake.gives, tolerance)) {
+        findings.candidates.push_back({mistake.sentence, got});
+      }
+    }
+    return;
+  }
+  for (Candidate& candidate : findings.candidates) {
+    for (const Mistake& mistake : mistakes) {
+      if (mistake.sentence != candidate.sentence) continue;
+      if (!agree(got, mistake.gives, tolerance)) {
+        candidate.refuted = true;
+      } else if (!agree(got, candidate.result, tolerance)) {
+        candidate.confirmed = true;
+      }
     }
   }
 }
 
 namespace {
 
+/// Returns a setting of this run; empty by default.
+std::string setting(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
 /// Runs one check; returns its outcome, and what follows it in the report.
 std::pair<std::string, std::string> outcome(const Task& task) {
-  const std::string help = line("formula", task.formula) + line("hint", task.hint);
   findings = {};
   std::pair<std::string, std::string> end{"passed", ""};
   try {
@@ -94,29 +126,52 @@ std::pair<std::string, std::string> outcome(const Task& task) {
   } catch (const NotDone&) {
     return {"not done", ""};
   } catch (const Rejection& rejection) {
-    end = {"wrong", rejection.text + help};
+    end = {"wrong", rejection.text};
   } catch (const std::exception& error) {
-    end = {"stopped by an exception", line("message", error.what()) + help};
+    end = {"stopped by an exception", line("message", error.what())};
   } catch (...) {
-    end = {"stopped by an exception", help};
+    end = {"stopped by an exception", ""};
   }
   if (findings.first_wrong.empty()) return end;
-  return {"wrong", findings.report() + help};
+  return {"wrong", findings.report()};
+}
+
+/// Adds a line on a task to the file that ./stokes check reads.
+void record(int number, const std::string& word, std::string details) {
+  const std::string file = setting("STOKESBOOK_REPORT");
+  if (file.empty()) return;
+  std::replace(details.begin(), details.end(), '\n', ';');
+  std::ofstream(file, std::ios::app) << number << '\t' << word << '\t' << details << std::endl;
 }
 
 }  // namespace
 
 int run(const std::vector<Task>& tasks) {
-  int number = 0, passed = 0;
-  for (const Task& task : tasks) {
+  const std::string only = setting("STOKESBOOK_TASK"), show = setting("STOKESBOOK_SHOW");
+  std::map<int, std::string> words;
+  std::size_t passed = 0;
+  for (int number = 1; const Task& task : tasks) {
+    const int current = number++;
+    if (!only.empty() && only != std::to_string(current)) continue;
     // Flushed first: where the reader's code crashes, the report names the task.
-    std::cout << "  task " << ++number << ", " << task.title << ": " << std::flush;
-    const auto [word, details] = outcome(task);
-    std::cout << word << '\n' << details << std::flush;
+    std::cout << "  task " << current << ", " << task.title << ": " << std::flush;
+    auto [word, details] = outcome(task);
+    record(current, word, details);
+    words[current] = word;
     if (word == "passed") ++passed;
+    for (int earlier : task.builds_on) {
+      if (!words.contains(earlier) || words[earlier] == "passed") continue;
+      details += line("note", "task " + std::to_string(current) + " builds on task " +
+                                  std::to_string(earlier) + ", which is " + words[earlier]);
+    }
+    if (word != "passed") {
+      if (show.find("hint") != std::string::npos) details += line("hint", task.hint);
+      if (show.find("formula") != std::string::npos) details += line("formula", task.formula);
+    }
+    std::cout << word << '\n' << details << std::flush;
   }
-  std::cout << "  " << passed << " of " << tasks.size() << " tasks passed\n";
-  return passed == number ? 0 : 1;
+  std::cout << "  " << passed << " of " << words.size() << " tasks passed\n";
+  return passed == words.size() ? 0 : 1;
 }
 
 }  // namespace stokesbook::exercise

@@ -39,15 +39,16 @@ struct Comparison {
   Value got;         ///< by the reader's function
   Value expected;    ///< by an identity or an exact solution, never a stored number
   double tolerance;  ///< relative to the largest entry expected; absolute where that is 0
-  std::vector<Mistake> mistakes = {};  ///< the first that fits is named
+  std::vector<Mistake> mistakes = {};  ///< in the order in which a report prefers them
 };
 
 /// What one function of the reader has to do.
 struct Task {
   std::string title;
-  std::string formula;          ///< shown where a result is wrong
-  std::string hint;             ///< likewise
-  std::function<void()> check;  ///< calls expect()
+  std::vector<int> builds_on = {};  ///< numbers of earlier tasks; the report names the wrong ones
+  std::string formula = {};         ///< shown on request if the task has not passed
+  std::string hint = {};            ///< likewise
+  std::function<void()> check;      ///< calls expect()
 };
 
 /// Thrown where a check cannot go on: what the reader is told about a wrong result.
@@ -68,11 +69,17 @@ std::string line(const std::string& name, const std::string& content);
 std::string difference(const Value& got, const Value& expected);
 
 /// Compares a result with its exact value. The first wrong result of a task is reported when its
-/// check has ended. A mistake that gives this result is named; several may, by coincidence, so that
-/// one is preferred that fits all wrong results of the task, and "perhaps" is said where none does.
+/// check has ended. A mistake that gives this result is named only if it gives all wrong results of
+/// the task, at least two different ones. Of any other mistake that gives the first wrong result,
+/// the report says that this is one way to get it.
 void expect(const Comparison& comparison);
 
-/// Checks all tasks, whose numbers are those of the exercise's README, and reports on each.
+/// Checks all tasks, whose numbers are those of the exercise's README, and reports on each. These
+/// environment variables change what run() does:
+/// - STOKESBOOK_TASK, a number: only this task is checked.
+/// - STOKESBOOK_SHOW: "hint", "formula" or both are shown for each task that has not passed.
+/// - STOKESBOOK_REPORT, a file: gets a line for each task when the task has ended. ./stokes check
+///   believes these lines only, because the reader's code may print anything.
 /// @return exit code: 0 when all of them pass, else 1
 int run(const std::vector<Task>& tasks);
 

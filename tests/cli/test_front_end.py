@@ -83,8 +83,19 @@ class FrontEnd(unittest.TestCase):
         self.assertIn("--fresh", (self.root / "asked").read_text())
 
     def test_help(self):
-        for command in "test", "docs", "exercise", "check":
+        for command in "test", "docs":
             self.assertIn("./stokes exercise [03] ", self.stokes(command, "--help").stdout)
+        self.program(self.tools / "python3", 'echo "python3 $@"')
+        tool = f"python3 -B {self.root}/chapters/exercises.py"
+        self.assertEqual(self.stokes("exercise", "--help").stdout, f"{tool} exercise --help\n")
+        self.assertEqual(self.stokes("check", "--help").stdout, f"{tool} check none --help\n")
+
+    def test_check_configures_where_it_compiles(self):
+        self.program(self.tools / "python3", 'echo "$@"')
+        self.configure(self.root)
+        for arguments, build in [((), "none"), (("01.1",), self.root / "build/release"),
+                                 (("--dir", "class"), self.root / "build/release")]:
+            self.assertIn(f" check {build}", self.stokes("check", *arguments).stdout)
 
     def install_all(self):
         for tool in ("doxygen", "python3", "git", "chromium", "slurmctld", "parallel", "clang++",

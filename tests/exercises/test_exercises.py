@@ -1,20 +1,24 @@
 """Tests the tool of the exercises as readers and as authors run it.
 
-Usage: test_exercises.py CHAPTERS BUILD [unittest arguments]
+Usage: test_exercises.py CHAPTERS BUILD DIAGNOSIS [unittest arguments]
 """
 
+import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import unittest.mock
 
-CHAPTERS, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(CHAPTERS))
+CHAPTERS, BUILD, DIAGNOSIS = map(pathlib.Path, sys.argv[1:4])
+sys.path[:0] = [str(CHAPTERS), str(pathlib.Path(__file__).resolve().parents[1])]
 import exercises  # noqa: E402
+from tiers import full  # noqa: E402
 
 ALIASING = CHAPTERS / "01_trapezoid/exercises/1_aliasing"
 PLACE = pathlib.Path("exercises/01_trapezoid/1_aliasing")
@@ -75,18 +79,75 @@ class Tool(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def tool(self, *arguments, code=0):
-        result = subprocess.run([sys.executable, CHAPTERS / "exercises.py", *arguments],
+        result = subprocess.run([sys.executable, "-B", CHAPTERS / "exercises.py", *arguments],
                                 cwd=self.folder, capture_output=True, text=True)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         return result.stdout + result.stderr
 
 
+class Diagnosis(unittest.TestCase):
+    """What check.cpp says of planted results."""
+
+    def report(self, **settings):
+        settings = {f"STOKESBOOK_{name}": value for name, value in settings.items()}
+        result = subprocess.run([DIAGNOSIS], env={**os.environ, **settings}, text=True,
+                                stdout=subprocess.PIPE)
+        self.assertEqual(result.returncode, 1)
+        return result.stdout
+
+    def task(self, title):
+        return re.search(rf"task \d, {title}: (.*\n(    .*\n)*)", self.report())[1]
+
+    def test_a_mistake_is_named_if_it_explains_two_inputs(self):
+        self.assertEqual(self.task("right"), "passed\n")
+        self.assertIn("\n    mistake   twice as much\n", self.task("twice"))
+
+    def test_else_it_is_one_way_to_get_a_value(self):
+        for title, sentence in [("once", "twice as much"), ("mixed", "the sign"),
+                                ("constant", "this is nothing")]:
+            self.assertIn(f"\n    perhaps   {sentence} (one way to get this value)\n",
+                          self.task(title))
+            self.assertNotIn("mistake", self.task(title))
+        self.assertEqual(self.task("unknown"), "wrong\n    for       x = 1\n    got       3\n"
+                         "    expected  10\n")
+
+    def test_a_task_names_the_wrong_ones_on_which_it_builds(self):
+        self.assertIn("    note      task 8 builds on task 2, which is wrong\n"
+                      "    note      task 8 builds on task 7, which is not done\n",
+                      self.report())
+        self.assertNotIn("builds on task 1", self.report())
+
+    def test_hints_and_formulas_are_shown_on_request(self):
+        for show in ["", "hint", "formula", "hint formula"]:
+            for word, shown in [("hint", "    hint      the hint\n"),
+                                ("formula", "    formula   the formula\n")]:
+                self.assertEqual(shown in self.report(SHOW=show), word in show)
+
+    def test_one_task(self):
+        text = self.report(TASK="2")
+        self.assertEqual(re.findall(r"task \d", text), ["task 2"])
+        self.assertIn("0 of 1 tasks passed", text)
+
+    def test_records(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "records"
+            self.report(REPORT=str(file))
+            records = exercises.records_of(file)
+        self.assertEqual([word for word, _ in records.values()],
+                         ["passed", *5 * ["wrong"], "not done", "stopped by an exception"])
+        self.assertIn("thrown;1\tpassed", records[8][1])
+
+
 class Reader(Tool):
-    def check(self, source, code):
+    def place(self, source):
         path = self.folder / PLACE / "exercise.cpp"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(source)
-        return self.tool("check", BUILD, "01.1", code=code)
+        return path
+
+    def check(self, source, *options, code):
+        self.place(source)
+        return self.tool("check", BUILD, "01.1", *options, code=code)
 
     def variant(self, name):
         return exercises.variants(ALIASING / "exercise.cpp").texts[name]
@@ -98,6 +159,26 @@ class Reader(Tool):
         text = self.tool("exercise")
         self.assertRegex(text, r"01\.1  Aliasing.* copied")
         self.assertRegex(text, r"01\.2 .* not copied yet")
+
+    def state(self):
+        return re.search(r"^01\.1  .{52} (.*)", self.tool("exercise"), re.MULTILINE)[1]
+
+    def test_progress(self):
+        def row(name):
+            return [*map(int, re.search(rf"^{name} +(\d+) +(\d+) +(\d+)$",
+                                        self.tool("check", BUILD), re.MULTILINE).groups())]
+
+        every = len(exercises.exercises())
+        self.assertEqual(row("all"), [0, 0, every])
+        for source, code, state, counts in [
+                (self.variant("starter"), 1, "0 of 4 tasks passed", [0, 1]),
+                (self.variant("rounded"), 1, "3 of 4 tasks passed", [0, 1]),
+                (self.variant("solution"), 0, "solved", [1, 0]),
+                ("broken", 1, "0 of 4 tasks passed", [0, 1])]:
+            self.check(source, code=code)
+            self.assertEqual(self.state(), state)
+            self.assertEqual(row("01_trapezoid"), [*counts, 2])
+            self.assertEqual(row("all"), [*counts, every - 1])
 
     def test_copy(self):
         self.tool("exercise", "01")
@@ -138,7 +219,7 @@ class Reader(Tool):
         self.assertEqual(text.count("\n"), 1)
 
     def test_nobody_reads_on(self):
-        process = subprocess.Popen([sys.executable, CHAPTERS / "exercises.py", "exercise"],
+        process = subprocess.Popen([sys.executable, "-B", CHAPTERS / "exercises.py", "exercise"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.folder)
         process.stdout.close()
         self.assertEqual(process.stderr.read(), b"")
@@ -146,7 +227,10 @@ class Reader(Tool):
         self.assertEqual(process.wait(), 1)
 
     def test_nothing_to_check(self):
-        self.assertIn("./stokes exercise NN", self.tool("check", BUILD, code=1))
+        for options in ["--hint"], ["--watch"], ["--json", "file"]:
+            self.assertIn("\nusage: ", self.tool("check", BUILD, *options, code=1))
+        self.assertIn("./stokes exercise 01",
+                      self.tool("check", BUILD, "01", "--watch", code=1))
         self.assertIn("./stokes exercise 01", self.tool("check", BUILD, "01", code=1))
         self.assertIn("./stokes exercise 01", self.tool("check", BUILD, "01.1", code=1))
 
@@ -155,7 +239,7 @@ class Reader(Tool):
         self.assertIn(f"({PLACE / 'exercise.cpp'})", text)
         self.assertRegex(text, "task 1, .*: not done")
         self.assertIn("0 of 4 tasks passed", text)
-        self.assertEqual(self.tool("check", BUILD, code=1), self.tool("check", BUILD, "01", code=1))
+        self.assertEqual(text, self.tool("check", BUILD, "1", code=1))
 
     def test_check_of_the_solution(self):
         text = self.check(self.variant("solution"), code=0)
@@ -163,10 +247,17 @@ class Reader(Tool):
         self.assertNotRegex(text, "warning|ninja|FAILED")
 
     def test_check_of_a_wrong_answer(self):
-        text = self.check(self.variant("half_of_the_modes"), code=1)
-        for line in ["got ", "expected ", "formula ", "hint ", "mistake   this is half"]:
-            self.assertIn("    " + line, text)
-        self.assertIn("3 of 4 tasks passed", text)
+        first = ["for ", "got ", "expected ", "mistake   this is half"]
+        for options, words in [([], first), (["--hint"], [*first, "hint "]),
+                               (["--explain"], [*first, "formula "]),
+                               (["--hint", "--explain"], [*first, "hint ", "formula "])]:
+            text = self.check(self.variant("half_of_the_modes"), *options, code=1)
+            lines = [line[4:] for line in text.splitlines() if line.startswith("    ")]
+            self.assertEqual(len(lines), len(words), text)
+            for line, word in zip(lines, words):
+                self.assertTrue(line.startswith(word), text)
+            self.assertIn("3 of 4 tasks passed", text)
+            self.assertEqual("--hint" in text, not options)
 
     def test_compile_errors_name_the_readers_file(self):
         text = self.check(self.variant("starter") + "int broken(;\n", code=1)
@@ -192,6 +283,37 @@ class Reader(Tool):
         self.assertRegex(text, "task 1, .*: stopped by an exception\n    message   mine\n")
         self.assertRegex(text, "task 2, .*: not done")
 
+    def test_a_program_that_ends_early_has_not_passed(self):
+        leave = 'std::exit(a > k ? 0 : 0);'
+        text = self.check("#include <cstdlib>\n" + self.variant("starter").replace(
+            "not_done(a, k);", leave), code=1)
+        self.assertIn("the program ended in the task named last", text)
+
+    def test_watch(self):
+        path = self.place(self.variant("starter"))
+        command = [sys.executable, "-B", CHAPTERS / "exercises.py", "check", BUILD, "01.1",
+                   "--watch"]
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, text=True,
+                              stderr=subprocess.STDOUT) as process:
+            def wait_for(text):
+                lines = []
+                while not lines or "waiting" not in lines[-1]:
+                    lines.append(process.stdout.readline())
+                    self.assertTrue(lines[-1], lines)
+                self.assertIn(text, "".join(lines))
+
+            wait_for("0 of 4 tasks passed")
+            for source, text in [(b"// na\xefve\n", "not in UTF-8"),
+                                 (b"int x(", "does not compile"),
+                                 (self.variant("solution").encode(), "4 of 4 tasks passed")]:
+                new = path.with_name("new")
+                new.write_bytes(source)
+                new.replace(path)
+                wait_for(text)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(), 130)
+            self.assertEqual(process.stdout.read(), "")
+
 
 class Programs(Tool):
     def script(self, text):
@@ -202,14 +324,62 @@ class Programs(Tool):
 
     def test_endless_loops_are_stopped(self):
         loop = self.script("while :; do :; done\n")
-        with unittest.mock.patch.object(exercises, "SECONDS", 1):
-            self.assertEqual(exercises.run(loop, self.folder).returncode, -signal.SIGXCPU)
+        self.assertEqual(exercises.run(loop, self.folder, seconds=1), -signal.SIGXCPU)
 
     def test_programs_that_wait_are_stopped(self):
         waiting = self.script("exec sleep 60\n")
-        with unittest.mock.patch.object(exercises, "SECONDS_BY_THE_CLOCK", 0.1):
-            with self.assertRaises(subprocess.TimeoutExpired):
-                exercises.run(waiting, self.folder)
+        with unittest.mock.patch.object(exercises, "CLOCK", 0.1):
+            self.assertEqual(exercises.run(waiting, self.folder, seconds=1), -signal.SIGXCPU)
+
+    def test_nothing_that_a_program_starts_is_left(self):
+        parent = self.script("(sleep 1; touch late) &\nexit 7\n")
+        self.assertEqual(exercises.run(parent, self.folder), 7)
+        time.sleep(1.5)
+        self.assertFalse((self.folder / "late").exists())
+
+    def test_what_a_program_writes_is_limited(self):
+        with unittest.mock.patch.object(exercises, "BYTES_WRITTEN", 1 << 20):
+            flood = self.script("exec dd if=/dev/zero of=file bs=1M\n")
+            self.assertEqual(exercises.run(flood, self.folder), -signal.SIGXFSZ)
+        self.assertEqual((self.folder / "file").stat().st_size, 1 << 20)
+
+
+class StudentTree(Tool):
+    def setUp(self):
+        super().setUp()
+        self.tree = self.folder / "tree"
+        self.tool("exercise", "--student-tree", self.tree)
+
+    def student(self, *arguments, code=0):
+        result = subprocess.run([self.tree / "stokes", *arguments], cwd=self.folder,
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result.stdout + result.stderr
+
+    def test_it_has_starters_only(self):
+        for exercise in exercises.exercises():
+            source = self.tree / (exercise.folder / "exercise.cpp").relative_to(CHAPTERS.parent)
+            self.assertEqual(source.read_text(), exercise.starter())
+        tracked = subprocess.run(["git", "-C", CHAPTERS.parent, "ls-files"], capture_output=True,
+                                 text=True, check=True).stdout.splitlines()
+        self.assertEqual(len(tracked), sum(p.is_file() for p in self.tree.rglob("*")))
+        self.assertTrue(os.access(self.tree / "stokes", os.X_OK))
+        self.assertIn("exists already",
+                      self.tool("exercise", "--student-tree", self.tree, code=1))
+
+    def test_exercises_are_copied_from_it(self):
+        self.student("exercise", "01.1")
+        [exercise] = exercises.exercises("01.1")
+        self.assertEqual((self.folder / PLACE / "exercise.cpp").read_text(), exercise.starter())
+
+    @full
+    def test_it_configures_and_checks(self):
+        for tests in "ON", "OFF":
+            subprocess.run(["cmake", "--preset", "release", "-S", self.tree, "-B",
+                            self.folder / "build", f"-DSTOKESBOOK_TESTS={tests}"], check=True,
+                           stdout=subprocess.DEVNULL)
+        self.student("exercise", "01.1")
+        self.assertIn("0 of 4 tasks passed", self.student("check", "01.1", code=1))
 
 
 class Author(Tool):
@@ -322,4 +492,4 @@ class Author(Tool):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

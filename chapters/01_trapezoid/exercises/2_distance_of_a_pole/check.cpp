@@ -192,6 +192,7 @@ int main() {
               for (double rate : {0.7, 0.25}) check_measured_rate(rate);
             }},
        {.title = "the experiment",
+        .builds_on = {1, 2, 3},
         .formula = "error = C exp(-rho N)",
         .hint = "look at rates.svg: dots are measured, dashed lines are predicted",
         .check = check_experiment},

@@ -143,6 +143,7 @@ int main() {
               for (double theta : {0.0, 0.3, 0.5, 0.9}) check_corner(theta, 100);
             }},
        {.title = "the repaired rule",
+        .builds_on = {1},
         .formula = "the rule in s for f(s - sin s) (1 - cos s)",
         .hint = "dt = (1 - cos s) ds",
         .check =

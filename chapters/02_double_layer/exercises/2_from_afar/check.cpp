@@ -202,6 +202,7 @@ int main() {
         .hint = "double_layer/kernels.hpp has both",
         .check = check_completion},
        {.title = "the experiment",
+        .builds_on = {1, 2, 4},
         .formula = "double layer + completion = flow",
         .hint = "look at completion.svg; the tasks before come first",
         .check = check_experiment}});

@@ -162,6 +162,7 @@ int main() {
                                  "times |x'| is symmetric",
                          .check = check_invisible_bodies},
                         {.title = "the diagnosis",
+                         .builds_on = {1, 2},
                          .formula = "share/(-s/2) and the largest residual over its prediction",
                          .hint = "tasks 1 and 2 hold all that is needed",
                          .check = for_all(check_diagnosis)}});

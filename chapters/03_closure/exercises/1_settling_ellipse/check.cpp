@@ -137,6 +137,7 @@ int main() {
               for (int n : {6, 10}) check_mean(n);
             }},
        {.title = "the velocity with N nodes",
+        .builds_on = {1},
         .formula = "the powers 0, M, 2M, ... of q = w^2, M = N/2",
         .hint = "the product of 1 + m q over the roots of unity of order M is 1 - (-m)^M",
         .check =
@@ -145,6 +146,7 @@ int main() {
               for (int n : {18, 24}) check_against_solver(n);
             }},
        {.title = "the nodes needed",
+        .builds_on = {1, 3},
         .formula = "|discrete - exact| <= tolerance",
         .hint = "count up from 4 in steps of 2",
         .check = [] {

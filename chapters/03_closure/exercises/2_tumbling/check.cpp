@@ -184,6 +184,7 @@ int main() {
               }
             }},
        {.title = "the shape factor",
+        .builds_on = {1},
         .formula = "omega = -g/2 + B g/2 cos(2 theta)",
         .hint = "the cosine is 1 along the flow and -1 across",
         .check =
@@ -191,6 +192,7 @@ int main() {
               for (double aspect : {1.5, 3.0}) check_factor(aspect);
             }},
        {.title = "half a turn",
+        .builds_on = {1},
         .formula = "the integral of d theta/|omega| over pi",
         .hint = "pi/K sum_k 1/|omega(pi k/K)|",
         .check =
@@ -199,6 +201,7 @@ int main() {
               check_half_turn(3.0, 2.5);
             }},
        {.title = "the experiment",
+        .builds_on = {1, 3},
         .formula = "pi (r + 1/r)/g",
         .hint = "look at orbits.svg",
         .check = check_experiment},

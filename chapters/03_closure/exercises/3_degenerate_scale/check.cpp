@@ -155,6 +155,7 @@ int main() {
               check_degenerate({1.0, 0.6});
             }},
        {.title = "a condition number as wanted",
+        .builds_on = {2},
         .formula = "condition = C / |l/l_0 - 1|",
         .hint = "measure C once at a distance of 1e-3",
         .check =

@@ -296,6 +296,7 @@ int main() {
               check_flux(-0.01, Order::wall_first);
             }},
        {.title = "the mended data",
+        .builds_on = {2},
         .formula = "g - n Q/|Gamma_0| on the enclosing wall",
         .hint = "Q is the net flux of task 2",
         .check =
@@ -303,10 +304,12 @@ int main() {
               for (Order order : {Order::shaft_first, Order::wall_first}) check_mended(order);
             }},
        {.title = "the experiment",
+        .builds_on = {1, 3},
         .formula = "the load with N_0 is that of the mended data",
         .hint = "look at leak.svg; the tasks before come first",
         .check = check_experiment},
        {.title = "the tolerable leak",
+        .builds_on = {1},
         .formula = "leak / tolerance = any leak / its error",
         .hint = "measure one error, of a leak that is neither tiny nor huge",
         .check = [] {

@@ -237,6 +237,7 @@ int main() {
         .hint = "n from the left shows what is taken off the data: -u int v.eta",
         .check = for_all(check_elsewhere)},
        {.title = "the diagnosis",
+        .builds_on = {1},
         .formula = "the shares are those of what was added",
         .hint = "task 1 holds all that is needed",
         .check = for_all(check_diagnosis)}});

@@ -229,10 +229,12 @@ int main() {
         .hint = "m + 1 weights, the first for the value at 0",
         .check = check_lagrange},
        {.title = "the velocity close to the curve",
+        .builds_on = {3},
         .formula = "l_0(d) (layer - density/2) + sum_j l_j(d) u_j",
         .hint = "the limit from the fluid is the value at distance 0",
         .check = check_close},
        {.title = "the experiment",
+        .builds_on = {1, 4},
         .formula = "each line fails as it comes closer than its reach, but for the polynomial",
         .hint = "look at upsampling.svg; the tasks before come first",
         .check = check_experiment}});

@@ -151,6 +151,7 @@ int main() {
                          .hint = "insert both into the broken formula",
                          .check = check_factor},
                         {.title = "the diagnosis",
+                         .builds_on = {2},
                          .formula = "the ratio of the evaluation and f is one of the factors",
                          .hint = "close to the curve all factors differ; far away two are 1",
                          .check = check_diagnosis}});

@@ -153,6 +153,7 @@ int main() {
                                for (double phase : {0.0, 0.5, 2.0}) check_angle(3.0, phase);
                              }},
                         {.title = "the mean over an orbit",
+                         .builds_on = {1, 2},
                          .formula = "1/M sum_j [mu](theta(pi j/M))",
                          .hint = "M instants, the last one before the orbit closes",
                          .check =
@@ -168,6 +169,7 @@ int main() {
                                for (double aspect : {1.5, 6.0}) check_random_mean(aspect);
                              }},
                         {.title = "the experiment",
+                         .builds_on = {3, 4},
                          .formula = "2, and the closed form of task 4",
                          .hint = "look at viscosity.svg",
                          .check = check_experiment}});

@@ -200,6 +200,7 @@ int main() {
                          .hint = "phi' = -(1/zeta) sum k A_k (R/zeta)^k",
                          .check = check_velocity},
                         {.title = "one level of boxes",
+                         .builds_on = {1, 2, 3},
                          .formula = "near boxes directly, far boxes by their expansions",
                          .hint = "boxes are near if row and column differ by at most one",
                          .check = check_one_level}});

@@ -205,6 +205,7 @@ int main() {
                          .hint = "ln(1/rho) = 1",
                          .check = check_best},
                         {.title = "the experiment",
+                         .builds_on = {2},
                          .formula = "errors lie below p rho^p",
                          .hint = "look at error_bound.svg; the tasks before come first",
                          .check = check_experiment}});

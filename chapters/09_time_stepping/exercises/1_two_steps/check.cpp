@@ -130,6 +130,7 @@ int main() {
                                check_heun(0.05);
                              }},
                         {.title = "the march",
+                         .builds_on = {1, 2},
                          .formula = "q_2 = q_1 + w_1 f_1 + w_0 f_0",
                          .hint = "keep f_1: it is f_0 of the next step",
                          .check = check_march}});

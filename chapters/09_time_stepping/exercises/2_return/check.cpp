@@ -190,6 +190,7 @@ int main() {
                          .hint = "error = C M^-p; the constant is known from the run",
                          .check = check_steps_needed},
                         {.title = "the experiment",
+                         .builds_on = {1, 2, 3},
                          .formula = "the slopes are the orders of task 3",
                          .hint = "look at return.svg",
                          .check = check_experiment}});

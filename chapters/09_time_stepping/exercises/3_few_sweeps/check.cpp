@@ -167,6 +167,7 @@ int main() {
                                for (const double gap : {1.0, 0.1, 0.01}) check_contraction(gap);
                              }},
                         {.title = "the gap that breaks it",
+                         .builds_on = {2},
                          .formula = "rho^k = 1/2",
                          .hint = "bisect: rho grows as the gap closes",
                          .check =
@@ -174,6 +175,7 @@ int main() {
                                for (const int k : {1, 2, 4}) check_breaking_gap(k);
                              }},
                         {.title = "after a reversal",
+                         .builds_on = {2},
                          .formula = "|eta_k - eta| = rho^k |eta' - eta|",
                          .hint = "eta' = -eta",
                          .check =

@@ -165,6 +165,7 @@ int main() {
         .hint = "the start comes first",
         .check = check_newton},
        {.title = "the experiment",
+        .builds_on = {2},
         .formula = "the gaps of task 5 fall by 1 - 1/q an iteration, q = 3/2",
         .hint = "it uses left_by_newton()",
         .check = check_experiment}});

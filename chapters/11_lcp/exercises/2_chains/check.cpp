@@ -140,10 +140,12 @@ int main() {
                          .hint = "2 c^2 s_i = ... with s_i = sin(i t), by the sum of two sines",
                          .check = check_left},
                         {.title = "the sweeps",
+                         .builds_on = {2},
                          .formula = "log(part) / log(left)",
                          .hint = "after k sweeps the error is left^k of what it was",
                          .check = check_needed},
                         {.title = "the experiment",
+                         .builds_on = {1, 3},
                          .formula = "the sweeps counted in task 4 are those predicted",
                          .hint = "it uses sweep() and sweeps_needed()",
                          .check = check_experiment}});

@@ -179,6 +179,7 @@ int main() {
                                check_empty_torque(2.0, 5.0, 10.0);
                              }},
                         {.title = "viscosity by power",
+                         .builds_on = {3},
                          .formula = "P / P_empty",
                          .hint = "the outer cylinder puts in omega times its torque",
                          .check =
@@ -186,6 +187,7 @@ int main() {
                                for (const double ratio : {1.0, 2.0}) check_viscosity(ratio);
                              }},
                         {.title = "the experiment",
+                         .builds_on = {1, 2, 3, 4},
                          .formula = "torques add up to 0; P = omega L_outer",
                          .hint = "free bodies put in nothing",
                          .check = check_experiment}});

@@ -152,6 +152,7 @@ int main() {
                          .hint = "compare with R^-1",
                          .check = check_order},
                         {.title = "the experiment",
+                         .builds_on = {2, 4},
                          .formula = "the slopes are the order of task 4",
                          .hint = "look at rotors.svg",
                          .check = check_experiment}});

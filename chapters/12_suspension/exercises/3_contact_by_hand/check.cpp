@@ -178,6 +178,7 @@ int main() {
                                for (const double gap : {0.1, 0.18}) check_power(gap);
                              }},
                         {.title = "the experiment",
+                         .builds_on = {1, 2, 3},
                          .formula = "steps by Euler's method, U = U* + B J^T lambda",
                          .hint = "tasks 1 to 3, with velocities of the solver",
                          .check = check_experiment}});

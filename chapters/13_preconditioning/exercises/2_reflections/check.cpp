@@ -180,6 +180,7 @@ int main() {
               for (const double gap : {2.0, 0.5}) check_contraction(gap);
             }},
        {.title = "the rounds needed",
+        .builds_on = {2},
         .formula = "contraction^rounds <= tolerance",
         .hint = "two logarithms of one base",
         .check =
@@ -187,6 +188,7 @@ int main() {
               for (const double gap : {2.0, 0.5, 0.01}) check_needed(gap, 1e-8);
             }},
        {.title = "the experiment",
+        .builds_on = {1, 3},
         .formula = "rounds ~ log(tolerance)/log(contraction)",
         .hint = "look at race.svg; the tasks before come first",
         .check = check_experiment}});
