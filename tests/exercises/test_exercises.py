@@ -489,6 +489,7 @@ class Author(Tool):
             readme = (folder / "README.md").read_text()
             for part in ["# ", "**Objective.**", "**Tasks.**", "**Out of scope.**", "<details>"]:
                 self.assertIn(part, readme, folder)
+            self.assertRegex(readme, r"\*\*Time\.\*\* Some \d+ minutes; (easy|medium|hard)\.\n")
 
 
 if __name__ == "__main__":
