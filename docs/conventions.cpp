@@ -352,18 +352,6 @@ void sctl(Identities& identities) {
   //! [sctl]
 }
 
-void draft(Identities& identities) {
-  //! [draft]
-  const Complex strength = force / (4.0 * pi * mu);  // F of the draft
-  const double turn = torque / (4.0 * pi * mu);      // L of the draft
-  const double rho2 = std::norm(r);
-  const Complex its_stokeslet = -std::log(std::sqrt(rho2)) * strength + r * dot(r, strength) / rho2;
-  identities.check("Stokeslet", its_stokeslet, stokeslet(r, force, mu, 1.0));
-  identities.check("rotlet", turn * perp(r) / rho2, rotlet(r, torque, mu));
-  identities.check("double layer, n into the fluid", stresslet(r, -n, -eta), stresslet(r, n, eta));
-  //! [draft]
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -380,8 +368,7 @@ int main(int argc, char** argv) {
                                                                {"bie2d", bie2d},
                                                                {"chunkie", chunkie},
                                                                {"fmm2d", fmm2d},
-                                                               {"sctl", sctl},
-                                                               {"draft", draft}};
+                                                               {"sctl", sctl}};
   for (const auto& [name, check] : all) {
     identities.begin(name);
     check(identities);

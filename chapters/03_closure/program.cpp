@@ -92,7 +92,7 @@ void print_conditions() {
   for (const double length : {1e-3, 1.0, 1e3}) {
     const StokesProblem problem{{free_body(pebble(length), 64, 0.0)}, viscosity, {}, {}};
     std::printf(
-        "%20.0e %9.1e %14.1f %8.1f\n", length, condition(problem, ClosureForm::draft_bordered),
+        "%20.0e %9.1e %14.1f %8.1f\n", length, condition(problem, ClosureForm::power_bordered),
         condition(problem, ClosureForm::scaled_bordered), condition(problem, ClosureForm::reduced));
   }
 }

@@ -54,7 +54,7 @@ struct BorderScales {
 };
 
 BorderScales border_scales(const Component& component, ClosureForm form, double viscosity) {
-  if (form == ClosureForm::draft_bordered) return {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+  if (form == ClosureForm::power_bordered) return {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
   // Unknowns U, a omega, F / (4 pi mu) and L / (4 pi mu a); rows are means, as in (03.8).
   const RigidModes modes(component.curve, component.centre);
   const double a = modes.gyration_radius(), length = perimeter(component.curve);
@@ -94,9 +94,9 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
     }
     if (!is_inner(component)) continue;
     const BorderScales scales = border_scales(component, form, problem.viscosity);
-    // The draft has no gauge length: its Stokeslet contains -log(rho).
+    // Power's border has no gauge length: its Stokeslet contains -log(rho).
     const double gauge =
-        form == ClosureForm::draft_bordered ? problem.gauge_length.value_or(1.0) : gauges[k];
+        form == ClosureForm::power_bordered ? problem.gauge_length.value_or(1.0) : gauges[k];
     const VectorXd w = weights(component.curve);
     for (int mode = 0; mode < 3; ++mode, ++border) {
       const ComplexVector rigid = rigid_mode(component, mode);
@@ -109,11 +109,11 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
         const double given[3] = {component.force.real(), component.force.imag(), component.torque};
         system.matrix.col(border).segment(first, size) = -interleaved(rigid) / scales.motion[mode];
         system.rhs.head(2 * n) -= given[mode] * interleaved(load);
-        if (form == ClosureForm::draft_bordered) system.rhs[border] = given[mode];
+        if (form == ClosureForm::power_bordered) system.rhs[border] = given[mode];
       } else {
         // The load of a prescribed component is unknown.
         system.matrix.col(border).head(2 * n) = scales.load[mode] * interleaved(load);
-        system.matrix(border, border) = form == ClosureForm::draft_bordered ? -1.0 : 1.0;
+        system.matrix(border, border) = form == ClosureForm::power_bordered ? -1.0 : 1.0;
       }
     }
   }

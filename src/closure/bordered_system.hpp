@@ -9,9 +9,9 @@ namespace stokesbook {
 /// The forms of the linear system of one problem. Conditioning and quadrature errors differ; the
 /// exact motions and loads are the same.
 enum class ClosureForm {
-  /// Border (03.6) of the draft: \f$ \int\eta\,ds = F,\ \int\eta\cdot(x-c)^\perp ds = L \f$. These
+  /// Border (03.6) of Power: \f$ \int\eta\,ds = F,\ \int\eta\cdot(x-c)^\perp ds = L \f$. These
   /// equations are dimensionally inconsistent.
-  draft_bordered,
+  power_bordered,
   /// Border (03.8): \f$ \langle\eta\rangle = 0 \f$ for free bodies,
   /// \f$ \langle\eta\rangle + F/(4\pi\mu) = 0 \f$ for prescribed components, and the like for the
   /// turn. The unknowns \f$ U, a\omega, F/(4\pi\mu), L/(4\pi\mu a) \f$ have one unit.

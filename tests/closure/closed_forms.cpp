@@ -71,8 +71,8 @@ BOOST_AUTO_TEST_CASE(loaded_ellipses) {
         const RigidMotion exact = loaded_ellipse(ellipse, orientation, load, mu, 7.0 * length);
         for (const ClosureForm form : all_forms) {
           const RigidMotion motion = solve_dense(problem, form).motions[0];
-          // The draft's border mixes units, so its results are less accurate at 1e3.
-          const double tolerance = form == ClosureForm::draft_bordered ? 1e-11 : rounding;
+          // Power's border mixes units, so its results are less accurate at 1e3.
+          const double tolerance = form == ClosureForm::power_bordered ? 1e-11 : rounding;
           BOOST_TEST(distance(motion, exact, length) < tolerance);
         }
       }

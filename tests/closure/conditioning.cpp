@@ -1,4 +1,4 @@
-// Checks how the closure's scale changes the conditioning. The draft's border compares a velocity
+// Checks how the closure's scale changes the conditioning. Power's border compares a velocity
 // with a force, so its condition number grows with the body's size in either direction; the scaled
 // border (03.8) and the reduced form (03.10) have condition number 2 on a circle of any size. Norms
 // are mean squares over the curve.
@@ -27,11 +27,11 @@ StokesProblem held_circle_problem(double radius, double mu) {
 
 BOOST_AUTO_TEST_SUITE(conditioning)
 
-// The draft's matrix on a circle has the singular values 1/2 and 1 of -1/2 + D, the singular values
+// Power's matrix on a circle has the singular values 1/2 and 1 of -1/2 + D, the singular values
 // {1, 2 pi a} of the border of a translation, and {a, 2 pi a^2} of the border of a rotation.
-BOOST_AUTO_TEST_CASE(draft_depends_on_size) {
+BOOST_AUTO_TEST_CASE(power_depends_on_size) {
   const auto condition = [](double a) {
-    return mean_square_condition(circle_problem(a), ClosureForm::draft_bordered);
+    return mean_square_condition(circle_problem(a), ClosureForm::power_bordered);
   };
   BOOST_TEST(condition(1e-2) == 1.0 / (2 * pi * 1e-4), boost::test_tools::tolerance(1e-9));
   BOOST_TEST(condition(1.0) == 4 * pi, boost::test_tools::tolerance(1e-9));
@@ -47,14 +47,14 @@ BOOST_AUTO_TEST_CASE(scaled_and_reduced_do_not) {
   }
 }
 
-// For held bodies the viscosity enters the draft's border as well.
-BOOST_AUTO_TEST_CASE(draft_depends_on_viscosity) {
+// For held bodies the viscosity enters Power's border as well.
+BOOST_AUTO_TEST_CASE(power_depends_on_viscosity) {
   const auto condition = [](double mu, ClosureForm form) {
     return mean_square_condition(held_circle_problem(1.0, mu), form);
   };
-  const double at_one = condition(1.0, ClosureForm::draft_bordered);
-  BOOST_TEST(condition(1e-3, ClosureForm::draft_bordered) > 2.0 * at_one);
-  BOOST_TEST(condition(1e3, ClosureForm::draft_bordered) > 10.0 * at_one);
+  const double at_one = condition(1.0, ClosureForm::power_bordered);
+  BOOST_TEST(condition(1e-3, ClosureForm::power_bordered) > 2.0 * at_one);
+  BOOST_TEST(condition(1e3, ClosureForm::power_bordered) > 10.0 * at_one);
   for (const ClosureForm form : {ClosureForm::scaled_bordered, ClosureForm::reduced}) {
     const double scaled = condition(1.0, form);
     BOOST_TEST(condition(1e-3, form) == scaled, boost::test_tools::tolerance(1e-9));

@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_SUITE(forms)
 BOOST_AUTO_TEST_CASE(agree) {
   const StokesProblem problem = mixed_problem();
   const Completion reduced = solve_dense(problem, ClosureForm::reduced);
-  for (const ClosureForm form : {ClosureForm::draft_bordered, ClosureForm::scaled_bordered}) {
+  for (const ClosureForm form : {ClosureForm::power_bordered, ClosureForm::scaled_bordered}) {
     const Completion bordered = solve_dense(problem, form);
     for (std::size_t k = 0; k < problem.components.size(); ++k) {
       BOOST_TEST(distance(bordered.motions[k], reduced.motions[k]) < 1e-12);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(border_of_free_bodies_may_hold_anything) {
                               1.0,
                               {},
                               {}};
-  for (const ClosureForm form : {ClosureForm::draft_bordered, ClosureForm::scaled_bordered}) {
+  for (const ClosureForm form : {ClosureForm::power_bordered, ClosureForm::scaled_bordered}) {
     DenseSystem system = assemble(problem, form);
     const Completion given = complete_dense(problem, form, solve(system));
     system.rhs.tail(6) << 1.0, -2.0, 0.5, 0.0, 3.0, -0.7;

@@ -1,6 +1,6 @@
 // Checks that N_0 (04.6) on a wall moves the eigenvalue of the normal from 0 to -1, at any length
 // of the wall, and no other eigenvalue: a circle has condition number 2. Without N_0 the matrix is
-// singular. With the draft's unscaled \int n(x) n(y) . eta ds the condition number depends on the
+// singular. With the unscaled term \int n(x) n(y) . eta ds the condition number depends on the
 // wall's length, and therefore on the unit of length.
 
 #include <boost/test/unit_test.hpp>
@@ -46,9 +46,9 @@ BOOST_AUTO_TEST_CASE(condition_number_2_with) {
   }
 }
 
-// The draft's term + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 moves the eigenvalue from 0 to the
+// The unscaled term + \int n(x) n(y) . eta ds = -|Gamma_0| N_0 moves the eigenvalue from 0 to the
 // wall's length. The condition numbers are 5.3, 38 and 3770.
-BOOST_AUTO_TEST_CASE(condition_number_of_the_draft) {
+BOOST_AUTO_TEST_CASE(condition_number_of_the_unscaled_term) {
   const auto condition = [](double radius) {
     const Curve wall = circle(radius);
     return condition_number(layer_with_jump(wall) - perimeter(wall) * null_space_matrix(wall));

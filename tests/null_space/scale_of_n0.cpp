@@ -43,23 +43,23 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_it) {
 }
 
 // The recommended system has the same condition number in any unit of length. The condition number
-// of the draft's system depends on the unit.
+// of Power's system depends on the unit.
 BOOST_AUTO_TEST_CASE(conditioning_in_any_unit) {
   const auto recommended = [](double length) {
     return condition_number(assemble_bounded(cell(length, 32), ClosureForm::reduced).matrix);
   };
-  const auto draft = [](double length) {
+  const auto with_unscaled_term = [](double length) {
     const StokesProblem problem = cell(length, 32);
     const double unscaled = -perimeter(problem.components[3].curve);
     return condition_number(
-        assemble_bounded(problem, ClosureForm::draft_bordered, unscaled).matrix);
+        assemble_bounded(problem, ClosureForm::power_bordered, unscaled).matrix);
   };
   const double expected = recommended(1.0);
   BOOST_TEST(expected < 50.0);
   BOOST_TEST(recommended(20.0) == expected, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(recommended(0.05) == expected, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(draft(20.0) > 10 * draft(1.0));
-  BOOST_TEST(draft(0.05) > 10 * draft(1.0));
+  BOOST_TEST(with_unscaled_term(20.0) > 10 * with_unscaled_term(1.0));
+  BOOST_TEST(with_unscaled_term(0.05) > 10 * with_unscaled_term(1.0));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -104,7 +104,7 @@ Experiment closure_values() {
       .x = "size of the change beta",
       .error = "largest change of U, omega, F, L",
       .lines = {
-          values_line("draft", "03_8", "values in the draft's border", ClosureForm::draft_bordered),
+          values_line("power", "03_8", "values in Power's border", ClosureForm::power_bordered),
           values_line("scaled", "03_9", "values in the scaled border",
                       ClosureForm::scaled_bordered),
           {.key = "factor",

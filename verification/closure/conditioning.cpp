@@ -26,7 +26,7 @@ StokesProblem held_at_viscosity(double mu) {
 /// A planted defect: the row of the torque has the units of the force's row.
 double with_scaled_torque(double b) {
   const StokesProblem problem = free_ellipse(b);
-  DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
+  DenseSystem system = assemble(problem, ClosureForm::power_bordered);
   system.matrix.bottomRows(1) /= b;
   return test::mean_square_condition(system.matrix, problem);
 }
@@ -80,7 +80,7 @@ double with_balanced_border(double nodes) {
 /// A planted defect: the singularities lack the factor 1 / (4 pi mu).
 double without_viscosity(double mu) {
   const StokesProblem problem = held_at_viscosity(mu);
-  DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
+  DenseSystem system = assemble(problem, ClosureForm::power_bordered);
   system.matrix.topRightCorner(system.matrix.rows() - 3, 3) *= 4.0 * std::numbers::pi * mu;
   return test::mean_square_condition(system.matrix, problem);
 }
@@ -131,12 +131,12 @@ Experiment condition_and_size() {
       .x = "minor semi-axis b",
       .error = "condition number between mean-square norms",
       .lines = {
-          {.key = "draft_small",
-           .label = "draft's border, small body",
-           .measure = over_sizes(1e-3, 3e-2, 7, ClosureForm::draft_bordered),
+          {.key = "power_small",
+           .label = "Power's border, small body",
+           .measure = over_sizes(1e-3, 3e-2, 7, ClosureForm::power_bordered),
            .claim =
                Claim{.id = "03_15",
-                     .statement = "The condition number of the draft's form grows as the "
+                     .statement = "The condition number of Power's form grows as the "
                                   "inverse square of a small body's size.",
                      .law = Algebraic{2.0, 0.05},
                      .reason = "the torque's row is an integral of a length: a^2, beside -1 in "
@@ -144,11 +144,11 @@ Experiment condition_and_size() {
                      .api = assemble_api},
            .control = Control{"the torque's row divided by the body's size",
                               at(log_points(1e-3, 3e-2, 7), with_scaled_torque)}},
-          {.key = "draft_large",
-           .label = "draft's border, large body",
-           .measure = over_sizes(3.0, 1e3, 7, ClosureForm::draft_bordered),
+          {.key = "power_large",
+           .label = "Power's border, large body",
+           .measure = over_sizes(3.0, 1e3, 7, ClosureForm::power_bordered),
            .claim = Claim{.id = "03_16",
-                          .statement = "The condition number of the draft's form grows as the "
+                          .statement = "The condition number of Power's form grows as the "
                                        "square of a large body's size.",
                           .law = Algebraic{-2.0, 0.05},
                           .reason = "the torque's row a^2, beside 1/2 of -1/2 + D",
@@ -230,54 +230,54 @@ Experiment condition_and_nodes() {
 }
 
 Experiment condition_and_viscosity() {
-  return {.key = "viscosities",
-          .title = "Conditioning and the viscosity, held body",
-          .x = "viscosity mu",
-          .error = "condition number between mean-square norms",
-          .lines = {{.key = "draft_thin",
-                     .label = "draft's border, thin fluid",
-                     .measure = over_viscosities(1e-5, 1e-3, 5, ClosureForm::draft_bordered),
-                     .claim = Claim{.id = "03_22",
-                                    .statement =
-                                        "For held bodies the condition number of the draft's form "
-                                        "grows as 1 / mu in a thin fluid.",
-                                    .law = Algebraic{1.0, 0.05},
-                                    .reason = "the columns of F hold 1 / (4 pi mu)",
-                                    .api = assemble_api},
-                     .control = Control{"singularities without 1 / (4 pi mu)",
-                                        at(log_points(1e-5, 1e-3, 5), without_viscosity)}},
-                    {.key = "draft_thick",
-                     .label = "draft's border, thick fluid",
-                     .measure = over_viscosities(1e1, 1e4, 7, ClosureForm::draft_bordered),
-                     .claim = Claim{.id = "03_23",
-                                    .statement = "For held bodies the condition number of the "
-                                                 "draft's form grows as mu in a thick fluid.",
-                                    .law = Algebraic{-1.0, 0.05},
-                                    .reason = "the same columns, which vanish",
-                                    .api = assemble_api},
-                     .control = Control{"singularities without 1 / (4 pi mu)",
-                                        at(log_points(1e1, 1e4, 7), without_viscosity)}},
-                    {.key = "scaled",
-                     .label = "scaled border",
-                     .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::scaled_bordered),
-                     .claim = Claim{.id = "03_24",
-                                    .statement = "With F / (4 pi mu) as unknown the condition "
-                                                 "number does not depend on the viscosity.",
-                                    .law = Algebraic{0.0, 1e-9},
-                                    .reason = "the viscosity does not enter the matrix",
-                                    .api = assemble_api},
-                     .control = Control{"F / (4 pi) as unknown",
-                                        at(log_points(1e-5, 1e4, 13), with_load_unscaled)}},
-                    {.key = "reduced",
-                     .label = "reduced",
-                     .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::reduced),
-                     .claim = Claim{.id = "03_25",
-                                    .statement = "Nor does that of the reduced form.",
-                                    .law = Algebraic{0.0, 1e-9},
-                                    .reason = "the viscosity does not enter the matrix",
-                                    .api = assemble_api},
-                     .control = Control{"F = -4 pi U, without the viscosity",
-                                        at(log_points(1e-5, 1e4, 13), with_load_for_motion)}}}};
+  return {
+      .key = "viscosities",
+      .title = "Conditioning and the viscosity, held body",
+      .x = "viscosity mu",
+      .error = "condition number between mean-square norms",
+      .lines = {{.key = "power_thin",
+                 .label = "Power's border, thin fluid",
+                 .measure = over_viscosities(1e-5, 1e-3, 5, ClosureForm::power_bordered),
+                 .claim = Claim{.id = "03_22",
+                                .statement = "For held bodies the condition number of Power's form "
+                                             "grows as 1 / mu in a thin fluid.",
+                                .law = Algebraic{1.0, 0.05},
+                                .reason = "the columns of F hold 1 / (4 pi mu)",
+                                .api = assemble_api},
+                 .control = Control{"singularities without 1 / (4 pi mu)",
+                                    at(log_points(1e-5, 1e-3, 5), without_viscosity)}},
+                {.key = "power_thick",
+                 .label = "Power's border, thick fluid",
+                 .measure = over_viscosities(1e1, 1e4, 7, ClosureForm::power_bordered),
+                 .claim = Claim{.id = "03_23",
+                                .statement = "For held bodies the condition number of the "
+                                             "Power's form grows as mu in a thick fluid.",
+                                .law = Algebraic{-1.0, 0.05},
+                                .reason = "the same columns, which vanish",
+                                .api = assemble_api},
+                 .control = Control{"singularities without 1 / (4 pi mu)",
+                                    at(log_points(1e1, 1e4, 7), without_viscosity)}},
+                {.key = "scaled",
+                 .label = "scaled border",
+                 .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::scaled_bordered),
+                 .claim = Claim{.id = "03_24",
+                                .statement = "With F / (4 pi mu) as unknown the condition "
+                                             "number does not depend on the viscosity.",
+                                .law = Algebraic{0.0, 1e-9},
+                                .reason = "the viscosity does not enter the matrix",
+                                .api = assemble_api},
+                 .control = Control{"F / (4 pi) as unknown",
+                                    at(log_points(1e-5, 1e4, 13), with_load_unscaled)}},
+                {.key = "reduced",
+                 .label = "reduced",
+                 .measure = over_viscosities(1e-5, 1e4, 13, ClosureForm::reduced),
+                 .claim = Claim{.id = "03_25",
+                                .statement = "Nor does that of the reduced form.",
+                                .law = Algebraic{0.0, 1e-9},
+                                .reason = "the viscosity does not enter the matrix",
+                                .api = assemble_api},
+                 .control = Control{"F = -4 pi U, without the viscosity",
+                                    at(log_points(1e-5, 1e4, 13), with_load_for_motion)}}}};
 }
 
 }  // namespace stokesbook::verification::closure

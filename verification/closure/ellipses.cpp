@@ -19,7 +19,7 @@ constexpr double viscosity = 1.3, gauge_length = 7.0, ellipse_orientation = 0.4;
 /// Changes a problem before its solution, for planted defects.
 using Change = std::function<void(StokesProblem&)>;
 
-/// A planted defect: U and omega have the opposite sign in the system, as printed in the draft.
+/// A planted defect: U and omega have the opposite sign in the system, a mistake that is easily made.
 RigidMotion solve_with_motions_reversed(const StokesProblem& problem) {
   DenseSystem system = assemble(problem, ClosureForm::scaled_bordered);
   system.matrix.rightCols(3) *= -1.0;
@@ -177,7 +177,7 @@ Experiment loaded_ellipses() {
           .axes = Axes::semi_log,
           .lines = {circle,
                     loaded_line("two", "03_2", 2.0,
-                                {"U and omega with a plus sign, as the draft prints them",
+                                {"U and omega with a plus sign, which reverses the motions",
                                  solve_with_motions_reversed, no_change}),
                     loaded_line("three", "03_3", 3.0,
                                 {"Stokeslet and rotlet without 1 / (4 pi mu)", solve_reduced,
@@ -194,7 +194,7 @@ Experiment sheared_ellipses() {
           .error = "error of U and b omega, relative to the shear rate times b",
           .axes = Axes::semi_log,
           .lines = {sheared_line("two", "03_5", 2.0,
-                                 {"U and omega with a plus sign, as the draft prints them",
+                                 {"U and omega with a plus sign, which reverses the motions",
                                   solve_with_motions_reversed, no_change}),
                     sheared_line("three", "03_6", 3.0,
                                  {"the background flow with a plus sign on the right",

@@ -107,13 +107,13 @@ double drift(double nodes, DenseSystem (*system)(const StokesProblem&)) {
   return std::abs(velocity(in_stream) - stream - velocity(problem));
 }
 
-/// Returns the error of the draft's form with zero on the right-hand side of its border.
-double error_of_draft_with_zero(double a) {
+/// Returns the error of Power's form with zero on the right-hand side of its border.
+double error_of_power_with_zero(double a) {
   const Pair pair{a, 0.5};
   const StokesProblem problem = pair.problem(36, 36);
-  DenseSystem system = assemble(problem, ClosureForm::draft_bordered);
+  DenseSystem system = assemble(problem, ClosureForm::power_bordered);
   system.rhs.tail(6).setZero();
-  return error(pair, problem, system, ClosureForm::draft_bordered);
+  return error(pair, problem, system, ClosureForm::power_bordered);
 }
 
 using PairError = std::function<double(const Pair&, double nodes)>;
@@ -220,19 +220,19 @@ Experiment pair_units() {
           .title = "Two circles of 36 nodes, and the unit of length",
           .x = "radius a",
           .error = "relative error of the speed along the line of centres",
-          .lines = {{.key = "draft",
-                     .label = "draft's border",
-                     .measure = measure(ClosureForm::draft_bordered),
+          .lines = {{.key = "power",
+                     .label = "Power's border",
+                     .measure = measure(ClosureForm::power_bordered),
                      .claim = Claim{.id = "03_35",
                                     .statement = "In small units the quadrature error of the "
-                                                 "draft's form grows as the inverse of the length.",
+                                                 "Power's form grows as the inverse of the length.",
                                     .law = Algebraic{1.0, 0.05},
                                     .window = {.to = 1e-3},
                                     .reason = "its density has the mean F / (2 pi a), beside "
                                               "velocities U ~ F / mu",
                                     .api = {"stokesbook::ClosureForm"}},
                      .control = Control{"zero on the right of its border",
-                                        at(radii, error_of_draft_with_zero)}},
+                                        at(radii, error_of_power_with_zero)}},
                     {.key = "reduced",
                      .label = "reduced",
                      .measure = measure(ClosureForm::reduced),
@@ -243,7 +243,7 @@ Experiment pair_units() {
                                     .reason = "all terms of the density are velocities",
                                     .api = {"stokesbook::ClosureForm"}},
                      .control = Control{"means of the density as large as the loads",
-                                        measure(ClosureForm::draft_bordered)}}}};
+                                        measure(ClosureForm::power_bordered)}}}};
 }
 
 Experiment forms_at_work() {
@@ -263,9 +263,9 @@ Experiment forms_at_work() {
                     {.key = "scaled",
                      .label = "scaled border",
                      .measure = at_cost(pair, of_form(ClosureForm::scaled_bordered), 6, 4.0)},
-                    {.key = "draft",
-                     .label = "draft's border",
-                     .measure = at_cost(pair, of_form(ClosureForm::draft_bordered), 6, 4.0)},
+                    {.key = "power",
+                     .label = "Power's border",
+                     .measure = at_cost(pair, of_form(ClosureForm::power_bordered), 6, 4.0)},
                     {.key = "one_by_one",
                      .label = "no double layer of one circle on the other",
                      .measure = at_cost(pair, error_one_by_one, 6, 2.0)},

@@ -29,9 +29,9 @@ double reduced_iterations(Index nodes) {
   return gmres(system.map(), {}, system.rhs(), {1e-12, 500}).iterations;
 }
 
-double draft_iterations(Index nodes) {
+double power_iterations(Index nodes) {
   const BorderedSystem system(nine_circles(), nodes, shear, Between::trapezoid,
-                              ClosureForm::draft_bordered);
+                              ClosureForm::power_bordered);
   return gmres(system.map(), {}, system.rhs(), {1e-12, 500}).iterations;
 }
 
@@ -72,7 +72,7 @@ Experiment costs_of_a_solve() {
                                     .api = {"stokesbook::gmres"}},
                      .control = Control{"Power's border and the plain trapezoid rule",
                                         costs([](Index nodes, double unknowns) {
-                                          return multiplications(unknowns, draft_iterations(nodes));
+                                          return multiplications(unknowns, power_iterations(nodes));
                                         })}},
                     {.key = "lu",
                      .label = "LU factorisation",

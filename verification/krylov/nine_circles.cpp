@@ -113,7 +113,7 @@ Line as_published(const std::string& key, const std::string& label, const std::s
 Experiment nine_by_form() {
   using enum ClosureForm;
   const Count scaled_plain = bordered(scaled_bordered, Between::trapezoid);
-  const Count draft_plain = bordered(draft_bordered, Between::trapezoid);
+  const Count power_plain = bordered(power_bordered, Between::trapezoid);
   return {
       .key = "nine",
       .title = "Nine circles without preconditioner",
@@ -121,19 +121,19 @@ Experiment nine_by_form() {
       .error = "iterations to a residual of 1e-12",
       .lines = {
           mesh_independent("reduced", "reduced form", "05_12", reduced_form(),
-                           {"Power's border, and the plain trapezoid rule", counts(draft_plain)}),
+                           {"Power's border, and the plain trapezoid rule", counts(power_plain)}),
           mesh_independent("scaled", "scaled border", "05_13",
                            bordered(scaled_bordered, Between::resolved),
                            {"the plain trapezoid rule between the circles", counts(scaled_plain)}),
-          mesh_independent("draft", "Power's border", "05_14",
-                           bordered(draft_bordered, Between::resolved),
-                           {"the plain trapezoid rule between the circles", counts(draft_plain)}),
+          mesh_independent("power", "Power's border", "05_14",
+                           bordered(power_bordered, Between::resolved),
+                           {"the plain trapezoid rule between the circles", counts(power_plain)}),
           {.key = "scaled_plain",
            .label = "scaled border, plain trapezoid rule",
            .measure = counts(scaled_plain)},
-          {.key = "draft_plain",
+          {.key = "power_plain",
            .label = "Power's border, plain trapezoid rule",
-           .measure = counts(draft_plain)}}};
+           .measure = counts(power_plain)}}};
 }
 
 Experiment published_count() {
@@ -152,8 +152,8 @@ Experiment published_count() {
                         differences(reduced_form_with_blocks(Ellipse{0.5, 0.25}))}),
           as_published("scaled", "scaled border", "05_16", bordered_with_blocks(scaled_bordered),
                        without_blocks(scaled_bordered)),
-          as_published("draft", "Power's border", "05_17", bordered_with_blocks(draft_bordered),
-                       without_blocks(draft_bordered))}};
+          as_published("power", "Power's border", "05_17", bordered_with_blocks(power_bordered),
+                       without_blocks(power_bordered))}};
 }
 
 }  // namespace stokesbook::verification::krylov

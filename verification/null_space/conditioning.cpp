@@ -1,5 +1,5 @@
 // Computes condition numbers of a circular wall in various units of length, with the scaled N_0,
-// with that of the draft, and without N_0; measures the effect of a factor of N_0 on the results.
+// with an unscaled N_0, and without N_0; measures the effect of a factor of N_0 on the results.
 #include <cmath>
 
 #include "double_layer/double_layer.hpp"
@@ -60,10 +60,10 @@ Experiment conditioning() {
                           .law = Floor{2.0, 1.1},
                           .reason = "the eigenvalues of the symmetric matrix are -1 and -1/2",
                           .api = {"stokesbook::null_space_matrix"}},
-           .control = Control{"the draft's factor", conditions(draft_factor)}},
-          {.key = "draft",
-           .label = "the draft's, not scaled",
-           .measure = conditions(draft_factor),
+           .control = Control{"the factor of the unscaled N_0", conditions(unscaled_factor)}},
+          {.key = "unscaled",
+           .label = "N_0 that is not scaled",
+           .measure = conditions(unscaled_factor),
            .claim = Claim{.id = "04_10",
                           .statement = "Without the division by the length, the condition number "
                                        "grows with the wall: it is 4 pi R.",

@@ -76,8 +76,8 @@ using Factor = double (*)(double length);
 /// @name Factors of N_0 that differ from 1
 /// @{
 double zero_factor(double length);
-/// Returns the factor of the draft's term + \int n(x) n(y) . eta ds.
-double draft_factor(double length);
+/// Returns the factor of the unscaled term + \int n(x) n(y) . eta ds.
+double unscaled_factor(double length);
 /// @}
 
 /// Holds a solved annulus.

@@ -117,7 +117,7 @@ constexpr Complex inner_centre{0.4, -0.3}, outer_centre{0.8, 0.0};
 const test::ExactFlow source_flow{{{inner_centre + std::polar(source_distance, 2.1), 0.0, 1.0}}};
 
 /// Returns the error of the flow of a source. Either the flux of every component is subtracted from
-/// its data, as the draft's condition requires, or all fluxes are kept.
+/// its data, as if every component had to be without flux, or all fluxes are kept.
 template <bool each_without_flux>
 double source_error(Index n) {
   StokesProblem problem{{test::held_body(Circle{inner_radius}, n, {inner_centre}, {}),

@@ -127,9 +127,11 @@ Experiment iterations() {
                           .law = Algebraic{0.0, 0.002},
                           .reason = "the matrix does not: it has no dimension",
                           .api = {"stokesbook::gmres", "stokesbook::null_space_matrix"}},
-           .control = Control{"the draft's N_0, not scaled", counts(draft_factor)}},
+           .control = Control{"N_0 that is not scaled", counts(unscaled_factor)}},
           {.key = "sign", .label = "the same with the other sign", .measure = counts(other_sign)},
-          {.key = "draft", .label = "the draft's, not scaled", .measure = counts(draft_factor)}}};
+          {.key = "unscaled",
+           .label = "N_0 that is not scaled",
+           .measure = counts(unscaled_factor)}}};
 }
 
 }  // namespace stokesbook::verification::null_space

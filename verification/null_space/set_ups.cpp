@@ -91,7 +91,7 @@ double zero_factor(double) {
   return 0.0;
 }
 
-double draft_factor(double length) {
+double unscaled_factor(double length) {
   return -length;
 }
 

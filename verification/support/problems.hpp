@@ -13,7 +13,7 @@
 
 namespace stokesbook::test {
 
-inline constexpr std::array all_forms{ClosureForm::draft_bordered, ClosureForm::scaled_bordered,
+inline constexpr std::array all_forms{ClosureForm::power_bordered, ClosureForm::scaled_bordered,
                                       ClosureForm::reduced};
 
 inline Component free_body(const Shape& shape, Eigen::Index n, const Pose& pose,
