@@ -27,6 +27,7 @@ study::Study suspension_study() {
                       holding_steps(),
                       contact_orders(),
                       resting(),
+                      contact_turning(),
                       cost_of_contact(),
                       random_crowds(),
                       taylor_green_in_contact(),
