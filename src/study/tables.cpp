@@ -1,6 +1,7 @@
 // Writes the tables of a study as HTML, convergence and claims, and the numbers in them.
 #include "study/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -38,11 +39,21 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
+/// Returns whether a cost is the varied quantity itself.
+bool repeats_x(const CostMeasure& cost, const ExperimentResult& result) {
+  const auto is_x = [&](const Measurement& point) { return point.*cost.value == point.x; };
+  return std::ranges::all_of(result.lines, [&](const LineResult& line) {
+    return std::ranges::all_of(line.measurements, is_x);
+  });
+}
+
 /// Returns the cost that a convergence table shows beside the errors: the counted operations, else
 /// the unknowns, else no value. Work-precision figures show all costs, including seconds.
 std::optional<CostMeasure> shown_cost(const ExperimentResult& result) {
   std::vector<CostMeasure> costs = measured_costs(result);
-  std::erase_if(costs, [](const CostMeasure& cost) { return cost.value == &Measurement::seconds; });
+  std::erase_if(costs, [&](const CostMeasure& cost) {
+    return cost.value == &Measurement::seconds || repeats_x(cost, result);
+  });
   if (costs.empty()) return std::nullopt;
   return costs.back();
 }
@@ -93,7 +104,8 @@ std::string html_number(double x) {
 std::string convergence_table(const ExperimentResult& result) {
   const auto& [experiment, lines] = result;
   const std::optional<CostMeasure> cost = shown_cost(result);
-  std::vector<std::string> heads{head("error")};
+  const bool has_errors = experiment.error.find("error") != std::string::npos;
+  std::vector<std::string> heads{head(has_errors ? "error" : "value")};
   if (experiment.axes == Axes::log_log) heads.push_back(head("order"));
   if (experiment.axes == Axes::semi_log) heads.push_back(head("rate"));
   if (cost) heads.push_back(head("cost"));
@@ -120,7 +132,7 @@ std::string convergence_table(const ExperimentResult& result) {
   for (const auto& [x, text] : rows) body += row(text);
   body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
   const std::string caption =
-      escaped(experiment.title) + ". Error: " + escaped(experiment.error) + '.';
+      escaped(experiment.title) + ". Shown: " + escaped(experiment.error) + '.';
   return table(caption + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
 }
 

@@ -156,6 +156,11 @@ BOOST_AUTO_TEST_CASE(tables_have_costs_where_they_were_measured) {
   const std::string table = convergence_table(result.experiments[0]);
   BOOST_TEST(contains(table, "Cost: unknowns."));
   BOOST_TEST(contains(table, "<td>448</td><td>0.0469</td><td>1</td><td>&ndash;</td></tr>"));
+  // A cost that repeats the first column is left out.
+  for (LineResult& line : result.experiments[0].lines) {
+    for (Measurement& point : line.measurements) point.unknowns = point.x;
+  }
+  BOOST_TEST(!contains(convergence_table(result.experiments[0]), "Cost"));
 }
 
 BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
@@ -170,6 +175,8 @@ BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
   BOOST_TEST(contains(of_cases, "<th>error</th>"));
   BOOST_TEST(!contains(of_cases, "<th>order</th>"));
   BOOST_TEST(!contains(of_cases, "<th>rate</th>"));
+  result.experiments[0].experiment.error = "number of iterations";
+  BOOST_TEST(contains(table(Axes::nominal), "<th>value</th>"));
 }
 
 BOOST_AUTO_TEST_CASE(what_only_the_full_size_measures_is_said) {
