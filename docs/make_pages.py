@@ -116,8 +116,8 @@ def exercise_page(chapter, exercise, text):
         # Doxygen would end a paragraph, and with it the folded text, after the summary.
         parts[k] = re.sub(r"<details><summary>.*?</summary>|</details>",
                           r"\n@htmlonly[block]\n\g<0>\n@endhtmlonly\n", parts[k])
-    return (f"{title} {{#exercise_{chapter}_{exercise}}}\n\nThis exercise belongs to chapter @ref chapter_{chapter}. "
-            f"`./stokes check {chapter}.{exercise}` checks your answer.\n{''.join(parts)}")
+    return (f"{title} {{#exercise_{chapter}_{exercise}}}\n\n"
+            f"This exercise belongs to chapter @ref chapter_{chapter}. `./stokes check {chapter}.{exercise}` checks your answer.\n{''.join(parts)}")
 
 
 def chapters_page(methods):

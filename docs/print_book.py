@@ -32,8 +32,8 @@ def page_of_book(text, name, names):
 
 def book_html(folder):
     """Returns the book as one page."""
-    paths = [*sorted(folder.glob("chapter_*.html")),
-             *(folder / f"{name}.html" for name in ("reading_results", "conventions", "glossary", "bibliography"))]
+    further = ("reading_results", "conventions", "glossary", "bibliography")
+    paths = [*sorted(folder.glob("chapter_*.html")), *(folder / f"{name}.html" for name in further)]
     names = {path.name for path in paths}
     head = (folder / "index.html").read_text().partition("</head>")[0]
     head = re.sub(r"<title>.*?</title>", "<title>stokesbook</title>", head)

@@ -11,9 +11,9 @@ import sys
 
 from check_pages import MATH
 
-# The first pattern that a page's name matches is its rank: of equal hits, those of chapters come first.
-RANKS = ["chapter_", "(?!group_|class|struct|namespace|exercise_|study_|claims)", "exercise_", "study_|claims",
-         "group_|class|struct|namespace"]
+# A page's rank is the first pattern that its name matches: of equal hits, chapters come first.
+RANKS = ["chapter_", "(?!group_|class|struct|namespace|exercise_|study_|claims)", "exercise_",
+         "study_|claims", "group_|class|struct|namespace"]
 BLOCKS = {"p", "div", "li", "td", "th", "dt", "dd", "figcaption", "summary"}
 NOT_READ = {"toc", "permalink", "fragment"}  # classes; quoted code would outweigh the text
 NO_TEXT = re.compile(r".*-members|.*_animation|dir_.*|.*_8[hc]pp|annotated|modules|pages|topics")
@@ -25,7 +25,7 @@ class Sections(html.parser.HTMLParser):
     def __init__(self, text):
         super().__init__()
         self.sections = []
-        self._anchor, self._heading, self._silent = "", None, []  # an open heading; open silent elements
+        self._anchor, self._heading, self._silent = "", None, []  # open heading, silent elements
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
@@ -73,7 +73,8 @@ def entries_of(name, text):
 def main(folder):
     entries = [entry for page in sorted(folder.glob("*.html")) if not NO_TEXT.fullmatch(page.stem)
                for entry in entries_of(page.name, page.read_text())]
-    (folder / "search_index.js").write_text(f"searchIndex = {json.dumps(entries, ensure_ascii=False)};\n")
+    index = json.dumps(entries, ensure_ascii=False)
+    (folder / "search_index.js").write_text(f"searchIndex = {index};\n")
 
 
 if __name__ == "__main__":
