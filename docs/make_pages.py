@@ -165,6 +165,10 @@ def main(root, folder, study, results):
     (folder / "exercises.md").write_text(exercises_page(methods, exercises))
     chapters = sorted(root.glob("chapters/*/chapter.md"))
     texts = [path.read_text() for path in [*chapters, *sorted(root.glob("docs/*.md"))]]
+    faults = [f"{number_pages.TITLE.match(text)[2]}: {fault}"
+              for text in texts for fault in number_pages.faults(text)]
+    if faults:
+        raise SystemExit("\n".join(faults))
     folders = [study, results, folder, root / "docs/drawings", *(path.parent for path in chapters)]
     pages = number_pages.numbered_pages(texts, lambda name: included_file(name, folders),
                                         number_pages.study_sections(study))

@@ -14,6 +14,7 @@ from check_pages import FORMULA, without_code
 INCLUDE = re.compile(r"^@htmlinclude (?:\S*/)?(\w+_(figure|table)\.html|\w+\.svg)$", re.MULTILINE)
 SEE = re.compile(r"[@\\]see_(\w+)")
 TITLE = re.compile(r"# (.*) \{#(\w+)\}\n")
+MOST_WORDS = 4500  # of a chapter's prose
 WORDS_A_MINUTE = 45  # slow, because formulas and figures take their time, but are not counted
 
 
@@ -58,6 +59,15 @@ def shown_in(text):
 def unreferred(text):
     """Returns the figures and tables that a page includes and that its text does not refer to."""
     return [shown.stem for shown in shown_in(text) if shown.stem not in SEE.findall(text)]
+
+
+def faults(text):
+    """Returns what a page lacks: references to its figures and tables, or brevity."""
+    found = [f"the text does not refer to {stem}" for stem in unreferred(text)]
+    words, _ = reading_minutes(text)
+    if words > MOST_WORDS and TITLE.match(text)[2].startswith("chapter_"):
+        found.append(f"{words} words of prose; a chapter has at most {MOST_WORDS}")
+    return found
 
 
 def caption_of(content, title):
