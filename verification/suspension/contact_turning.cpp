@@ -53,7 +53,7 @@ Measure by_heun(double rate) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     for (const double tolerance : {1e-3, 3e-3, 1e-2}) {
-      const TimeSettings time{.method = SteppingMethod::heun, .tolerance = tolerance};
+      const TimeSettings time{.dt = 0.3, .method = SteppingMethod::heun, .tolerance = tolerance};
       measurements.push_back(turned(size, time, tolerance, rate));
     }
     return measurements;
